@@ -138,6 +138,7 @@ check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, c
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
 	@$(if $(wildcard $(SPEC)/witness),$(MIPGEN) audit --spec $(SPEC) --witness $(SPEC)/witness)
 	@PYTHONPATH=generator $(RUN) tests/golden.py --check
+	@$(RUN) tests/wording.py $(SPEC)
 	@$(MIPGEN) diff --release --spec $(SPEC)
 	@$(RUN) tools/release/interface.py --check --out $(OUT)
 	@$(VENV)/bin/ruff check --quiet .
@@ -150,7 +151,7 @@ check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, c
 	@find $(OUT)/c runtime/c tests/c tests/cross \( -name '*.c' -o -name '*.h' -o -name '*.hpp' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust
 	@if command -v npm >/dev/null 2>&1; then $(BIOME) check --error-on-warnings --log-level=warn .; fi
-	@echo "checked: specification, generated files, ruff, mypy, imports, clang-format, rustfmt$$(command -v npm >/dev/null 2>&1 && echo ', biome; nothing was left out' || echo '; left out: biome (JavaScript), which needs npm (Debian: apt-get install npm)')"
+	@echo "checked: specification, words, generated files, ruff, mypy, imports, clang-format, rustfmt$$(command -v npm >/dev/null 2>&1 && echo ', biome; nothing was left out' || echo '; left out: biome (JavaScript), which needs npm (Debian: apt-get install npm)')"
 
 .PHONY: workbench
 workbench: ## build the tools for the browser in build/workbench, of any output: make workbench OUT=FOLDER
@@ -178,8 +179,10 @@ docs-serve: workbench $(VENV)/development.stamp ## show that site at http://127.
 	@cd $(OUT)/markdown && $(MKDOCS) serve $(addprefix --dev-addr ,$(ADDRESS))
 
 .PHONY: pictures
-pictures: $(VENV)/all.stamp ## make the picture of the README anew
+pictures: docs $(VENV)/all.stamp ## make the pictures of the README anew, and in build/pictures those of the site
 	@$(RUN) docs/pictures/session.py docs/pictures/session.svg
+	@PYTHONPATH=generator:tests $(RUN) docs/pictures/pages.py $(BUILD)/site $(BUILD)/pictures
+	@cp $(BUILD)/pictures/field.png docs/pictures/field.png
 
 .PHONY: bench
 bench: tools $(VENV)/all.stamp ## measure size and speed; README=1 writes the tables of the READMEs, PEER=FOLDER compares with the vendor's SDK

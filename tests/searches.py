@@ -154,6 +154,16 @@ WORDS = {
     "tare": ["fields/filter/tare_orientation.html", _TROUBLE + "16"],
     "permission denied serial port": [_TROUBLE + "1"],
     "linux dialout": [_TROUBLE + "1"],
+    "GX5-25 data": ["devices/3dm-gx5-25.html"],
+    "usb vendor id": [_TROUBLE + "20"],
+    "udev rule": [_TROUBLE + "20"],
+    # what readers of the reference look for
+    "unused bits": ["packets.html#reserved-and-undocumented-values"],
+    "read pps source": ["fields/3dm/pps_source_control.html"],
+    "GX5-45 to CV7-INS": ["compare/commands.html?devices=3dm-cv7-ins,3dm-gx5-45&differences="],
+    "compare devices": ["compare/overview.html"],
+    "first program": ["start.html"],
+    "whole program": ["programs.html"],
     # codes of the acknowledge
     "error 0x03": ["packets.html#protocol.acknowledge.code.ack_code.invalid_parameter"],
     "NACK 0x03": ["packets.html#protocol.acknowledge.code.ack_code.invalid_parameter"],
@@ -284,4 +294,47 @@ WORDS = {
     "CH_FIELD_ESTFILTER_ESTIMATED_LLH_POS": ["fields/filter_data/llh_position.html"],
     "CH_FIELD_GNSS_FIX_INFO": ["fields/gnss_data/fix_info.html"],
     "CMD_SET_TO_IDLE": ["fields/base/set_idle.html"],
+}
+
+#: What readers want to know, what they type, the page that answers, and words of its answer.
+TASKS = {
+    "what error code 0x03 means": ("error 0x03", "packets.html", "invalid_parameter"),
+    "what bits 2 to 15 of a flag word are": ("reserved bits", "packets.html", "the other bits of a flag word"),
+    "the same, on the page of the flags": ("gps time", "fields/gnss_data/gps_time.html", "other bits"),
+    "code that reads the PPS source": ("read pps source", "fields/3dm/pps_source_control.html", "Control.read()"),
+    "a complete file with it": ("whole program", "programs.html", "open_port("),
+    "what the GX5-15 has and the CV7 lacks": (
+        "GX5-15 CV7", "guides/migrate_from_gx5_15_to_cv7.html", "has and the 3DM-CV7-GNSS/INS lacks"
+    ),
+    "from the GX5-45 to the CV7-INS": ("GX5-45 to CV7-INS", "compare/commands.html", "3DM-CV7-INS"),
+    "zero or tare the heading": ("zero heading", "guides/troubleshooting.html", "Tare orientation (0x0D,0x21)"),
+    "is gravity in the acceleration": ("is gravity in the acceleration", "guides/axes_and_signs.html", "is free of it"),
+    "range and sign of the Euler angles": ("roll pitch yaw sign", "guides/axes_and_signs.html", "between -pi and pi"),
+    "ENU": ("ENU", "guides/axes_and_signs.html", "east = NED y"),
+    "the USB identity and the udev rule": ("udev rule", "guides/troubleshooting.html", 'ATTRS{idVendor}=="199b"'),
+    "a first program": ("first program", "start.html", "Save this as"),
+    "bytes, on a Git host": ("inspector", "tools/inspector.html", "mip dump"),
+}  # fmt: skip
+
+#: What users asked in public: words of theirs, the page, and words of its answer.
+QUESTIONS = {
+    "baud rate at startup": ("guides/troubleshooting.html", "Send the same command with save"),
+    "stuck at 100 Hz": ("guides/troubleshooting.html", "divides the base rate of the set by a whole number"),
+    "PPS refused": ("guides/troubleshooting.html", "The source does not exist on this device"),
+    "heading drifts": ("guides/troubleshooting.html", "Enable a source"),
+    "antenna offset direction": ("guides/troubleshooting.html", "From the origin of the sensor to the phase centre"),
+    "time synchronization": ("guides/troubleshooting.html", "Time sync status (0xA0,0x02)"),
+    "timestamps not in sync": ("guides/troubleshooting.html", "which second it marks"),
+    "cannot communicate with device": ("guides/troubleshooting.html", "The port or the baud rate is wrong"),
+    "data arrives in bursts": ("guides/troubleshooting.html", "Reduce the latency timer"),
+    "why -9.8": ("guides/axes_and_signs.html", "specific force"),
+    "ROS orientation": ("guides/axes_and_signs.html", "ROS orders the elements x, y, z, w"),
+    "921600 fails": ("guides/troubleshooting.html", "wait 250 ms"),
+    "yaw 90 degrees off": ("guides/axes_and_signs.html", "The two differ by pi/2 - yaw"),
+    "NED to ENU quaternion": ("guides/axes_and_signs.html", "(w + z, x + y, x - y, w - z) / sqrt(2)"),
+    "GX5-25 data": ("devices/3dm-gx5-25.html", "Fields that it probably supports"),
+    "matlab": ("guides/troubleshooting.html", "readtable"),
+    "delta theta 1 Hz": ("guides/troubleshooting.html", "integrals over the period of the message"),
+    "no filter data": ("guides/troubleshooting.html", "states what it waits for"),
+    "no data after power up": ("guides/troubleshooting.html", "Message format and stream were not saved"),
 }

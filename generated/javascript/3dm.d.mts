@@ -725,7 +725,7 @@ export declare class DeviceStatusBasicResponse extends Response {
  * `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
  * Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the
  * 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
- * Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of another device; MSCL has the layout
+ * Uncertain: The manual of the 3DM-GX5-45 has it too, but for the model number of another device; MSCL has the layout
  * with a state for that device.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -1925,7 +1925,7 @@ export declare class PollGnssData extends Command<undefined> {
     /** On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Range: 0 to 83. */
     /**
      * Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place of the reserved
-     * number and does not say how a poll uses it.
+     * number and does not document how a poll uses it.
      */
     descriptors: PollEntry[];
 }
@@ -2323,8 +2323,8 @@ export declare class RawRtcm2_3Message extends Command<undefined> {
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConstellationSettingsResponse`. Probably
  * changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and
- * 3DM-GX5-35. Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but gives channels for
- * SBAS and QZSS too.
+ * 3DM-GX5-35. Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but has channels for SBAS
+ * and QZSS too.
  *
  * The device rejects entries that reserve more than 32 channels in total. The maximum of an entry must not be less than
  * the number of channels it reserves. GLONASS and BeiDou cannot be used together. If the antenna or its filter is made

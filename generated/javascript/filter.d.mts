@@ -520,7 +520,7 @@ export declare class ReferencePositionResponse extends Response {
     longitude: number;
     /**
      * Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level.
-     * The manual does not say; its glossary counts altitudes from sea level.
+     * The manual does not state it; its glossary counts altitudes from sea level.
      */
     altitude: number;
 }
@@ -638,7 +638,7 @@ export declare class MagneticDeclinationSourceResponse extends Response {
     /**
      * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
      * Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included,
-     * require it only if it is, but give one length, with the value. Sending it always fits both.
+     * require it only if it is, but state one length, with the value. Sending it always fits both.
      */
     declination: number;
 }
@@ -683,27 +683,27 @@ export declare class MagMagnitudeErrorAdaptiveMeasurementResponse extends Respon
     frequency: number;
     /**
      * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-     * gives m/s^2 in the command and gauss in the response.
+     * states m/s^2 in the command and gauss in the response.
      */
     lowLimit: number;
     /**
      * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-     * gives m/s^2 in the command and gauss in the response.
+     * states m/s^2 in the command and gauss in the response.
      */
     highLimit: number;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2;
-     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     lowLimitUncertainty: number;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2;
-     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     highLimitUncertainty: number;
     /**
      * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual
-     * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     minimumUncertainty: number;
 }
@@ -1074,7 +1074,7 @@ export declare class SetInitialAttitude extends Command<undefined> {
 /**
  * Set initial heading (0x0D,0x03).
  *
- * Sets the initial heading of the filter; pitch and roll come from the accelerometers.
+ * Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
  *
  * Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -1807,7 +1807,7 @@ export declare class ReferencePosition<R extends Response | undefined = undefine
     longitude?: number;
     /**
      * Altitude of the reference position. Unit: m. Required for `write`. Uncertain: Whether it counts from the
-     * ellipsoid or from sea level. The manual does not say; its glossary counts altitudes from sea level.
+     * ellipsoid or from sea level. The manual does not state it; its glossary counts altitudes from sea level.
      */
     altitude?: number;
     /** Apply the new setting. */
@@ -2062,7 +2062,7 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
     /**
      * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Required
      * for `write`. Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7
-     * included, require it only if it is, but give one length, with the value. Sending it always fits both.
+     * included, require it only if it is, but state one length, with the value. Sending it always fits both.
      */
     declination?: number;
     /** Apply the new setting. */
@@ -2160,27 +2160,27 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
     frequency?: number;
     /**
      * Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK states m/s^2; a manual
-     * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     lowLimit?: number;
     /**
      * Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK states m/s^2; a manual
-     * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     highLimit?: number;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit.
-     * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     lowLimitUncertainty?: number;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit.
-     * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     highLimitUncertainty?: number;
     /**
      * Smallest standard deviation. Unit: gauss. Range: at least 0. Required for `write`. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     minimumUncertainty?: number;
     /** Apply the new setting. */

@@ -85,7 +85,7 @@ export declare const HeadingAidingType: Enumeration<HeadingAidingType> & {
 
 export type AidingMeasurementType = Flavor<number, "filter_data.aiding_measurement_type">;
 /**
- * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set `aiding` that give the
+ * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set `aiding` that send the
  * measurement.
  */
 export declare const AidingMeasurementType: Enumeration<AidingMeasurementType> & {
@@ -132,7 +132,7 @@ export declare const AidingMeasurementIndicator: Bitfield<AidingMeasurementIndic
     readonly SAMPLE_TIME_WARNING: AidingMeasurementIndicator;
     /** Its configuration is wrong. Bit 4. */
     readonly CONFIG_ERROR: AidingMeasurementIndicator;
-    /** There are more measurements than the filter can take. Bit 5. */
+    /** There are more measurements than the filter can process. Bit 5. */
     readonly MAX_MEASUREMENTS_EXCEEDED: AidingMeasurementIndicator;
 };
 
@@ -728,10 +728,10 @@ export declare class Status extends Data {
      *
      * - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
      *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5FilterState`. Inferred: The
-     *   3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth.
+     *   3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth.
      * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
      *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7FilterState`. Inferred: The 3DM-CV7-GNSS/INS has them,
-     *   and the SDK gives the same states for its generation.
+     *   and the SDK lists the same states for its generation.
      * - On the 3DM-CV7-GNSS/INS: values of `Cv7FilterState`.
      * - On the 3DM-GX5-15: values of `Gx5FilterState`.
      */
@@ -741,10 +741,10 @@ export declare class Status extends Data {
      *
      * - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
      *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5DynamicsMode`. Inferred: The
-     *   3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth.
+     *   3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth.
      * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
      *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7DynamicsMode`. Inferred: The 3DM-CV7-GNSS/INS has them,
-     *   and the SDK gives the same states for its generation.
+     *   and the SDK lists the same states for its generation.
      * - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
      * - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
      */
@@ -754,10 +754,10 @@ export declare class Status extends Data {
      *
      * - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45,
      *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of `Gx5StatusFlags`. Inferred: The
-     *   3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth.
+     *   3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth.
      * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
      *   3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7StatusFlags`. Inferred: The 3DM-CV7-GNSS/INS has them,
-     *   and the SDK gives the same states for its generation.
+     *   and the SDK lists the same states for its generation.
      * - On the 3DM-CV7-GNSS/INS: values of `Cv7StatusFlags`.
      * - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
      */
@@ -1022,7 +1022,7 @@ export declare class MagBiasUncertainty extends Data {
 /**
  * Compensated acceleration (0x82,0x1C).
  *
- * Acceleration without the estimated bias; it includes gravity.
+ * Acceleration without the estimated bias. It includes gravity.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
@@ -1621,7 +1621,7 @@ export declare class OdometerScaleFactorErrorUncertainty extends Data {
 /**
  * GNSS dual antenna status (0x82,0x49).
  *
- * Heading that two GNSS antennas give.
+ * Heading from two GNSS antennas.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -1657,7 +1657,7 @@ export declare class GnssDualAntennaStatus extends Data {
 /**
  * Aiding frame configuration error (0x82,0x50).
  *
- * Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
+ * Estimated error of a frame that `aiding.FrameConfig` defines. It is corrected for.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *

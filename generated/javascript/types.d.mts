@@ -82,13 +82,13 @@ export declare const Cv7ContinuousBuiltInTest: Bitfield<Cv7ContinuousBuiltInTest
     readonly IMU_STALL: Cv7ContinuousBuiltInTest;
     /** Set if any filter fault (bits 20-23) is set. Bits 20 to 23. Overlaps other bits. */
     readonly FILTER_PROCESS_FAULT: Cv7ContinuousBuiltInTest;
-    /** Fault of the major cycle of the filter; bits 22 and 23 say which fault. Bit 20. */
+    /** Fault of the major cycle of the filter; bits 22 and 23 show which fault. Bit 20. */
     readonly FILTER_MAJOR_CYCLE_FAULT: Cv7ContinuousBuiltInTest;
-    /** Fault of the minor cycle of the filter; bits 22 and 23 say which fault. Bit 21. */
+    /** Fault of the minor cycle of the filter; bits 22 and 23 show which fault. Bit 21. */
     readonly FILTER_MINOR_CYCLE_FAULT: Cv7ContinuousBuiltInTest;
-    /** A filter process misses its base rate; bits 20 and 21 say which. Bit 22. */
+    /** A filter process misses its base rate; bits 20 and 21 show which. Bit 22. */
     readonly FILTER_DATA_RATE_ERROR: Cv7ContinuousBuiltInTest;
-    /** A filter process produces no data; bits 20 and 21 say which. Bit 23. */
+    /** A filter process produces no data; bits 20 and 21 show which. Bit 23. */
     readonly FILTER_PROCESS_STALL: Cv7ContinuousBuiltInTest;
     /** Set if any GNSS fault (bits 24-27) is set. Bits 24 to 27. Overlaps other bits. */
     readonly GNSS_SUBSYSTEM_FAULT: Cv7ContinuousBuiltInTest;

@@ -959,16 +959,16 @@ types:
         doc: The inertial sensor subsystem produces no data.
       - id: filter_major_cycle_fault
         type: b1
-        doc: Fault of the major cycle of the filter; bits 22 and 23 say which fault.
+        doc: Fault of the major cycle of the filter; bits 22 and 23 show which fault.
       - id: filter_minor_cycle_fault
         type: b1
-        doc: Fault of the minor cycle of the filter; bits 22 and 23 say which fault.
+        doc: Fault of the minor cycle of the filter; bits 22 and 23 show which fault.
       - id: filter_data_rate_error
         type: b1
-        doc: A filter process misses its base rate; bits 20 and 21 say which.
+        doc: A filter process misses its base rate; bits 20 and 21 show which.
       - id: filter_process_stall
         type: b1
-        doc: A filter process produces no data; bits 20 and 21 say which.
+        doc: A filter process produces no data; bits 20 and 21 show which.
       - id: gnss_main_process_fault
         type: b1
         doc: The main GNSS process did not run in time.
@@ -2886,7 +2886,7 @@ types:
         type: b2
       - id: max_measurements_exceeded
         type: b1
-        doc: There are more measurements than the filter can take.
+        doc: There are more measurements than the filter can process.
       - id: config_error
         type: b1
         doc: Its configuration is wrong.
@@ -5779,7 +5779,7 @@ types:
         doc: "Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
   filter_set_initial_heading:
     -orig-id: filter.set_initial_heading
-    doc: Set initial heading. Sets the initial heading of the filter; pitch and roll come from the accelerometers.
+    doc: Set initial heading. Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
     seq:
       - id: heading
         type: f4
@@ -7380,7 +7380,7 @@ types:
         doc: "Reserved: send 0."
   rtk_erase_storage:
     -orig-id: rtk.erase_storage
-    doc: Erase storage. Returns a storage medium to its raw state; everything on it is erased.
+    doc: Erase storage. Returns a storage medium to its raw state. Everything on it is erased.
     seq:
       - id: media
         type: u1
@@ -9445,7 +9445,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_comp_accel:
     -orig-id: filter_data.comp_accel
-    doc: Compensated acceleration. Acceleration without the estimated bias; it includes gravity.
+    doc: Compensated acceleration. Acceleration without the estimated bias. It includes gravity.
     seq:
       - id: accel
         type: vector3f
@@ -9771,7 +9771,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_gnss_dual_antenna_status:
     -orig-id: filter_data.gnss_dual_antenna_status
-    doc: GNSS dual antenna status. Heading that two GNSS antennas give.
+    doc: GNSS dual antenna status. Heading from two GNSS antennas.
     seq:
       - id: tow
         type: f4
@@ -9794,7 +9794,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_aiding_frame_config_error:
     -orig-id: filter_data.aiding_frame_config_error
-    doc: "Aiding frame configuration error. Estimated error of a frame that `aiding_frame_config` defines; it is corrected for."
+    doc: "Aiding frame configuration error. Estimated error of a frame that `aiding_frame_config` defines. It is corrected for."
     seq:
       - id: frame_id
         type: u1

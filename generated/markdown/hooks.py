@@ -36,11 +36,11 @@ WORKBENCH = os.environ.get("MIP_WORKBENCH", "")
 #: How much of each part of a page the search has, if it has the workbench, whose index of fields has what is in
 #: parameters, values and bits.
 _BEGINNINGS = {
-    "fields/": 120,
+    "fields/": 100,
     "types/": 0,
     "types.md": 0,
     "compare/": 0,
-    "examples.md": 0,
+    "examples": 0,
     "errata.md": 40,
     "sets/": 120,
     "devices/": 120,

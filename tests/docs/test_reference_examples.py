@@ -24,14 +24,14 @@ ROLES = {"command": "command", "reply": "reply", "data": "data", "field": "one f
 
 def test_every_example_has_its_section(manual: Manual) -> None:
     for e in manual.model.examples:
-        section = manual.section("examples.md", f"example.{e.id}")
+        section = manual.example(e)
         seen = words(section)
         (block,) = re.findall(r"^```text\n(.*)\n```$", section, re.M)
         rows = table_with(section, "Bytes", "Part")
         assert bytes.fromhex(block) == shown(e)
         assert bytes.fromhex(" ".join(words(row["Bytes"]) for row in rows)) == shown(e), e.id
         device = f", {e.device.title}" if e.device else ""
-        assert f"\n### {e.id}\n\n{e.title} ({ROLES[e.role]}{device}), in “{e.section}”." in seen
+        assert f"\n## {e.id}\n\n{e.title} ({ROLES[e.role]}{device}), in “{e.section}”." in seen
         assert prose(e.note, manual.model) in seen
         assert (
             (e.string is not None)
@@ -94,18 +94,23 @@ def check_values(model: m.Model, e: m.Example, rows: list[dict[str, str]]) -> No
 
 def test_examples_are_in_the_order_of_their_manual(manual: Manual) -> None:
     """The sections of a manual one after the other; in each, the examples as their file has them."""
+    pages = {path: text for path, text in manual.pages.items() if path.startswith("docs/examples/")}
+    seen = {path: re.findall(r'<a id="example\.([^"]*)"></a>', text) for path, text in pages.items()}
+    assert sorted(id for ids in seen.values() for id in ids) == sorted(e.id for e in manual.model.examples)
     for of in manual.model.protocol.manuals:
-        part = manual.page("examples.md").partition(f'<a id="manual.{of.id}"></a>')[2].partition('<a id="manual.')[0]
-        seen = re.findall(r'<a id="example\.([^"]*)"></a>', part)
         own = [e for e in manual.model.examples if e.manual == of.id]
         if of.sections:
             own = [e for section in of.sections for e in own if e.section == section]
-        assert seen == [e.id for e in own]
+        for path, ids in seen.items():
+            if f"/{of.id}/" in path:
+                assert ids == [e.id for e in own if e.id in ids]
+                assert f"](examples/{path.removeprefix('docs/examples/')}) | {len(ids)} |" in manual.page("examples.md")
 
 
 def test_the_setup_sequence_of_the_manual_counts_up() -> None:
-    steps = [int(x) for x in re.findall(r"^Step (\d+): ", manual_of("real").page("examples.md"), re.M)]
-    assert steps == sorted(steps) and steps[0] == 1 and steps[-1] == 7
+    pages = [text for path, text in manual_of("real").pages.items() if path.startswith("docs/examples/3dm-gx5-15/")]
+    steps = [[int(x) for x in re.findall(r"^Step (\d+): ", page, re.M)] for page in pages]
+    assert all(found == sorted(found) for found in steps) and {x for found in steps for x in found} == set(range(1, 8))
 
 
 def test_two_devices_with_one_manual(tmp_path: Path) -> None:
@@ -121,11 +126,12 @@ def test_two_devices_with_one_manual(tmp_path: Path) -> None:
     }
     manual = made(both)
     for name, device_, code in (("ping-reply", "", "ok (0)"), ("ping-reply-of-b", "Model B", "default (0)")):
-        section = words(manual.section("examples.md", f"example.{name}"))
+        section = words(manual.example(next(e for e in both.examples if e.id == name)))
         assert f"| 00 | code | {code} |" in section and f"(reply{', ' if device_ else ''}{device_})" in section
 
 
 def test_values_mean_what_they_mean_on_the_device() -> None:
     """Names and units come from what differs on the device of the example."""
-    section = words(manual_of("invented").section("examples.md", "example.accel-bytes"))
+    shown_ = manual_of("invented")
+    section = words(shown_.example(next(e for e in shown_.model.examples if e.id == "accel-bytes")))
     assert "| scaled_accel | x 1 m, y -1 m, z NaN (0x7FE5BF7F) s |" in section

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import operator
 import re
 from collections.abc import Callable, Iterable
 
@@ -237,6 +239,10 @@ def wanted_rows(t: m.Type, manual: Manual) -> list[list[str]]:
             mask = f"0x{b.mask:0{2 * t.size}X}" if t.scalar else f"{b.first // 8}.{b.first % 8}"
             text = " ".join([*told(b.description, manual), *sentences(facts)])
             wanted.append([seen(place.value), mask, b.name, text])
+        free = (1 << 8 * t.size) - 1 & ~functools.reduce(operator.or_, (b.mask for b in t.bits), 0)
+        if free and t.scalar:
+            row = ["other bits", f"0x{free:0{2 * t.size}X}", "", "Reserved or not known: ignore them."]
+            wanted.append(row)
     if wanted and not any(row[-1] for row in wanted):
         wanted = [row[:-1] for row in wanted]
     return wanted

@@ -174,8 +174,8 @@ def test_rates_and_bandwidth(manual: Manual) -> None:
             if stream.rate:
                 lengths = sum(len(data) + 2 for _, data in codec.split(manual.model, stream.packet))
                 baud += 60 * stream.rate + 10 * lengths * stream.rate
-                often = "Once per second" if stream.rate == 1 else f"{stream.rate} times per second"
-                assert f"{often}, a packet of {stream.set.title}" in part
+                of_set = re.escape(f"The device sends a packet of {stream.set.title} (0x{stream.set.number:02X}) with ")
+                assert re.search(rf"{of_set}.* at {stream.rate:g} Hz\.", part)
                 for d in sequence.devices:
                     base = next(r.hertz for r in d.base_rates if r.set.name == stream.set.name)
                     assert f"{base} Hz / {stream.rate} Hz = decimation {base / stream.rate:g}" in part

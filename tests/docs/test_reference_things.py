@@ -76,8 +76,17 @@ def test_every_set_has_its_page(manual: Manual) -> None:
             seen(x.sentence) for x in describe.changed(s, manual.model)
         ]
         assert ("\n## Contents\n" in page) == bool(fields)
-        contents = table_with(page.partition("\n## Contents\n")[2], "Descriptor") if fields else []
+        known, _, others = page.partition("\n## Contents\n")[2].partition("\n### On no known device\n")
+        listed = {
+            f.full_name
+            for f in fields
+            for c in (True, False)
+            if manual.model.devices_of(f, c, s.number) or not manual.model.devices
+        }
+        contents = table_with(known, "Descriptor") + table_with(others.partition("\n## ")[0], "Descriptor")
         assert len(contents) == len(fields)
+        assert len(table_with(known, "Descriptor")) == len(listed)
+        fields = sorted(fields, key=lambda f: f.full_name not in listed)
         for f, row in zip(fields, contents, strict=True):
             marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
             cells = {key: words(value) for key, value in row.items()}
@@ -410,8 +419,9 @@ def test_every_erratum_has_its_section(manual: Manual) -> None:
                 f = of.field(c.subject)
                 assert f is not None and f"#{c.subject})" in section and f"#erratum.{e.id})" in manual.field(f)
             elif c.kind == "example":
-                assert f"(examples.md#example.{c.subject})" in section
-                assert f"#erratum.{e.id})" in manual.section("examples.md", f"example.{c.subject}")
+                assert f"#example.{c.subject})" in section
+                shown = next(x for x in of.examples if x.id == c.subject)
+                assert f"#erratum.{e.id})" in manual.example(shown)
             else:
                 assert c.subject in text
 

@@ -38,7 +38,7 @@ class Runs:
         for name in TARGETS:
             past = slices.of(name)
             assert isinstance(past, Slice)
-            files = render.render(name, model, past)
+            files = render.renew(discovery.built_in(name), model, past)
             output.write(files, self.out / name)
             self.made[name] = set(past.read)
         slices.keep()

@@ -57,7 +57,7 @@ def check(out: Path, kept: Path, version: str) -> int:
         if raised(released.removeprefix("# "), version) < (2 if gone else 1 if new else 0):
             status = 1
             print(
-                f"make: {path.stem}: of the interface of {released[2:]}, {len(gone)} lines are gone, {len(new)} new; "
+                f"make: {path.stem}: since {released[2:]}, lines of the interface gone: {len(gone)}, new: {len(new)}; "
                 f"version {version} is too low for that, raise it in spec/protocol.yaml (docs/versions.md)",
                 file=sys.stderr,
             )

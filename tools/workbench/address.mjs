@@ -40,7 +40,8 @@ export function fragmentOf(state) {
 }
 
 /**
- * The state of a tool, which begins with the fragment `start`. Without one, the address stays as it is.
+ * The state of a tool, which begins with the fragment `start`. Without one, the address stays as it is. `device` is that
+ * of a start that has none.
  *
  * The links of the page to other tools lead there with the same state.
  */
@@ -50,9 +51,9 @@ export class State {
     #last = Number.NEGATIVE_INFINITY;
     #timer;
 
-    constructor(start) {
+    constructor(start, device) {
         this.#follows = start !== undefined;
-        this.#values = stateOf(start ?? "");
+        this.#values = { ...(device && { device }), ...stateOf(start ?? "") };
         this.#tellLinks();
     }
 

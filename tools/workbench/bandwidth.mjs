@@ -10,7 +10,7 @@ import { streamChooser } from "./streams.mjs";
 /** Fills an element with the tool. `options` are those of `links`, and `start`, the fragment of an address, or the id of a device. */
 export function bandwidth(root, protocol, options = {}) {
     const to = links(options);
-    const state = options.state ?? new State(options.start);
+    const state = options.state ?? new State(options.start, options.device);
     const given = state.get("given");
     if (deviceOf(protocol, given)) state.adopt({ device: given });
     const output = element("div", { class: "mip-output mip-totals", "aria-live": "polite" });

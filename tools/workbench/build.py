@@ -136,7 +136,8 @@ def _pairs(names: str, form: str) -> list[str]:
 
 #: What the search reads of each part of the model.
 _READ = {
-    "model": ("format", "packet", "scalars", "acknowledge", "ack_code", "function_selector", "functions", "vocabulary"),
+    "model": ("format", "packet", "scalars", "acknowledge", "ack_code", "function_selector", "functions", "vocabulary",
+              "synonyms"),
     "field": ("set", "name", "descriptor", "role", "title", "description", "command", "responses", "keywords",
               "symbols", "also", "deprecated", "occurrences"),
     "type": ("name", "kind", "symbols"),

@@ -21,7 +21,7 @@ import { hexByte } from "./words.mjs";
  */
 export function builder(root, protocol, options = {}) {
     const to = links(options);
-    const shared = options.state ?? new State(options.start);
+    const shared = options.state ?? new State(options.start, options.device);
     const start = startOf(protocol, shared.get("packet") || shared.get("given"));
     if (start.device) shared.adopt({ device: start.device.id });
     const state = { device: start.device ?? deviceOf(protocol, shared.get("device")), set: undefined, entries: [] };

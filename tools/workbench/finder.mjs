@@ -7,7 +7,7 @@ import { find, indexOf, kindOf, packetIn } from "./find.mjs";
 /** Fills an element with the finder. `options` are those of `links`, and `start`, the fragment of an address. */
 export function finder(root, protocol, options = {}) {
     const to = links(options);
-    const state = options.state ?? new State(options.start);
+    const state = options.state ?? new State(options.start, options.device);
     if (!state.get("find") && state.get("given")) state.adopt({ find: state.get("given") });
     const index = indexOf(protocol);
     const input = element("input", { type: "search", id: "mip-find", autocomplete: "off", spellcheck: "false", value: state.get("find") });

@@ -19,7 +19,7 @@ const MOST = 1000;
  */
 export function inspector(root, protocol, options = {}) {
     const to = links(options);
-    const state = options.state ?? new State(options.start);
+    const state = options.state ?? new State(options.start, options.device);
     if (!state.get("bytes") && state.get("given")) state.adopt({ bytes: state.get("given") });
     const input = element(
         "textarea",

@@ -64,7 +64,7 @@ class Live {
     constructor(root, protocol, options) {
         this.#protocol = protocol;
         this.#to = links(options);
-        this.#state = options.state ?? new State(options.start);
+        this.#state = options.state ?? new State(options.start, options.device);
         this.#readings = new Readings(protocol);
         this.#layOut(root, options);
     }

@@ -338,7 +338,7 @@ class EchoControl(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
-    The manual does not give the layout of the responses that carry the data back.
+    The manual does not contain the layout of the responses that carry the data back.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control

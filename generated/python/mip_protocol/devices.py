@@ -927,7 +927,7 @@ CV7_GNSS_INS = Device(
             "ms",
             "Time after the rising edge of the PPS within which the GPS time update must arrive.",
         ),
-        "save_time": Limit(1, "s", "Time that saving all settings may take."),
+        "save_time": Limit(1, "s", "Maximum duration of saving all settings."),
         "motion_latency": Limit(
             1.9,
             "ms",
@@ -1064,7 +1064,7 @@ CV7_GNSS_INS = Device(
         ),
         "sensor_ranges": Note(
             "Sensor ranges",
-            "Settings of `3dm.sensor_range`. The manual gives them for related models, and its gyroscope column is cut off; `3dm.get_calibrated_sensor_ranges` returns those of the device.",
+            "Settings of `3dm.sensor_range`. The manual lists them for related models, and its gyroscope column is cut off; `3dm.get_calibrated_sensor_ranges` returns those of the device.",
             (
                 ("Sensor", "Setting", "Range"),
                 ("Accelerometer", "2", "4 g"),
@@ -3047,6 +3047,12 @@ GX4_IMU = Device(
                 0x7F: bytes.fromhex("10"),
             },
         ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Supported by devices of the same generation, 3DM-GX4-25.",
+            {0x01: bytes.fromhex("06")},
+        ),
     ),
     base_rates={},
     incomplete=("No manual is known.",),
@@ -3156,7 +3162,7 @@ GX5_15 = Device(
     notes={
         "base_rates": Note(
             "Base rates",
-            "The manual gives both 1000 and 500 for each stream. Read the base rates from the device before computing a decimation.",
+            "The manual states both 1000 and 500 for each stream. Read the base rates from the device before computing a decimation.",
             (),
         ),
         "frames": Note(
@@ -3405,7 +3411,7 @@ GX5_35 = Device(
 """Attitude and heading reference with GNSS. Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model
 number 6252. Manual: LORD 3DM-GX5-35 DCP Manual, revision unknown, known from some pages. This
 profile is incomplete: Only some pages of the manual are known, so it has more commands and data.
-Uncertain: The base rates are those that the manual gives for all 3DM-GX5.
+Uncertain: The base rates are those that the manual states for all 3DM-GX5.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -3561,8 +3567,8 @@ rev. C, known from some pages. This profile is incomplete: Only some pages of th
 so it has more commands and data. This profile is incomplete: Only four fields of the filter data
 are listed; the manual has 27 or more. Uncertain: The values of `filter.GnssSource` are those that
 MSCL offers. Uncertain: The base rates are those that the manuals of the 3DM-GX5-35 and the
-3DM-GX5-45 give for all 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz for
-the sensor data. Uncertain: The manual gives the length of
+3DM-GX5-45 state for all 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz for
+the sensor data. Uncertain: The manual states the length of
 `mip_3dm.DeviceStatusBasicWithoutStateResponse` and offsets of
 `mip_3dm.DeviceStatusDiagnosticGx4Response`; MSCL differs.
 
@@ -3786,6 +3792,12 @@ RQ1_IMU = Device(
                 0x0C: bytes.fromhex("01 06 08 37 38 39 3E 64"),
                 0x7F: bytes.fromhex("10"),
             },
+        ),
+        Evidence(
+            Support.PROBABLE,
+            "family",
+            "Supported by devices of the same generation, 3DM-GX4-25.",
+            {0x01: bytes.fromhex("06")},
         ),
     ),
     base_rates={},

@@ -732,7 +732,7 @@ class ReferencePositionResponse(Response):
     """Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east."""
     altitude: float
     """Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid
-    or from sea level. The manual does not say; its glossary counts altitudes from sea level.
+    or from sea level. The manual does not state it; its glossary counts altitudes from sea level.
     """
 
     def __init__(self, enable: int, latitude: float, longitude: float, altitude: float) -> None:
@@ -957,7 +957,7 @@ class MagneticDeclinationSourceResponse(Response):
     declination: float
     """Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
     3.141592653589793. Uncertain: Whether it may be left out if `source` is not manual. The manuals,
-    that of the 3DM-GQ7 included, require it only if it is, but give one length, with the value.
+    that of the 3DM-GQ7 included, require it only if it is, but state one length, with the value.
     Sending it always fits both.
     """
 
@@ -1091,25 +1091,25 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     low_limit: float
     """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
-    the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
     """
     high_limit: float
     """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
-    the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float
     """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-    The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+    The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
     response.
     """
     high_limit_uncertainty: float
     """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-    The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+    The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
     response.
     """
     minimum_uncertainty: float
     """Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
-    states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
     """
 
     def __init__(
@@ -1870,7 +1870,7 @@ class SetInitialAttitude(Command[None]):
 class SetInitialHeading(Command[None]):
     """Set initial heading (0x0D,0x03).
 
-    Sets the initial heading of the filter; pitch and roll come from the accelerometers.
+    Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
 
     Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15,
@@ -3462,7 +3462,7 @@ class ReferencePosition(Command[R]):
     """
     altitude: float | None
     """Altitude of the reference position. Unit: m. Required for `write`. Uncertain: Whether it
-    counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
+    counts from the ellipsoid or from sea level. The manual does not state it; its glossary counts
     altitudes from sea level.
     """
 
@@ -4069,7 +4069,7 @@ class MagneticDeclinationSource(Command[R]):
     declination: float | None
     """Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
     3.141592653589793. Required for `write`. Uncertain: Whether it may be left out if `source` is
-    not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but give one
+    not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state one
     length, with the value. Sending it always fits both.
     """
 
@@ -4352,25 +4352,25 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """
     low_limit: float | None
     """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
     """
     high_limit: float | None
     """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`.
-    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
-    and gauss in the response.
+    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+    command and gauss in the response.
     """
     high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for `write`.
-    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command
-    and gauss in the response.
+    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+    command and gauss in the response.
     """
     minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: gauss. Range: at least 0. Required for `write`. Uncertain:
-    The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss
+    The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss
     in the response.
     """
 

@@ -91,7 +91,7 @@ class HeadingAidingType(codec.OpenEnum):
 
 class AidingMeasurementType(codec.OpenEnum):
     """Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
-    `aiding` that give the measurement.
+    `aiding` that send the measurement.
     """
 
     GNSS = 1
@@ -139,7 +139,7 @@ class AidingMeasurementIndicator(IntFlag):
     CONFIG_ERROR = 1 << 4
     """Its configuration is wrong. Bit 4."""
     MAX_MEASUREMENTS_EXCEEDED = 1 << 5
-    """There are more measurements than the filter can take. Bit 5."""
+    """There are more measurements than the filter can process. Bit 5."""
 
 
 class DualAntennaFixType(codec.OpenEnum):
@@ -1015,11 +1015,11 @@ class Status(Data):
 
     - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
       3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
-      `Gx5FilterState`. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all
+      `Gx5FilterState`. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all
       generations up to the fifth.
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7FilterState`.
-      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation.
+      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation.
     - On the 3DM-CV7-GNSS/INS: values of `Cv7FilterState`.
     - On the 3DM-GX5-15: values of `Gx5FilterState`.
     """
@@ -1028,11 +1028,11 @@ class Status(Data):
 
     - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
       3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
-      `Gx5DynamicsMode`. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for
+      `Gx5DynamicsMode`. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for
       all generations up to the fifth.
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7DynamicsMode`.
-      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation.
+      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation.
     - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
     - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
     """
@@ -1041,11 +1041,11 @@ class Status(Data):
 
     - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25,
       3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of
-      `Gx5StatusFlags`. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all
+      `Gx5StatusFlags`. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all
       generations up to the fifth.
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of `Cv7StatusFlags`.
-      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation.
+      Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation.
     - On the 3DM-CV7-GNSS/INS: values of `Cv7StatusFlags`.
     - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
     """
@@ -1530,7 +1530,7 @@ class MagBiasUncertainty(Data):
 class CompAccel(Data):
     """Compensated acceleration (0x82,0x1C).
 
-    Acceleration without the estimated bias; it includes gravity.
+    Acceleration without the estimated bias. It includes gravity.
 
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
@@ -2617,7 +2617,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
 class GnssDualAntennaStatus(Data):
     """GNSS dual antenna status (0x82,0x49).
 
-    Heading that two GNSS antennas give.
+    Heading from two GNSS antennas.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -2689,7 +2689,7 @@ class GnssDualAntennaStatus(Data):
 class AidingFrameConfigError(Data):
     """Aiding frame configuration error (0x82,0x50).
 
-    Estimated error of a frame that `aiding.FrameConfig` defines; it is corrected for.
+    Estimated error of a frame that `aiding.FrameConfig` defines. It is corrected for.
 
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 

@@ -3,7 +3,7 @@
 Measurements and status of GNSS receivers. Each receiver has a descriptor set; all have the same
 fields.
 
-Uncertain: Which devices send the fields that no manual lists for a set. The SDK gives all GNSS data
+Uncertain: Which devices send the fields that no manual lists for a set. The SDK lists all GNSS data
 sets the same fields.
 
 - gnss_data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.

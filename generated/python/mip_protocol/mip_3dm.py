@@ -1118,8 +1118,8 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: MSCL has it for the 3DM-GX4-15,
     3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the
     3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
-    Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of another
-    device; MSCL has the layout with a state for that device.
+    Uncertain: The manual of the 3DM-GX5-45 has it too, but for the model number of another device;
+    MSCL has the layout with a state for that device.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -4133,7 +4133,7 @@ class PollGnssData(Command[None]):
     # Range: 0 to 83.
     descriptors: tuple[PollEntry, ...]
     """Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place
-    of the reserved number and does not say how a poll uses it.
+    of the reserved number and does not document how a poll uses it.
     """
 
     def __init__(self, suppress_ack: bool, descriptors: Sequence[PollEntry]) -> None:
@@ -4957,8 +4957,7 @@ class ConstellationSettings(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConstellationSettingsResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and
     `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Uncertain: The factory
-    default. The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS
-    too.
+    default. The SDK names only GPS and GLONASS as enabled, but has channels for SBAS and QZSS too.
 
     The device rejects entries that reserve more than 32 channels in total. The maximum of an entry
     must not be less than the number of channels it reserves. GLONASS and BeiDou cannot be used

@@ -98,13 +98,13 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     FILTER_PROCESS_FAULT = 0xF00000
     """Set if any filter fault (bits 20-23) is set. Bits 20 to 23. Overlaps other bits."""
     FILTER_MAJOR_CYCLE_FAULT = 1 << 20
-    """Fault of the major cycle of the filter; bits 22 and 23 say which fault. Bit 20."""
+    """Fault of the major cycle of the filter; bits 22 and 23 show which fault. Bit 20."""
     FILTER_MINOR_CYCLE_FAULT = 1 << 21
-    """Fault of the minor cycle of the filter; bits 22 and 23 say which fault. Bit 21."""
+    """Fault of the minor cycle of the filter; bits 22 and 23 show which fault. Bit 21."""
     FILTER_DATA_RATE_ERROR = 1 << 22
-    """A filter process misses its base rate; bits 20 and 21 say which. Bit 22."""
+    """A filter process misses its base rate; bits 20 and 21 show which. Bit 22."""
     FILTER_PROCESS_STALL = 1 << 23
-    """A filter process produces no data; bits 20 and 21 say which. Bit 23."""
+    """A filter process produces no data; bits 20 and 21 show which. Bit 23."""
     GNSS_SUBSYSTEM_FAULT = 0xF000000
     """Set if any GNSS fault (bits 24-27) is set. Bits 24 to 27. Overlaps other bits."""
     GNSS_MAIN_PROCESS_FAULT = 1 << 24

@@ -129,16 +129,16 @@ bitfield! {
         /// Set if any filter fault (bits 20-23) is set. Bits 20 to 23. Overlaps other bits.
         FILTER_PROCESS_FAULT: u8 = 20..=23,
             filter_process_fault, set_filter_process_fault, with_filter_process_fault;
-        /// Fault of the major cycle of the filter; bits 22 and 23 say which fault. Bit 20.
+        /// Fault of the major cycle of the filter; bits 22 and 23 show which fault. Bit 20.
         FILTER_MAJOR_CYCLE_FAULT: bool = 20,
             filter_major_cycle_fault, set_filter_major_cycle_fault, with_filter_major_cycle_fault;
-        /// Fault of the minor cycle of the filter; bits 22 and 23 say which fault. Bit 21.
+        /// Fault of the minor cycle of the filter; bits 22 and 23 show which fault. Bit 21.
         FILTER_MINOR_CYCLE_FAULT: bool = 21,
             filter_minor_cycle_fault, set_filter_minor_cycle_fault, with_filter_minor_cycle_fault;
-        /// A filter process misses its base rate; bits 20 and 21 say which. Bit 22.
+        /// A filter process misses its base rate; bits 20 and 21 show which. Bit 22.
         FILTER_DATA_RATE_ERROR: bool = 22,
             filter_data_rate_error, set_filter_data_rate_error, with_filter_data_rate_error;
-        /// A filter process produces no data; bits 20 and 21 say which. Bit 23.
+        /// A filter process produces no data; bits 20 and 21 show which. Bit 23.
         FILTER_PROCESS_STALL: bool = 23,
             filter_process_stall, set_filter_process_stall, with_filter_process_stall;
         /// Set if any GNSS fault (bits 24-27) is set. Bits 24 to 27. Overlaps other bits.

@@ -11,6 +11,7 @@ from mipgen.read.problems import Problem, Problems, SpecError
 
 from . import discovery, naming, render
 from .discovery import Source
+from .output import Made
 from .slices import NAMES, Anew, Slices
 
 
@@ -20,7 +21,7 @@ class Output:
 
     name: str
     title: str
-    files: dict[str, bytes]
+    files: dict[str, Made]
     problems: list[Problem]
 
 
@@ -40,7 +41,7 @@ def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) 
     def one(source: Source) -> Output:
         past = slices.of(source.name) if slices and source.ours else Anew()
         problems = [] if past.unchanged(NAMES) else past.make(NAMES, _unfit, model, source)
-        files = {} if problems else render.render(source, model, past)
+        files = {} if problems else render.renew(source, model, past)
         target = source.load()
         rename = target.renaming(model.protocol.package)
         return Output(source.name, rename(target.title) if rename else target.title, files, problems)

@@ -9,13 +9,15 @@ from __future__ import annotations
 import importlib
 import subprocess
 import tempfile
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from mipgen.base import cache
 from mipgen.base.errors import Failure
+
+from .output import Made, content
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,15 +70,13 @@ RUFF = Formatter(
 )
 
 
-def formatted(
-    formatter: Formatter, made: Mapping[str, bytes], fresh: Collection[str] | None = None
-) -> dict[str, bytes]:
-    """The files of an output, those of the formatter's language formatted; only what is fresh, if that is given."""
+def formatted(formatter: Formatter, made: Mapping[str, Made]) -> dict[str, Made]:
+    """The files of an output, those of the formatter's language formatted."""
     if formatter.style not in made:
         raise FormatError(f"{formatter.package} needs {formatter.style} in the output, to know the style")
-    how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), made[formatter.style])
+    how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), content(made[formatter.style]))
     files = [path for path in made if path.endswith(formatter.suffixes)]
-    keys = {path: cache.key(how, path, made[path]) for path in files if fresh is None or path in fresh}
+    keys = {path: cache.key(how, path, data) for path in files if isinstance(data := made[path], bytes)}
     known = {path: cache.get("formatted", name) for path, name in keys.items()}
     done = {path: text for path, text in known.items() if text is not None}
     wanted = sorted(known.keys() - done.keys())
@@ -87,14 +87,14 @@ def formatted(
     return {**made, **done}
 
 
-def _run(formatter: Formatter, made: Mapping[str, bytes], wanted: list[str]) -> dict[str, bytes]:
+def _run(formatter: Formatter, made: Mapping[str, Made], wanted: list[str]) -> dict[str, bytes]:
     """Formats in a temporary folder with the names of all files, because import sorting looks for modules."""
     needed = {formatter.style, *wanted}
     with tempfile.TemporaryDirectory(prefix="mipgen-") as name:
         folder = Path(name)
         for path, data in made.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            (folder / path).write_bytes(data if path in needed else b"")
+            (folder / path).write_bytes(content(data) if path in needed else b"")
         for step in formatter.steps:
             if _ran(formatter, step, wanted, folder).returncode != 0:
                 failed = {path: _ran(formatter, step, [path], folder) for path in wanted}

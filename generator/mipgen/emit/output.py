@@ -7,11 +7,13 @@ before they are written, and old ones until they are gone, so that a run finishe
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import os
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from mipgen.base.errors import Failure
 from mipgen.base.resources import MANIFEST
@@ -28,6 +30,17 @@ _BUILT = {"__pycache__", "target", "build", "dist", ".mypy_cache", ".ruff_cache"
 
 #: What a difference is where mipgen did not write the file: it is in the way, or not.
 OTHERS = ("foreign", "untracked")
+
+
+class Same(NamedTuple):
+    """A file that is as the last run left it, in place of its bytes."""
+
+    digest: bytes
+    place: Path
+
+
+#: A file of the output.
+Made = bytes | Same
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +60,15 @@ def admit(path: str, made: Collection[str], place: str) -> None:
         raise Failure(f"{path} is made twice", place)
 
 
-def finished(made: Mapping[str, bytes], place: str) -> dict[str, bytes]:
+def content(made: Made) -> bytes:
+    return made.place.read_bytes() if isinstance(made, Same) else made
+
+
+def digest(made: Made) -> bytes:
+    return made.digest if isinstance(made, Same) else hashlib.sha256(made).digest()
+
+
+def finished(made: Mapping[str, Made], place: str) -> dict[str, Made]:
     """All files of a target, with the manifest."""
     both = sorted(made.keys() & _parents(made))
     if both:
@@ -59,7 +80,7 @@ def manifest(paths: Iterable[str]) -> bytes:
     return "".join(f"{line}\n" for line in (HEADER, *sorted(paths))).encode("utf-8")
 
 
-def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
+def compare(made: Mapping[str, Made], folder: Path) -> list[Difference]:
     """How a folder differs from what it should hold."""
     ours = _ours(folder)
     known = ours | made.keys()
@@ -67,6 +88,8 @@ def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
     differences = [Difference(p, "foreign") for p, path in parents if os.path.lexists(path) and not path.is_dir()]
     for p in sorted(made):
         path = folder / p
+        if isinstance(made[p], Same):
+            continue
         if not os.path.lexists(path):
             differences.append(Difference(p, "missing"))
         elif not path.is_file() or path.read_bytes() != made[p]:
@@ -77,7 +100,7 @@ def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
     return differences
 
 
-def write(made: Mapping[str, bytes], folder: Path, differences: Sequence[Difference] | None = None) -> list[Difference]:
+def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Difference] | None = None) -> list[Difference]:
     """Makes the folder hold these files, also in place of foreign ones; untracked ones are kept.
 
     `differences`: how it differs, if that is known.
@@ -93,8 +116,9 @@ def write(made: Mapping[str, bytes], folder: Path, differences: Sequence[Differe
         with contextlib.suppress(OSError):  # it is not empty, or gone
             (folder / parent).rmdir()
     for d in differences:
-        if d.path in made:
-            _put(folder / d.path, made[d.path])
+        data = made.get(d.path)
+        if isinstance(data, bytes):
+            _put(folder / d.path, data)
     return differences
 
 

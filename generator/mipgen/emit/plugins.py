@@ -44,11 +44,11 @@ def parse(text: str) -> tuple[str, str]:
     return name, place
 
 
-def run(name: str, program: str, document: bytes) -> tuple[str, dict[str, bytes]]:
+def run(name: str, program: str, document: bytes) -> tuple[str, dict[str, output.Made]]:
     """The title of a plugin, and all files that it makes of the model."""
     place = f"plugin {name}"
     answer = _parsed(_output(program, document, place), place)
-    made = {"LICENSE": (resources.root() / "LICENSE").read_bytes()}
+    made: dict[str, output.Made] = {"LICENSE": (resources.root() / "LICENSE").read_bytes()}
     for path, content in answer["files"].items():
         output.admit(path, made, place)
         made[path] = _bytes(content, f"{place}: {path}")

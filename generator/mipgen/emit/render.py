@@ -16,6 +16,7 @@ from mipgen.model import Model
 
 from . import discovery, formatting, output
 from .discovery import Source
+from .output import Made
 from .slices import PLAN, Anew
 from .target import File, Target
 
@@ -40,34 +41,39 @@ def language(name: str) -> dict[str, Any]:
     return data
 
 
-def render(source: Source | str, model: Model, past: Anew | None = None) -> dict[str, bytes]:
-    """All files of a target, by path. Those that are right since the last run are not made again."""
-    if isinstance(source, str):
-        source = discovery.sources()[source]
-    past = past or Anew()
+def render(source: Source | str, model: Model) -> dict[str, bytes]:
+    """All files of a target, by path."""
+    made = renew(discovery.sources()[source] if isinstance(source, str) else source, model, Anew())
+    return {path: data for path, data in made.items() if isinstance(data, bytes)}
+
+
+def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
+    """The same; what is right since the last run is not made again."""
     right = past.all_right()
     if right is not None:
         past.keep(right)
         return right
     target, place = source.load(), f"target {source.name}"
     files, templates, rename = past.make(PLAN, _plan, source, model)
-    made = _finished(source)
-    if rename is not None:  # in paths too
-        made = {rename(path): rename(data.decode("utf-8")).encode("utf-8") for path, data in made.items()}
-    fresh = set(made)
+    made: dict[str, Made] = {}
+    for path, data in _finished(source).items():
+        if rename is None:
+            made[path] = data
+        else:  # in paths too
+            made[rename(path)] = rename(data.decode("utf-8")).encode("utf-8")
     for file in files:
         if not isinstance(file, File):
             raise Failure(f"files yields {file!r}; it must yield File(path, template)", place)
         path = file.path if rename is None else rename(file.path)
         output.admit(path, made, place)
-        data = past.right(path)
-        if data is None:
-            fresh.add(path)
+        same = past.right(path)
+        if same is None:
             text = past.make(path, templates.render, file.template, file.context, file.path)
-            data = (text if rename is None else rename(text)).encode("utf-8")
-        made[path] = data
+            made[path] = (text if rename is None else rename(text)).encode("utf-8")
+        else:
+            made[path] = same
     if target.formatter is not None:
-        made = formatting.formatted(target.formatter, made, fresh)
+        made = formatting.formatted(target.formatter, made)
     made = output.finished(made, place)
     past.keep(made)
     return made

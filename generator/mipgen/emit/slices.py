@@ -23,6 +23,9 @@ from mipgen.base import cache, fingerprint, reads
 from mipgen.base.reads import Read
 from mipgen.model import details
 
+from . import output
+from .output import Made, Same, digest
+
 Value = TypeVar("Value")
 
 #: A number made of a part of the model, the place of an object in the walk over it, and a detail.
@@ -103,9 +106,9 @@ class Slices:
             pickler.dump(getattr(model, name))
             part.shape = hashlib.sha256(written.getbuffer()).hexdigest()
         self._state = pickle.dumps({name: (part.shape, part.details) for name, part in self.parts.items()}, 5)
-        self.now = _digest(self._state)
+        self.now = digest(self._state)
         before = cache.get("slices", self.key)
-        self.before = _digest(before) if before is not None else b""
+        self.before = digest(before) if before is not None else b""
         #: The addresses that have changed; of a part with another shape, only that of the part.
         self.changed = self._changed(pickle.loads(before)) if before is not None else set()
         self.reshaped = {a >> _PART for a in self.changed if a & _WHOLE == _WHOLE}
@@ -171,11 +174,11 @@ class Anew:
         """Was it made last time, of the same?"""
         return False
 
-    def right(self, path: str) -> bytes | None:
+    def right(self, path: str) -> Same | None:
         """A file of last time, if it would be the same now."""
         return None
 
-    def all_right(self) -> dict[str, bytes] | None:
+    def all_right(self) -> dict[str, Made] | None:
         """All files of last time, if all would be the same now."""
         return None
 
@@ -183,7 +186,7 @@ class Anew:
         """Makes it anew, and notes what is read."""
         return how(*arguments)
 
-    def keep(self, files: Mapping[str, bytes]) -> None:
+    def keep(self, files: Mapping[str, Made]) -> None:
         """For the next run."""
 
 
@@ -246,7 +249,7 @@ class Slice(Anew):
         readers = cache.get("slices", self._readers)
         if data is not None and readers is not None:
             of, digests, self.stored, pieces = pickle.loads(data)
-            if of == slices.before and self.stored == _digest(readers):
+            if of == slices.before and self.stored == digest(readers):
                 self.digests, self.readers, self.pieces = digests, pickle.loads(readers), pieces
         parts = slices.reshaped
         affected = [what for a, what in self.readers.items() if a >> _PART in parts] if parts else []
@@ -256,17 +259,17 @@ class Slice(Anew):
     def unchanged(self, what: str) -> bool:
         return what in self.digests and what not in self.stale
 
-    def right(self, path: str) -> bytes | None:
+    def right(self, path: str) -> Same | None:
         if not (self.unchanged(path) and self.unchanged(PLAN)):
             return None
+        same = Same(self.digests[path], self.folder / path)
         try:
-            data = (self.folder / path).read_bytes()
+            return same if digest(output.content(same)) == same.digest else None
         except OSError:
             return None
-        return data if _digest(data) == self.digests[path] else None
 
-    def all_right(self) -> dict[str, bytes] | None:
-        files: dict[str, bytes] = {}
+    def all_right(self) -> dict[str, Made] | None:
+        files: dict[str, Made] = {}
         for path in self.digests.keys() - {NAMES, PLAN}:
             data = self.right(path)
             if data is None:
@@ -285,7 +288,7 @@ class Slice(Anew):
         self.pieces.pop(what, None)
         if pieces.now:
             data = pickle.dumps(pieces.now, 5)
-            self.pieces[what] = _digest(data)
+            self.pieces[what] = digest(data)
             cache.put("slices", {self._place(what): data})
         return made
 
@@ -297,10 +300,10 @@ class Slice(Anew):
         if what not in self.pieces or not self.unchanged(PLAN):
             return None
         data = cache.get("slices", self._place(what))
-        return data if data is not None and _digest(data) == self.pieces[what] else None
+        return data if data is not None and digest(data) == self.pieces[what] else None
 
-    def keep(self, files: Mapping[str, bytes]) -> None:
-        digests = {NAMES: b"", PLAN: b"", **{path: _digest(data) for path, data in files.items()}}
+    def keep(self, files: Mapping[str, Made]) -> None:
+        digests = {NAMES: b"", PLAN: b"", **{path: digest(data) for path, data in files.items()}}
         readers, nobody = self.readers, frozenset[str]()
         known = all(
             read <= readers.keys() and all(map(frozenset.__contains__, map(readers.__getitem__, read), repeat(what)))
@@ -318,10 +321,6 @@ class Slice(Anew):
             readers = {a: same.setdefault(what, what) for a, what in readers.items() if what}
             data = pickle.dumps(readers, 5)
             cache.put("slices", {self._readers: data})
-            self.stored = _digest(data)
-        pieces = {path: digest for path, digest in self.pieces.items() if path in digests}
+            self.stored = digest(data)
+        pieces = {path: of for path, of in self.pieces.items() if path in digests}
         cache.put("slices", {self.key: pickle.dumps((self.slices.now, digests, self.stored, pieces), 5)})
-
-
-def _digest(data: bytes) -> bytes:
-    return hashlib.sha256(data).digest()

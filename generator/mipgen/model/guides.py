@@ -109,6 +109,7 @@ class Guide:
     question: Prose
     answer: Prose
     sequences: tuple[Sequence, ...]
+    lead: Prose = ""  # what a reader may ask who should see it on the first page
     before: tuple[Prose, ...] = ()  # what must be done or known first
     questions: tuple[Question, ...] = ()
     notes: tuple[Prose, ...] = ()

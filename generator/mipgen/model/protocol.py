@@ -122,6 +122,7 @@ class Protocol:
     manuals: tuple[Manual, ...]
     notes: tuple[Chapter, ...] = ()
     vocabulary: tuple[Usage, ...] = ()
+    synonyms: Detail[tuple[tuple[str, ...], ...]] = ()  # words that people use for the same
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
     session: Session | None = None
     barrier: tuple[int, int] = (0, 0)  # set and descriptor of the command behind which no answer is late; 0: none

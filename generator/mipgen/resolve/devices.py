@@ -365,17 +365,18 @@ class _Device:
                 self.unsupported("varies", path, name)
         for f in {f.full_name: f for f in fields}.values():
             for p in f.parameters:
-                if f.full_name not in untold:
+                if p.by_device and f.full_name not in untold:
                     self.check_reading(f, p)
-                self.check_valid(f, p)
+                if p.valid or p.variants:
+                    self.check_valid(f, p)
 
     def own(self, p: m.Parameter) -> m.Variant | None:
         return next((v for v in p.variants if v.by_device and v.key == self.id), None)
 
     def check_reading(self, f: m.Field, p: m.Parameter) -> None:
         """A parameter whose values are read by device needs a reading from each that supports it."""
-        own = self.own(p) if p.by_device else None
-        if p.by_device and not (own and (own.type or own.unknown)):
+        own = self.own(p)
+        if not (own and (own.type or own.unknown)):
             path = f"{f.full_name}.{p.name}"
             self.problems.add(
                 self.place("varies"),
@@ -384,8 +385,6 @@ class _Device:
 
     def check_valid(self, f: m.Field, p: m.Parameter) -> None:
         """The bit that says whether a value is valid is one that the flags have on this device."""
-        if not p.valid and not p.variants:
-            return
         own = self.own(p)
         explicit = own is not None and own.valid is not None
         path = f"{f.full_name}.{p.name}"

@@ -60,6 +60,7 @@ class _Guide:
             question=node["question"].value,
             answer=node["answer"].value,
             sequences=tuple(self.sequence(n) for n in node.get("sequences") or ()),
+            lead=node.scalar("lead", ""),
             before=sentences(node, "before"),
             questions=tuple(_question(n) for n in node.get("questions") or ()),
             notes=sentences(node, "notes"),

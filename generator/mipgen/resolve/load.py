@@ -166,6 +166,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
             for n in root.get("notes") or ()
         ),
         vocabulary=_vocabulary(root.get("vocabulary")),
+        synonyms=tuple(tuple(group.plain()) for group in root.get("synonyms") or ()),
         clocks=_clocks(root.get("clocks")),
         session=_session(root.get("session")),
         url=root.scalar("url", ""),

@@ -340,6 +340,8 @@ def test_speeds_lead_along_the_first_axis() -> None:
     for t in range(40):
         s = motion.at(t + 0.3)
         assert atan2(s.velocity[1], s.velocity[0]) == pytest.approx(euler(s.dcm)[2], abs=1e-4)
+    climb = trajectory("time [s],speed [m/s],pitch [deg]", (0, 10, 30), (10, 10, 30), height=100.0)
+    assert climb.at(10).height == pytest.approx(150, abs=0.01)
 
 
 @pytest.mark.parametrize(

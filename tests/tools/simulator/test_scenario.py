@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import select
 import socket
 from pathlib import Path
 from typing import Any
@@ -12,8 +13,8 @@ import pytest
 import yaml
 from mip_protocol import Parser, base, gnss_data, mip_3dm, sensor, types
 from mip_tools.errors import Failure
-from mip_tools.simulator import ScriptedEvent, VirtualDevice
-from mip_tools.simulator.endpoints import pty_at, tcp_at, udp_at
+from mip_tools.simulator import Faults, Injected, ScriptedEvent, VirtualDevice
+from mip_tools.simulator.endpoints import Udp, pty_at, tcp_at, udp_at
 from mip_tools.simulator.scenario import SCHEMA, read_scenario
 from mip_tools.simulator.script import KINDS
 from mip_tools.simulator.trajectory import COLUMNS
@@ -121,10 +122,10 @@ def test_mistakes(tmp_path: Path, text: str, message: str, form: bool) -> None:
 
 
 def test_all_mistakes_at_once(tmp_path: Path) -> None:
-    text = "devices: [{device: x}, {device: 3dm-gx5-15, motion: fly}]\nevents: [{at: x, event: restart}]"
+    text = "devices: [{device: x}, {device: 3dm-gx5-15, motion: fly}]\nevents: [{at: x, event: unplug}, {event: fly}]"
     with pytest.raises(Failure) as error:
         read_scenario(written(tmp_path, text))
-    assert len(str(error.value).splitlines()) == 3
+    assert len(str(error.value).splitlines()) == 4
 
 
 def test_the_schema(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -194,10 +195,21 @@ def test_faults_for_a_while() -> None:
     assert counts[2] == 0 and min(counts[0], counts[1], counts[3]) > 40
 
 
+def test_the_log_says_when_events_begin_and_end() -> None:
+    log: list[Injected] = []
+    events = (ScriptedEvent("gnss_outage", 1, 2), ScriptedEvent("restart", 2))
+    VirtualDevice(DEVICE, events=events, faults=Faults(log=log.append)).advance(5)
+    assert [(x.now, x.kind, x.detail) for x in log] == [
+        (1 * 10**9, "gnss_outage", "begins"),
+        (2 * 10**9, "restart", "begins"),
+        (3 * 10**9, "gnss_outage", "ends"),
+    ]
+
+
 def test_restarts_that_recur() -> None:
     device, _ = sending(sensor.ScaledMag, ScriptedEvent("restart", 2, every=3), decimation=100)
-    device.advance(10)
-    assert device.booted == 8 * 10**9
+    device.advance(12)
+    assert device.booted == 11 * 10**9
 
 
 def test_unplugging_ends_links_and_takes_power() -> None:
@@ -289,6 +301,16 @@ def test_udp() -> None:
         second.socket.close()  # a port that nobody has any more
         until(lambda: (first.socket.send(PING), ACKNOWLEDGE in first.receive())[1])
         first.socket.close()
+
+
+def test_a_datagram_ends_with_a_packet() -> None:
+    port = Udp("127.0.0.1", 0)
+    client = UdpClient(str(port))
+    client.socket.send(PING)
+    assert until(lambda: select.select([port], [], [], 0)[0]) and port.read() == PING
+    assert port.write((PING + ACKNOWLEDGE) * 100) == 77 * 18 + 8 == len(client.receive())
+    client.socket.close()
+    port.close()
 
 
 def test_a_udp_port_in_use(capsys: pytest.CaptureFixture[str]) -> None:

@@ -526,7 +526,7 @@ struct mip_3dm_poll_gnss_data {
     uint8_t num_descriptors;
     /**
      * Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a decimation in
-     * place of the reserved number and does not say how a poll uses it.
+     * place of the reserved number and does not document how a poll uses it.
      */
     struct mip_3dm_poll_entry descriptors[83];
 };
@@ -557,7 +557,7 @@ MIP_CHECKED static inline mip_error mip_3dm_poll_gnss_data_encode(
    * - suppress_ack: Send no acknowledge.
    * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
    * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
-   *   decimation in place of the reserved number and does not say how a poll uses it.
+   *   decimation in place of the reserved number and does not document how a poll uses it.
    */
 static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
@@ -2077,7 +2077,7 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_constellation_settings_response. Probably changes mip_gnss_data_fix_info,
  * mip_gnss_data_sv_info and mip_gnss_data_satellite_status. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
- * Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but gives channels
+ * Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but has channels
  * for SBAS and QZSS too.
  *
  * The device rejects entries that reserve more than 32 channels in total. The maximum of an entry
@@ -7297,7 +7297,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
  * its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: MSCL has it
  * for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the
  * 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it
- * is inferred. Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of
+ * is inferred. Uncertain: The manual of the 3DM-GX5-45 has it too, but for the model number of
  * another device; MSCL has the layout with a state for that device.
  *
  * Parameters without a member, on the wire only:

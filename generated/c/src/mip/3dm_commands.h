@@ -81,7 +81,7 @@ static inline mip_error mip_send_3dm_poll_gnss_data(struct mip_client *client,
  * - suppress_ack: Send no acknowledge.
  * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
  * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
- *   decimation in place of the reserved number and does not say how a poll uses it.
+ *   decimation in place of the reserved number and does not document how a poll uses it.
  */
 static inline struct mip_result mip_call_3dm_poll_gnss_data(
     struct mip_device *device, mip_bool suppress_ack, uint8_t num_descriptors,

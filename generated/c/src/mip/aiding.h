@@ -320,7 +320,7 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
  * Functions: write, read, save, load and default. Answered by mip_aiding_echo_control_response.
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
- * The manual does not give the layout of the responses that carry the data back.
+ * The manual does not contain the layout of the responses that carry the data back.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control

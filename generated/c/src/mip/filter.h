@@ -433,7 +433,7 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
 /**
  * Set initial heading: command (0x0D,0x03).
  *
- * Sets the initial heading of the filter; pitch and roll come from the accelerometers.
+ * Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
  *
  * Changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
@@ -2963,8 +2963,8 @@ struct mip_filter_reference_position {
     double longitude;
     /**
      * Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether it counts
-     * from the ellipsoid or from sea level. The manual does not say; its glossary counts altitudes
-     * from sea level.
+     * from the ellipsoid or from sea level. The manual does not state it; its glossary counts
+     * altitudes from sea level.
      */
     double altitude;
 };
@@ -2999,8 +2999,8 @@ MIP_CHECKED static inline mip_error mip_filter_reference_position_encode(
    * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
    *   Required for write.
    * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
-   *   it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
-   *   altitudes from sea level.
+   *   it counts from the ellipsoid or from sea level. The manual does not state it; its glossary
+   *   counts altitudes from sea level.
    */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
@@ -3058,7 +3058,8 @@ struct mip_filter_reference_position_response {
     double longitude;
     /**
      * Altitude of the reference position. Unit: m. Uncertain: Whether it counts from the ellipsoid
-     * or from sea level. The manual does not say; its glossary counts altitudes from sea level.
+     * or from sea level. The manual does not state it; its glossary counts altitudes from sea
+     * level.
      */
     double altitude;
 };
@@ -3936,8 +3937,8 @@ struct mip_filter_magnetic_declination_source {
     /**
      * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
      * 3.141592653589793. Required for write. Uncertain: Whether it may be left out if `source` is
-     * not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but give one
-     * length, with the value. Sending it always fits both.
+     * not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state
+     * one length, with the value. Sending it always fits both.
      */
     float declination;
 };
@@ -3974,7 +3975,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_encod
    * - declination: Declination; used only if `source` is manual. Unit: rad. Range:
    * -3.141592653589793 to 3.141592653589793. Required for write. Uncertain: Whether it may be left
    * out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
-   * is, but give one length, with the value. Sending it always fits both.
+   * is, but state one length, with the value. Sending it always fits both.
    */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
@@ -4034,7 +4035,7 @@ struct mip_filter_magnetic_declination_source_response {
     /**
      * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
      * 3.141592653589793. Uncertain: Whether it may be left out if `source` is not manual. The
-     * manuals, that of the 3DM-GQ7 included, require it only if it is, but give one length, with
+     * manuals, that of the 3DM-GQ7 included, require it only if it is, but state one length, with
      * the value. Sending it always fits both.
      */
     float declination;
@@ -4291,31 +4292,31 @@ struct mip_filter_mag_magnitude_adaptive {
     float frequency;
     /**
      * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
      * response.
      */
     float low_limit;
     /**
      * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
      * response.
      */
     float high_limit;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for write.
-     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
      * command and gauss in the response.
      */
     float low_limit_uncertainty;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Required for write.
-     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
+     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
      * command and gauss in the response.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: gauss. Range: at least 0. Required for write. Uncertain:
-     * The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and
+     * The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and
      * gauss in the response.
      */
     float minimum_uncertainty;
@@ -4353,20 +4354,20 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
    * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required
    * for write.
    * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit.
-   * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+   * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
    *   response.
    * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit.
-   * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+   * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
    *   response.
    * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
    *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-   * gives m/s^2 in the command and gauss in the response.
+   *   states m/s^2 in the command and gauss in the response.
    * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least
    * 0. Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-   * gives m/s^2 in the command and gauss in the response.
+   *   states m/s^2 in the command and gauss in the response.
    * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required
-   * for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in
-   * the command and gauss in the response.
+   * for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2
+   * in the command and gauss in the response.
    */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
     struct mip_filter_mag_magnitude_adaptive *command,
@@ -4430,29 +4431,29 @@ struct mip_filter_mag_magnitude_adaptive_response {
     float frequency;
     /**
      * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
-     * the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     float low_limit;
     /**
      * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
-     * the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+     * the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     float high_limit;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-     * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
      * response.
      */
     float low_limit_uncertainty;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
-     * The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
      * response.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
      * response.
      */
     float minimum_uncertainty;

@@ -1631,8 +1631,8 @@ static inline mip_error mip_send_filter_reference_position(
  * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
  *   Required for write.
  * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
- *   it counts from the ellipsoid or from sea level. The manual does not say; its glossary counts
- *   altitudes from sea level.
+ *   it counts from the ellipsoid or from sea level. The manual does not state it; its glossary
+ *   counts altitudes from sea level.
  */
 static inline struct mip_result mip_call_filter_reference_position_write(
     struct mip_device *device, uint8_t enable, double latitude, double longitude, double altitude) {
@@ -2243,7 +2243,7 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
  * - declination: Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793
  *   to 3.141592653589793. Required for write. Uncertain: Whether it may be left out if `source` is
- *   not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but give one
+ *   not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state one
  *   length, with the value. Sending it always fits both.
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_write(
@@ -2426,20 +2426,20 @@ static inline mip_error mip_send_filter_mag_magnitude_adaptive(
  * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
  * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+ *   SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
  *   response.
  * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
+ *   SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
  *   response.
  * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives
- *   m/s^2 in the command and gauss in the response.
+ *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
+ *   states m/s^2 in the command and gauss in the response.
  * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least 0.
- *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives
- *   m/s^2 in the command and gauss in the response.
+ *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
+ *   states m/s^2 in the command and gauss in the response.
  * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required for
- *   write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
- *   command and gauss in the response.
+ *   write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
+ *   the command and gauss in the response.
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
     struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement,

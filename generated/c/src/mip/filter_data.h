@@ -91,7 +91,7 @@ enum mip_filter_data_heading_aiding_type MIP_ENUM_8 {
 MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
 /**
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
- * `aiding` that give the measurement.
+ * `aiding` that send the measurement.
  */
 enum mip_filter_data_aiding_measurement_type MIP_ENUM_8 {
     /** GNSS position and velocity. */
@@ -140,7 +140,7 @@ typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING 0x08U
 /** Bit 4. Its configuration is wrong. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR 0x10U
-/** Bit 5. There are more measurements than the filter can take. */
+/** Bit 5. There are more measurements than the filter can process. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
 /** Kind of the heading solution of two antennas. */
 enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
@@ -1117,11 +1117,11 @@ struct mip_filter_data_status {
      * Progress of the filter from start-up to its full solution. On the 3DM-CL5-15, 3DM-CL5-25,
      * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15,
      * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of enum
-     * mip_filter_data_gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the
+     * mip_filter_data_gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the
      * same states for all generations up to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR,
      * 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS,
      * 3DM-GV7-AR and 3DM-GV7-INS: values of enum mip_filter_data_cv7_filter_state. Inferred: The
-     * 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the
+     * 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the
      * 3DM-CV7-GNSS/INS: values of enum mip_filter_data_cv7_filter_state. On the 3DM-GX5-15: values
      * of enum mip_filter_data_gx5_filter_state.
      */
@@ -1130,10 +1130,10 @@ struct mip_filter_data_status {
      * Motion for which the filter is configured. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
      * 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25,
      * 3DM-GX4-45, 3DM-GX5-25 and 3DM-GX5-45: values of enum mip_filter_data_gx5_dynamics_mode.
-     * Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up
+     * Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up
      * to the fifth. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR,
      * 3DM-CX7-INS, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of enum
-     * mip_filter_data_cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives
+     * mip_filter_data_cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists
      * the same states for its generation. On the 3DM-CV7-GNSS/INS: values of enum
      * mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values of enum
      * mip_filter_data_gx5_dynamics_mode.
@@ -1143,10 +1143,10 @@ struct mip_filter_data_status {
      * Condition and warnings. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
      * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25 and
      * 3DM-GX5-45: values of mip_filter_data_gx5_status_flags. Inferred: The 3DM-GX5-15 has them,
-     * and the SDK gives the same states for all generations up to the fifth. On the 3DM-CV7-AHRS,
+     * and the SDK lists the same states for all generations up to the fifth. On the 3DM-CV7-AHRS,
      * 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
      * 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: values of mip_filter_data_cv7_status_flags.
-     * Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its
+     * Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its
      * generation. On the 3DM-CV7-GNSS/INS: values of mip_filter_data_cv7_status_flags. On the
      * 3DM-GX5-15: values of mip_filter_data_gx5_status_flags.
      */
@@ -1681,7 +1681,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
 /**
  * Compensated acceleration: data (0x82,0x1C).
  *
- * Acceleration without the estimated bias; it includes gravity.
+ * Acceleration without the estimated bias. It includes gravity.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
@@ -2877,7 +2877,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_
 /**
  * GNSS dual antenna status: data (0x82,0x49).
  *
- * Heading that two GNSS antennas give.
+ * Heading from two GNSS antennas.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -2934,7 +2934,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_enc
 /**
  * Aiding frame configuration error: data (0x82,0x50).
  *
- * Estimated error of a frame that mip_aiding_frame_config defines; it is corrected for.
+ * Estimated error of a frame that mip_aiding_frame_config defines. It is corrected for.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *

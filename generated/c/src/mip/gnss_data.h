@@ -3,7 +3,7 @@
  *
  * GNSS data. Measurements and status of GNSS receivers. Each receiver has a descriptor set; all
  * have the same fields. Uncertain: Which devices send the fields that no manual lists for a set.
- * The SDK gives all GNSS data sets the same fields.
+ * The SDK lists all GNSS data sets the same fields.
  *
  * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */

@@ -1358,7 +1358,7 @@ static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
     {"baud_rate_delay", 250, "ms", "Time to wait after a change of the baud rate.", ""},
     {"time_update_window", 250, "ms",
      "Time after the rising edge of the PPS within which the GPS time update must arrive.", ""},
-    {"save_time", 1, "s", "Time that saving all settings may take.", ""},
+    {"save_time", 1, "s", "Maximum duration of saving all settings.", ""},
     {"motion_latency", 1.9, "ms",
      "Typical time from a motion to the message that reports it, not including transmission.", ""},
     {"timestamp_repeatability", 1, "us",
@@ -1592,7 +1592,7 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      "enabled, and GPS L1 with BeiDou L1 alone is rejected.",
      cv7_gnss_ins_gnss_signals_cells, 5, 2},
     {"sensor_ranges", "Sensor ranges",
-     "Settings of `3dm.sensor_range`. The manual gives them for related models, and its gyroscope "
+     "Settings of `3dm.sensor_range`. The manual lists them for related models, and its gyroscope "
      "column is cut off; `3dm.get_calibrated_sensor_ranges` returns those of the device.",
      cv7_gnss_ins_sensor_ranges_cells, 5, 3},
     {"pps", "Pulse per second",
@@ -4274,17 +4274,19 @@ static const char *const gx4_imu_incomplete[] = {
 static const struct mip_profile_evidence gx4_imu_evidence[] = {
     {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
                            "Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-GX4-25."},
 };
 
 static const struct mip_profile_field gx4_imu_fields[] = {
     {0x01, 0x01, "", &gx4_imu_evidence[0]},       {0x01, 0x02, "", &gx4_imu_evidence[0]},
     {0x01, 0x03, "", &gx4_imu_evidence[0]},       {0x01, 0x04, "", &gx4_imu_evidence[0]},
-    {0x01, 0x05, "", &gx4_imu_evidence[0]},       {0x0C, 0x01, "", &gx4_imu_evidence[0]},
-    {0x0C, 0x06, "", &gx4_imu_evidence[0]},       {0x0C, 0x08, "WRSLD", &gx4_imu_evidence[0]},
-    {0x0C, 0x37, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x38, "WRSLDA", &gx4_imu_evidence[0]},
-    {0x0C, 0x39, "", &gx4_imu_evidence[0]},       {0x0C, 0x3A, "WRSLDA", &gx4_imu_evidence[0]},
-    {0x0C, 0x3B, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x3E, "WRSLD", &gx4_imu_evidence[0]},
-    {0x0C, 0x64, "", &gx4_imu_evidence[0]},       {0x7F, 0x10, "WRSLD", &gx4_imu_evidence[0]},
+    {0x01, 0x05, "", &gx4_imu_evidence[0]},       {0x01, 0x06, "", &gx4_imu_evidence[1]},
+    {0x0C, 0x01, "", &gx4_imu_evidence[0]},       {0x0C, 0x06, "", &gx4_imu_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &gx4_imu_evidence[0]},  {0x0C, 0x37, "WRSLDA", &gx4_imu_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x39, "", &gx4_imu_evidence[0]},
+    {0x0C, 0x3A, "WRSLDA", &gx4_imu_evidence[0]}, {0x0C, 0x3B, "WRSLDA", &gx4_imu_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &gx4_imu_evidence[0]},  {0x0C, 0x64, "", &gx4_imu_evidence[0]},
+    {0x7F, 0x10, "WRSLD", &gx4_imu_evidence[0]},
 };
 
 const struct mip_profile mip_profile_gx4_imu = {
@@ -4296,7 +4298,7 @@ const struct mip_profile mip_profile_gx4_imu = {
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    16,   /* fields */
+    17,   /* fields */
     0,    /* refused fields */
     0,    /* fields of some firmware */
     0,    /* base rates */
@@ -4481,7 +4483,7 @@ static const char *const gx5_15_low_pass_filter_cells[] = {
 
 static const struct mip_profile_note gx5_15_notes[] = {
     {"base_rates", "Base rates",
-     "The manual gives both 1000 and 500 for each stream. Read the base rates from the device "
+     "The manual states both 1000 and 500 for each stream. Read the base rates from the device "
      "before computing a decimation.",
      NULL, 0, 0},
     {"frames", "Frame of the sensor data",
@@ -5265,16 +5267,18 @@ static const char *const rq1_imu_incomplete[] = {
 static const struct mip_profile_evidence rq1_imu_evidence[] = {
     {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
                            "Examples, one for each model)."},
+    {MIP_SUPPORT_PROBABLE, "Supported by devices of the same generation, 3DM-GX4-25."},
 };
 
 static const struct mip_profile_field rq1_imu_fields[] = {
     {0x01, 0x01, "", &rq1_imu_evidence[0]},       {0x01, 0x02, "", &rq1_imu_evidence[0]},
     {0x01, 0x03, "", &rq1_imu_evidence[0]},       {0x01, 0x04, "", &rq1_imu_evidence[0]},
-    {0x01, 0x05, "", &rq1_imu_evidence[0]},       {0x0C, 0x01, "", &rq1_imu_evidence[0]},
-    {0x0C, 0x06, "", &rq1_imu_evidence[0]},       {0x0C, 0x08, "WRSLD", &rq1_imu_evidence[0]},
-    {0x0C, 0x37, "WRSLDA", &rq1_imu_evidence[0]}, {0x0C, 0x38, "WRSLDA", &rq1_imu_evidence[0]},
-    {0x0C, 0x39, "", &rq1_imu_evidence[0]},       {0x0C, 0x3E, "WRSLD", &rq1_imu_evidence[0]},
-    {0x0C, 0x64, "", &rq1_imu_evidence[0]},       {0x7F, 0x10, "WRSLD", &rq1_imu_evidence[0]},
+    {0x01, 0x05, "", &rq1_imu_evidence[0]},       {0x01, 0x06, "", &rq1_imu_evidence[1]},
+    {0x0C, 0x01, "", &rq1_imu_evidence[0]},       {0x0C, 0x06, "", &rq1_imu_evidence[0]},
+    {0x0C, 0x08, "WRSLD", &rq1_imu_evidence[0]},  {0x0C, 0x37, "WRSLDA", &rq1_imu_evidence[0]},
+    {0x0C, 0x38, "WRSLDA", &rq1_imu_evidence[0]}, {0x0C, 0x39, "", &rq1_imu_evidence[0]},
+    {0x0C, 0x3E, "WRSLD", &rq1_imu_evidence[0]},  {0x0C, 0x64, "", &rq1_imu_evidence[0]},
+    {0x7F, 0x10, "WRSLD", &rq1_imu_evidence[0]},
 };
 
 const struct mip_profile mip_profile_rq1_imu = {
@@ -5286,7 +5290,7 @@ const struct mip_profile mip_profile_rq1_imu = {
     4,    /* generation */
     0,    /* other names */
     1,    /* what is not known */
-    14,   /* fields */
+    15,   /* fields */
     0,    /* refused fields */
     0,    /* fields of some firmware */
     0,    /* base rates */

@@ -440,7 +440,7 @@ extern MIP_API const struct mip_profile mip_profile_gx5_25;
  * Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP
  * Manual, revision unknown, known from some pages. This profile is incomplete: Only some pages of
  * the manual are known, so it has more commands and data. Uncertain: The base rates are those that
- * the manual gives for all 3DM-GX5.
+ * the manual states for all 3DM-GX5.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -455,8 +455,8 @@ extern MIP_API const struct mip_profile mip_profile_gx5_35;
  * the manual are known, so it has more commands and data. This profile is incomplete: Only four
  * fields of the filter data are listed; the manual has 27 or more. Uncertain: The values of
  * mip_filter_gnss_source are those that MSCL offers. Uncertain: The base rates are those that the
- * manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An example in the
- * manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual gives the length of
+ * manuals of the 3DM-GX5-35 and the 3DM-GX5-45 state for all 3DM-GX5. Uncertain: An example in the
+ * manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual states the length of
  * mip_3dm_device_status_basic_without_state_response and offsets of
  * mip_3dm_device_status_diagnostic_gx4_response; MSCL differs.
  *

@@ -186,7 +186,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_process_fault(
     mip_set_bits(flags->bytes, 20, 4, value);
 }
 
-/** Bit 20. Fault of the major cycle of the filter; bits 22 and 23 say which fault. */
+/** Bit 20. Fault of the major cycle of the filter; bits 22 and 23 show which fault. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_major_cycle_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 20, 1);
@@ -197,7 +197,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_major_cycle_fault
     mip_set_bits(flags->bytes, 20, 1, value);
 }
 
-/** Bit 21. Fault of the minor cycle of the filter; bits 22 and 23 say which fault. */
+/** Bit 21. Fault of the minor cycle of the filter; bits 22 and 23 show which fault. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_minor_cycle_fault(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 21, 1);
@@ -208,7 +208,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_minor_cycle_fault
     mip_set_bits(flags->bytes, 21, 1, value);
 }
 
-/** Bit 22. A filter process misses its base rate; bits 20 and 21 say which. */
+/** Bit 22. A filter process misses its base rate; bits 20 and 21 show which. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_data_rate_error(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 22, 1);
@@ -219,7 +219,7 @@ static inline void mip_cv7_continuous_built_in_test_set_filter_data_rate_error(
     mip_set_bits(flags->bytes, 22, 1, value);
 }
 
-/** Bit 23. A filter process produces no data; bits 20 and 21 say which. */
+/** Bit 23. A filter process produces no data; bits 20 and 21 show which. */
 static inline bool mip_cv7_continuous_built_in_test_get_filter_process_stall(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 23, 1);

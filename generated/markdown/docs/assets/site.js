@@ -48,11 +48,7 @@
     async function fill(tool) {
         const show = async () => {
             const of = await protocol();
-            if (of)
-                mip[tool.dataset.tool](tool, of, {
-                    ...addresses,
-                    start: mip.fragment() || (tool.dataset.tool === "bandwidth" && mine()?.id) || "",
-                });
+            if (of) mip[tool.dataset.tool](tool, of, { ...addresses, start: mip.fragment(), device: mine()?.id });
         };
         await show();
         addEventListener("hashchange", show);
@@ -90,7 +86,7 @@
         const found = [];
         while (texts.nextNode()) found.push(texts.currentNode);
         for (const text of found) {
-            const parts = text.data.split(/(?<=[a-z0-9][_.*](?=[a-z0-9]))|(?<=\w::)|(?=\[)/i);
+            const parts = text.data.split(/(?<=[a-z0-9][_*](?=[a-z0-9]))|(?<=[a-z]\.(?=[a-z]))|(?<=\w::)|(?=\[)/i);
             if (parts.length > 1) text.replaceWith(...parts.flatMap((part, i) => (i ? [element("wbr", {}), part] : [part])));
         }
         const last = Math.max(...[...table.rows].map((row) => row.lastElementChild.textContent.length));
@@ -187,10 +183,7 @@
     function beside() {
         const heading = document.getElementById("programs");
         if (!heading || !matchMedia("screen and (min-width: 1640px)").matches) return;
-        const section = [heading];
-        while (section.at(-1).nextElementSibling && section.at(-1).nextElementSibling.tagName !== "H2") {
-            section.push(section.at(-1).nextElementSibling);
-        }
+        const section = sectionOf(heading);
         const box = element("div", { class: "mip-beside" });
         document.querySelector("article h2").before(box);
         box.append(...section);
@@ -235,13 +228,52 @@
         const device = mine();
         if (!device) return;
         await load("fields.js");
-        if (kind === "fields") return title.after(remarkOn(device, title.id));
+        if (kind === "fields") return title.after(remarkOn(device, title.id), ...hiding(valuesOfOthers(device)));
         for (const row of document.querySelectorAll("article tbody tr")) {
             const link = row.querySelector("a[href*='fields/']");
             const answer = link ? answerOf(device, link.hash.slice(1)) : "yes";
             if (!answer || answer === "no") row.classList.add("mip-other");
         }
-        title.after(element("p", { class: "mip-mine" }, `What the ${device.title}, my device, is not known to have is in italics.`));
+        const words = `Only what the ${device.title}, my device, has or probably has.`;
+        title.after(element("p", { class: "mip-mine" }, words), ...hiding(document.querySelectorAll(".mip-other")));
+    }
+
+    /** What is about other devices, and a box that shows it nevertheless. */
+    function hiding(others) {
+        if (!others.length) return [];
+        const box = element("input", { type: "checkbox" });
+        const hide = () => {
+            for (const other of others) other.hidden = !box.checked;
+        };
+        box.addEventListener("change", hide);
+        hide();
+        return [element("label", {}, box, " Show what only other devices have")];
+    }
+
+    /** The lines and sections of a field that say what values mean on devices, none of which is that of the reader. */
+    function valuesOfOthers(device) {
+        const lines = [...document.querySelectorAll("article li")].filter((line) => line.querySelector("a[href*='/devices/']"));
+        const isMine = (line) => line.querySelector(`a[href$='/devices/${device.id}.html']`) !== null;
+        const typesOf = (some) => some.flatMap((line) => [...line.querySelectorAll("a[href*='/types/']")].map((link) => link.hash));
+        const meant = lines.filter((line) => /: values of/.test(line.textContent));
+        if (!meant.some(isMine)) return [];
+        const [own, others] = [typesOf(meant.filter(isMine)), meant.filter((line) => !isMine(line))];
+        const names = typesOf(others)
+            .filter((type) => !own.includes(type))
+            .map((type) => type.split(".").at(-1));
+        const sections = [...document.querySelectorAll("article h2")].filter((heading) =>
+            names.includes(heading.querySelector("code:last-of-type")?.textContent),
+        );
+        return [...others, ...sections.flatMap(sectionOf)];
+    }
+
+    /** A heading, and all up to the next one. */
+    function sectionOf(heading) {
+        const section = [heading];
+        while (section.at(-1).nextElementSibling && section.at(-1).nextElementSibling.tagName !== "H2") {
+            section.push(section.at(-1).nextElementSibling);
+        }
+        return section;
     }
 
     function chooser(title, device) {

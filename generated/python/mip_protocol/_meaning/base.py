@@ -45,7 +45,7 @@ TYPES: dict[str, Info] = {
         ),
     ),
     "Resume": FieldInfo(
-        "base.resume", base.Resume, devices=("3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-mv5-ar", "3dm-rtk", "demod-dc"),
+        "base.resume", base.Resume, devices=("3dm-cv7-gnss-ins", "3dm-cx5-10", "3dm-gq4-45", "3dm-gx5-15", "3dm-gx5-45", "3dm-rq1-45-lt", "3dm-rq1-45-st"), perhaps=("3dm-cl5-10", "3dm-cl5-15", "3dm-cl5-25", "3dm-cv5-10", "3dm-cv5-15", "3dm-cv5-25", "3dm-cv5-45", "3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-ins", "3dm-cx5-15", "3dm-cx5-25", "3dm-cx5-35", "3dm-cx5-45", "3dm-cx7-ahrs", "3dm-cx7-ar", "3dm-cx7-ins", "3dm-dh3", "3dm-gq7", "3dm-gv7-ahrs", "3dm-gv7-ar", "3dm-gv7-ins", "3dm-gx3-15", "3dm-gx3-25", "3dm-gx3-35", "3dm-gx3-45", "3dm-gx4-15", "3dm-gx4-25", "3dm-gx4-45", "3dm-gx4-imu", "3dm-gx5-10", "3dm-gx5-25", "3dm-gx5-35", "3dm-mv5-ar", "3dm-rq1-imu", "3dm-rtk", "demod-dc"),
         parameters=(
         ),
     ),

@@ -305,17 +305,17 @@ pub static CL5_15: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -486,17 +486,17 @@ pub static CL5_25: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -764,17 +764,17 @@ pub static CV5_15: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -951,17 +951,17 @@ pub static CV5_25: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -1174,17 +1174,17 @@ pub static CV5_45: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -1511,17 +1511,17 @@ pub static CV7_AHRS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -1838,17 +1838,17 @@ pub static CV7_AR: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -1992,7 +1992,7 @@ const CV7_GNSS_INS_1: &Evidence =
 ///
 /// # Sensor ranges
 ///
-/// Settings of [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). The manual gives them for
+/// Settings of [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). The manual lists them for
 /// related models, and its gyroscope column is cut off;
 /// [`mip_3dm::GetCalibratedSensorRanges`](crate::mip_3dm::GetCalibratedSensorRanges) returns those
 /// of the device.
@@ -2399,7 +2399,7 @@ pub static CV7_GNSS_INS: Profile = Profile {
             name: "save_time",
             value: 1.0,
             unit: Some("s"),
-            description: "Time that saving all settings may take.",
+            description: "Maximum duration of saving all settings.",
             firmware: None,
         },
         Limit {
@@ -2826,17 +2826,17 @@ pub static CV7_INS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -3110,17 +3110,17 @@ pub static CX5_15: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -3297,17 +3297,17 @@ pub static CX5_25: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -3642,17 +3642,17 @@ pub static CX5_45: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -3889,17 +3889,17 @@ pub static CX7_AHRS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -4141,17 +4141,17 @@ pub static CX7_AR: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -4447,17 +4447,17 @@ pub static CX7_INS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -5071,17 +5071,17 @@ pub static GQ7: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -5327,17 +5327,17 @@ pub static GV7_AHRS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -5583,17 +5583,17 @@ pub static GV7_AR: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -5886,17 +5886,17 @@ pub static GV7_INS: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("cv7_filter_state"),
-            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_filter_state. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("cv7_dynamics_mode"),
-            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_dynamics_mode. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("cv7_status_flags"),
-            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation",
+            difference: "values of cv7_status_flags. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation",
         },
         Variant {
             parameter: "system_data.built_in_test.result",
@@ -6477,17 +6477,17 @@ pub static GX4_15: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -6670,17 +6670,17 @@ pub static GX4_25: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -6871,17 +6871,17 @@ pub static GX4_45: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -6891,6 +6891,9 @@ pub static GX4_45: Profile = Profile {
 #[rustfmt::skip]
 const GX4_IMU_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const GX4_IMU_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-GX4-25." };
 
 /// 3DM-GX4-IMU
 ///
@@ -6918,6 +6921,7 @@ pub static GX4_IMU: Profile = Profile {
         0x01 0x03 "base.get_device_info" [] GX4_IMU_1;
         0x01 0x04 "base.get_device_descriptors" [] GX4_IMU_1;
         0x01 0x05 "base.built_in_test" [] GX4_IMU_1;
+        0x01 0x06 "base.resume" [] GX4_IMU_2;
         0x0C 0x01 "3dm.poll_imu_data" [] GX4_IMU_1;
         0x0C 0x06 "3dm.get_imu_base_rate" [] GX4_IMU_1;
         0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] GX4_IMU_1;
@@ -7068,7 +7072,7 @@ const GX5_15_2: &Evidence =
 ///
 /// # Base rates
 ///
-/// The manual gives both 1000 and 500 for each stream. Read the base rates from the device before
+/// The manual states both 1000 and 500 for each stream. Read the base rates from the device before
 /// computing a decimation.
 ///
 /// # Frame of the sensor data
@@ -7561,17 +7565,17 @@ pub static GX5_25: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -7595,7 +7599,7 @@ const GX5_35_3: &Evidence =
 /// Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP
 /// Manual, revision unknown, known from some pages. This profile is incomplete: Only some pages of
 /// the manual are known, so it has more commands and data. Uncertain: The base rates are those that
-/// the manual gives for all 3DM-GX5.
+/// the manual states for all 3DM-GX5.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -7812,9 +7816,9 @@ const GX5_45_11: &Evidence =
 /// the manual are known, so it has more commands and data. This profile is incomplete: Only four
 /// fields of the filter data are listed; the manual has 27 or more. Uncertain: The values of
 /// [`filter::GnssSource`](crate::filter::GnssSource) are those that MSCL offers. Uncertain: The
-/// base rates are those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5.
-/// Uncertain: An example in the manual has a base rate of 100 Hz for the sensor data. Uncertain:
-/// The manual gives the length of
+/// base rates are those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 state for all
+/// 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz for the sensor data.
+/// Uncertain: The manual states the length of
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and offsets of
 /// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response);
@@ -8074,17 +8078,17 @@ pub static GX5_45: Profile = Profile {
         Variant {
             parameter: "filter_data.status.filter_state",
             read_as: Some("gx5_filter_state"),
-            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_filter_state. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.dynamics_mode",
             read_as: Some("gx5_dynamics_mode"),
-            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_dynamics_mode. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
         Variant {
             parameter: "filter_data.status.status_flags",
             read_as: Some("gx5_status_flags"),
-            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth",
+            difference: "values of gx5_status_flags. Inferred: The 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth",
         },
     ],
     ack_codes: &[
@@ -8511,6 +8515,9 @@ pub static RQ1_45_ST: Profile = Profile {
 #[rustfmt::skip]
 const RQ1_IMU_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
+#[rustfmt::skip]
+const RQ1_IMU_2: &Evidence =
+    &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation, 3DM-GX4-25." };
 
 /// 3DM-RQ1-IMU
 ///
@@ -8538,6 +8545,7 @@ pub static RQ1_IMU: Profile = Profile {
         0x01 0x03 "base.get_device_info" [] RQ1_IMU_1;
         0x01 0x04 "base.get_device_descriptors" [] RQ1_IMU_1;
         0x01 0x05 "base.built_in_test" [] RQ1_IMU_1;
+        0x01 0x06 "base.resume" [] RQ1_IMU_2;
         0x0C 0x01 "3dm.poll_imu_data" [] RQ1_IMU_1;
         0x0C 0x06 "3dm.get_imu_base_rate" [] RQ1_IMU_1;
         0x0C 0x08 "3dm.imu_message_format" [WRITE READ SAVE LOAD DEFAULT] RQ1_IMU_1;

@@ -249,7 +249,7 @@ record! {
     /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The manual does not give the layout of the responses that carry the data back.
+    /// - The manual does not contain the layout of the responses that carry the data back.
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.

@@ -421,7 +421,7 @@ command! {
 record! {
     /// Set initial heading (0x0D,0x03).
     ///
-    /// Sets the initial heading of the filter; pitch and roll come from the accelerometers.
+    /// Sets the initial heading of the filter. Pitch and roll come from the accelerometers.
     ///
     /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
@@ -1934,7 +1934,7 @@ record! {
         /// Altitude of the reference position.
         ///
         /// Unit: m. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
-        /// counts from the ellipsoid or from sea level. The manual does not say; its glossary
+        /// counts from the ellipsoid or from sea level. The manual does not state it; its glossary
         /// counts altitudes from sea level.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub altitude: Option<f64>,
@@ -2445,7 +2445,7 @@ record! {
         /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Required for
         /// [write](types::FunctionSelector::WRITE). Uncertain: Whether it may be left out if
         /// `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
-        /// is, but give one length, with the value. Sending it always fits both.
+        /// is, but state one length, with the value. Sending it always fits both.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub declination: Option<f32>,
     }
@@ -2653,36 +2653,36 @@ record! {
         /// Lower limit of the error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-        /// the response.
+        /// The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss
+        /// in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit: Option<f32>,
         /// Upper limit of the error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
-        /// The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in
-        /// the response.
+        /// The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss
+        /// in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
-        /// command and gauss in the response.
+        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
+        /// the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
-        /// command and gauss in the response.
+        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
+        /// the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
         /// Unit: gauss. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
-        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the
-        /// command and gauss in the response.
+        /// Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
+        /// the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub minimum_uncertainty: Option<f32>,
     }
@@ -4722,7 +4722,7 @@ record! {
         /// Altitude of the reference position.
         ///
         /// Unit: m. Uncertain: Whether it counts from the ellipsoid or from sea level. The manual
-        /// does not say; its glossary counts altitudes from sea level.
+        /// does not state it; its glossary counts altitudes from sea level.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub altitude: f64,
     }
@@ -5009,7 +5009,7 @@ record! {
         ///
         /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Uncertain: Whether it may be
         /// left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require
-        /// it only if it is, but give one length, with the value. Sending it always fits both.
+        /// it only if it is, but state one length, with the value. Sending it always fits both.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub declination: f32,
     }
@@ -5128,32 +5128,32 @@ record! {
         pub frequency: f32,
         /// Lower limit of the error.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives
-        /// m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
+        /// states m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit: f32,
         /// Upper limit of the error.
         ///
-        /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 gives
-        /// m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
+        /// states m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit: f32,
         /// Standard deviation at the lower limit.
         ///
         /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual of
-        /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+        /// the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit_uncertainty: f32,
         /// Standard deviation at the upper limit.
         ///
         /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual of
-        /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+        /// the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub high_limit_uncertainty: f32,
         /// Smallest standard deviation.
         ///
         /// Unit: gauss. Range: at least 0. Uncertain: The unit. The SDK states m/s^2; a manual of
-        /// the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
+        /// the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub minimum_uncertainty: f32,
     }

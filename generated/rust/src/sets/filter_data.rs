@@ -108,7 +108,7 @@ open_enum! {
 
 open_enum! {
     /// Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
-    /// `aiding` that give the measurement.
+    /// `aiding` that send the measurement.
     AidingMeasurementType: u8 {
         /// GNSS position and velocity.
         GNSS = 1, "gnss";
@@ -161,7 +161,7 @@ bitfield! {
         /// Its configuration is wrong. Bit 4.
         CONFIG_ERROR: bool = 4,
             config_error, set_config_error, with_config_error;
-        /// There are more measurements than the filter can take. Bit 5.
+        /// There are more measurements than the filter can process. Bit 5.
         MAX_MEASUREMENTS_EXCEEDED: bool = 5,
             max_measurements_exceeded, set_max_measurements_exceeded, with_max_measurements_exceeded;
     }
@@ -1141,14 +1141,14 @@ record! {
         /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
         /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
         /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5FilterState`]. Inferred: The
-        /// 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the
+        /// 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the
         /// fifth. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
         /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
         /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
         /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
         /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
         /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7FilterState`]. Inferred: The
-        /// 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the
+        /// 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
         pub filter_state: u16,
@@ -1161,14 +1161,14 @@ record! {
         /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
         /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
         /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5DynamicsMode`]. Inferred: The
-        /// 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the
+        /// 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the
         /// fifth. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
         /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
         /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
         /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
         /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
         /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7DynamicsMode`]. Inferred: The
-        /// 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the
+        /// 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
         pub dynamics_mode: u16,
@@ -1181,14 +1181,14 @@ record! {
         /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
         /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
         /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5StatusFlags`]. Inferred: The
-        /// 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the
+        /// 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the
         /// fifth. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
         /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
         /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
         /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
         /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR) and
         /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`Cv7StatusFlags`]. Inferred: The
-        /// 3DM-CV7-GNSS/INS has them, and the SDK gives the same states for its generation. On the
+        /// 3DM-CV7-GNSS/INS has them, and the SDK lists the same states for its generation. On the
         /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`]. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
         pub status_flags: u16,
@@ -1224,7 +1224,7 @@ impl Status {
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
     /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5FilterState`]. Inferred: The 3DM-GX5-15
-    /// has them, and the SDK gives the same states for all generations up to the fifth. On the
+    /// has them, and the SDK lists the same states for all generations up to the fifth. On the
     /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
     #[inline]
     #[must_use]
@@ -1239,7 +1239,7 @@ impl Status {
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
     /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
-    /// [`Cv7FilterState`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same
+    /// [`Cv7FilterState`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same
     /// states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
     /// of [`Cv7FilterState`].
     #[inline]
@@ -1257,7 +1257,7 @@ impl Status {
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
     /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5DynamicsMode`]. Inferred: The
-    /// 3DM-GX5-15 has them, and the SDK gives the same states for all generations up to the fifth.
+    /// 3DM-GX5-15 has them, and the SDK lists the same states for all generations up to the fifth.
     /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
     #[inline]
     #[must_use]
@@ -1272,7 +1272,7 @@ impl Status {
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
     /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
-    /// [`Cv7DynamicsMode`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same
+    /// [`Cv7DynamicsMode`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same
     /// states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
     /// of [`Cv7DynamicsMode`].
     #[inline]
@@ -1290,7 +1290,7 @@ impl Status {
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25) and
     /// [3DM-GX5-45](crate::devices::GX5_45): values of [`Gx5StatusFlags`]. Inferred: The 3DM-GX5-15
-    /// has them, and the SDK gives the same states for all generations up to the fifth. On the
+    /// has them, and the SDK lists the same states for all generations up to the fifth. On the
     /// [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
     #[inline]
     #[must_use]
@@ -1305,7 +1305,7 @@ impl Status {
     /// [3DM-CX7-AR](crate::devices::CX7_AR), [3DM-CX7-INS](crate::devices::CX7_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
     /// [3DM-GV7-AR](crate::devices::GV7_AR) and [3DM-GV7-INS](crate::devices::GV7_INS): values of
-    /// [`Cv7StatusFlags`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK gives the same
+    /// [`Cv7StatusFlags`]. Inferred: The 3DM-CV7-GNSS/INS has them, and the SDK lists the same
     /// states for its generation. On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values
     /// of [`Cv7StatusFlags`].
     #[inline]
@@ -1818,7 +1818,7 @@ field! {
 record! {
     /// Compensated acceleration (0x82,0x1C).
     ///
-    /// Acceleration without the estimated bias; it includes gravity.
+    /// Acceleration without the estimated bias. It includes gravity.
     ///
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
@@ -3023,7 +3023,7 @@ field! {
 record! {
     /// GNSS dual antenna status (0x82,0x49).
     ///
-    /// Heading that two GNSS antennas give.
+    /// Heading from two GNSS antennas.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -3090,8 +3090,8 @@ field! {
 record! {
     /// Aiding frame configuration error (0x82,0x50).
     ///
-    /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines;
-    /// it is corrected for.
+    /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
+    /// It is corrected for.
     ///
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).

@@ -1,7 +1,7 @@
 //! GNSS data (0x81, 0x91, 0x92, 0x93, 0x94, 0x95): Measurements and status of GNSS receivers. Each
 //! receiver has a descriptor set; all have the same fields.
 //!
-//! Uncertain: Which devices send the fields that no manual lists for a set. The SDK gives all GNSS
+//! Uncertain: Which devices send the fields that no manual lists for a set. The SDK lists all GNSS
 //! data sets the same fields.
 
 // What the macros make, which `cargo doc` shows and `src/macros` defines:

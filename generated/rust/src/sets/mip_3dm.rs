@@ -618,7 +618,7 @@ record! {
         /// Fields to send.
         ///
         /// Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place of the
-        /// reserved number and does not say how a poll uses it.
+        /// reserved number and does not document how a poll uses it.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -1496,7 +1496,7 @@ record! {
     /// [`gnss_data::SvInfo`](crate::gnss_data::SvInfo) and
     /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus). Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). Uncertain:
-    /// The factory default. The SDK names only GPS and GLONASS as enabled, but gives channels for
+    /// The factory default. The SDK names only GPS and GLONASS as enabled, but has channels for
     /// SBAS and QZSS too.
     ///
     /// The wire format also contains `config_count`: Number of entries. The number of elements of
@@ -5093,7 +5093,7 @@ record! {
     /// [`DeviceStatusSelector::BASIC`]. Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
     /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25
     /// and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
-    /// Uncertain: The manual of the 3DM-GX5-45 gives it too, but for the model number of another
+    /// Uncertain: The manual of the 3DM-GX5-45 has it too, but for the model number of another
     /// device; MSCL has the layout with a state for that device.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.

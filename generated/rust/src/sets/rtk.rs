@@ -378,7 +378,7 @@ command! {
 record! {
     /// Erase storage (0x0F,0x20).
     ///
-    /// Returns a storage medium to its raw state; everything on it is erased.
+    /// Returns a storage medium to its raw state. Everything on it is erased.
     ///
     /// For advanced use. Also called `prod_erase_storage`. Not listed in any device profile. Known
     /// only from the MicroStrain MIP SDK.

@@ -125,6 +125,7 @@ def _parts(model: m.Model) -> dict[str, Any]:
         "manuals": plain(p.manuals),
         "notes": plain(p.notes),
         "vocabulary": plain(p.vocabulary),
+        "synonyms": plain(p.synonyms),
         "clocks": [_clock(c, model) for c in p.clocks],
         "leap_seconds": dict(p.leap_seconds),
         "types": _Each(types(model), _attributes),

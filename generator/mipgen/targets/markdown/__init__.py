@@ -49,7 +49,7 @@ def files(model: m.Model) -> Iterator[File]:
         return File(path, template, {"page": Page(path, index), **lists, **context})
 
     yield File(
-        "mkdocs.yml", "mkdocs.yml.j2", {"page": Page(places.INDEX, index), **lists}
+        "mkdocs.yml", "mkdocs.yml.j2", {"page": Page(places.INDEX, index), **lists, "examples": examples.parts(model)}
     )  # its paths begin below docs/
     yield page(places.README, "index.md.j2")
     yield page(places.INDEX, "index.md.j2")
@@ -62,7 +62,9 @@ def files(model: m.Model) -> Iterator[File]:
         yield File(frames.drawing(name), "frame.svg.j2", {"title": title, "axes": axes, "centre": frames.CENTRE})
     yield page(places.TYPES, "types.md.j2", family=None)
     yield page(places.ERRATA, "errata.md.j2")
-    yield page(places.EXAMPLES, "examples.md.j2")
+    yield page(places.EXAMPLES, "examples.md.j2", parts=examples.parts(model))
+    for part in examples.parts(model):
+        yield page(part.path, "examples_of_set.md.j2", part=part)
     for tool in tools.TOOLS:
         yield page(places.tool_page(tool), "tool.md.j2", tool=tool)
     for s in model.sets:
@@ -125,7 +127,6 @@ FILTERS: Filters = {
     "read": guides.read,
     "right_bytes": examples.right_bytes,
     "misprints": examples.misprints,
-    "of_sections": examples.of_sections,
     "tools": lambda _: tools.TOOLS,
 }
 

@@ -12,7 +12,7 @@ from mipgen.facts.misprints import differences
 from mipgen.lower import codec, extent
 
 from .fields import on_page
-from .places import Page
+from .places import Page, examples_page, label
 from .text import code, decimal, hexadecimal, inline, plain, spaced, table
 
 
@@ -60,10 +60,28 @@ def misprints(x: m.Example) -> list[str]:
     return [plain(d) for d in differences(x)]
 
 
-def of_sections(examples: Sequence[m.Example], manual: m.Manual) -> list[m.Example]:
-    """The examples of a manual in the order in which it prints them: that of its sections."""
-    order = {section: i for i, section in enumerate(manual.sections)}
-    return sorted((x for x in examples if x.manual == manual.id), key=lambda x: order.get(x.section, -1))
+@dataclass(frozen=True, slots=True)
+class Part:
+    """The examples of a page."""
+
+    path: str
+    manual: m.Manual
+    title: str  # Markdown
+    examples: tuple[m.Example, ...]
+
+
+def parts(model: m.Model) -> list[Part]:
+    """A page for each manual and family, in the order in which the manual prints the packets: that of its sections."""
+    found = []
+    for manual in model.protocol.manuals:
+        order = {section: i for i, section in enumerate(manual.sections)}
+        own = sorted((x for x in model.examples if x.manual == manual.id), key=lambda x: order.get(x.section, -1))
+        for path in sorted({examples_page(x, model) for x in own}):
+            shown = tuple(x for x in own if examples_page(x, model) == path)
+            s = model.set(shown[0].set)
+            family = model.family(s.family) if s else None
+            found.append(Part(path, manual, label(family) if family else hexadecimal(shown[0].set), shown))
+    return found
 
 
 # --------------------------------------------------------------------------- tables of bytes

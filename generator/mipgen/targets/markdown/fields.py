@@ -105,18 +105,25 @@ def entry(page: Page, f: m.Field, functions: Sequence[m.Function], d: m.Device |
     ]
 
 
-def contents(page: Page, s: m.Set) -> str:
-    """The commands or data fields of a set."""
+def contents(page: Page, s: m.Set, listed: bool = True) -> str:
+    """The commands or data fields of a set that some device is known to have, or those that none is; may be empty."""
     rows = [
         [
             *entry(page, f, f.functions),
             first_sentence(page, f),
             size(f),
-            page.links(page.model.devices_of(f, number=s.number)),
+            *([page.links(page.model.devices_of(f, number=s.number))] if listed else []),
         ]
         for f in asked(page.model.fields_in(s))
+        if _listed_in(page.model, f, s) == listed
     ]
-    return table(rows, [*ENTRY, "Description", "Field length", "Supported by"])
+    return table(rows, [*ENTRY, "Description", "Field length", *(["Supported by"] if listed else [])]) if rows else ""
+
+
+def _listed_in(model: m.Model, f: m.Field, s: m.Set) -> bool:
+    """Has a device the field in this set, or probably? Without devices, nothing is known of any."""
+    has = any(model.devices_of(f, certain, s.number) for certain in (True, False))
+    return has or not model.devices
 
 
 def first_sentence(page: Page, f: m.Field) -> str:

@@ -114,12 +114,16 @@ def surely(step: Step) -> str:
 
 def streamed(page: Page, stream: Stream) -> str:
     """How often packets of data come, and what is in them."""
-    fields = ", ".join(page.link(x.field) for x in stream.fields)
+    *others, last = [page.link(x.field) for x in stream.fields]
+    fields = f"{', '.join(others)} and {last}" if others else last
+    sent = f"a packet of {page.link(stream.set)} with {fields}"
     if stream.rate is not None:
-        often = "Once per second" if stream.rate == 1 else f"{describe.number(stream.rate)} times per second"
-    else:
-        often = inline(f"At {stream.on_event}") if stream.on_event else "Then"
-    return f"{often}, a packet of {page.link(stream.set)} comes with {fields}."
+        return f"The device sends {sent} at {describe.number(stream.rate)} Hz."
+    return (
+        f"{inline(f'At {stream.on_event}')}, the device sends {sent}."
+        if stream.on_event
+        else f"The device then sends {sent}."
+    )
 
 
 def read(steps: Steps) -> list[m.Field]:

@@ -80,6 +80,12 @@ def guide_page(g: Guide) -> str:
     return f"docs/guides/{g.name}.md"
 
 
+def examples_page(x: m.Example, model: m.Model) -> str:
+    """The examples of a manual that are packets of one family."""
+    s = model.set(x.set)
+    return f"docs/examples/{x.manual}/{s.family if s else hexadecimal(x.set)}.md"
+
+
 def tool_page(tool: Tool) -> str:
     return f"docs/tools/{tool.name}.md"
 
@@ -102,7 +108,7 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
         case Guide():
             return guide_page(thing), ""
         case m.Example():
-            return EXAMPLES, f"example.{thing.id}"
+            return examples_page(thing, model), f"example.{thing.id}"
         case m.Erratum():
             return ERRATA, f"erratum.{thing.id}"
         case m.Manual():

@@ -12,13 +12,16 @@ class Tool:
     name: str
     title: str
     description: str
+    command: str = ""  # of `mip`, which does the same
 
 
 TOOLS = (
     Tool(
         "inspector",
         "Packet inspector",
-        "Decodes the packets in a hex dump, a log or source code: every field, value and flag, and the checksums.",
+        "Decodes the packets in pasted bytes, a hex dump, a log or source code: every field, value and flag, and the "
+        "checksums.",
+        "mip dump 7565...",
     ),
     Tool(
         "builder",

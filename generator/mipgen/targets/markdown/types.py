@@ -40,7 +40,9 @@ def values(page: Page, t: m.Enum, anchor: str = "") -> str:
 def bits(page: Page, t: m.Bitfield, anchor: str = "") -> str:
     """A table of the bits, those that overlap others included."""
     rows = []
+    others = (1 << 8 * t.size) - 1
     for b in t.bits:
+        others &= ~b.mask
         place, *facts = describe.bits(b, page.model)
         rows.append([
             page.say(place.value),
@@ -49,6 +51,8 @@ def bits(page: Page, t: m.Bitfield, anchor: str = "") -> str:
             _anchor(anchor, b.name) + code(b.name),
             _description(page, b.description, facts),
         ])  # fmt: skip
+    if others and t.scalar:
+        rows.append(["other bits", code(hexadecimal(others, t.size)), "", "", "Reserved or not known: ignore them."])
     return table(rows, ["Place", "Mask", "Byte.bit", "Name", "Description"])
 
 

@@ -21,6 +21,15 @@
 
     // ------------------------------------------------------------------ devices
 
+    /** The id of the device that the reader has chosen on its page, see site.js. */
+    function mine() {
+        try {
+            return JSON.parse(localStorage.getItem("mip-device"))?.id ?? "";
+        } catch {
+            return ""; // a browser may keep nothing
+        }
+    }
+
     /** Devices that have no column get one: what the list at the end of the page says of them, else "?". */
     function addColumn(link, probable, refused) {
         for (const table of withColumns) {
@@ -148,7 +157,7 @@
     const besides = (link) => /^[a-z]+\.html$/.test(link.getAttribute("href"));
     const siblings = [...within.querySelectorAll("p a[href]")].filter(besides);
     const known = byDevice ? devices() : new Map();
-    for (const id of (asked.get("devices") ?? "").split(",")) if (known.has(id)) chosen.add(id);
+    for (const id of (asked.get("devices") ?? mine()).split(",")) if (known.has(id)) chosen.add(id);
 
     const input = made("input", { type: "search", value: asked.get("filter") ?? "", autocomplete: "off" });
     const differences = made("input", { type: "checkbox", checked: asked.has("differences") });

@@ -6,7 +6,7 @@ globalThis.mipSearch = (() => {
     const OF_A_PAGE = 3;
     const LEADING = 4;
     const WEAK = 4; // a rank of fields: the words are in parameters, values and descriptions
-    const COLLECTIONS = /^(errata|examples|types|compare|types\/.*)\b/; // they repeat what other pages have
+    const COLLECTIONS = /^(errata|examples|types|compare|types\/.*|examples\/.*)\b/; // they repeat what other pages have
 
     /** Words of questions that say nothing of their subject. */
     const FILLING = new Set(
@@ -16,27 +16,6 @@ globalThis.mipSearch = (() => {
             "there they this to use using want was way we what when where which while who why will with without work works would you your"
         ).split(" "),
     );
-
-    /** Words that people use for the same, beside those of the specification. */
-    const SAME = [
-        ["nack", "refused", "refuses", "rejected", "rejects", "denied", "declined"],
-        ["checksum", "crc", "fletcher"],
-        ["bursts", "jitter", "jerky", "batches", "irregular"],
-        ["drifts", "drifting", "wander", "wanders"],
-        ["found", "connect", "communicate", "detected", "recognized"],
-        ["power-up", "startup", "boot", "restart", "reboot", "power", "cycle"],
-        ["lost", "fails", "fail", "failing", "stops", "breaks"],
-        ["heading", "yaw"],
-        ["zero", "tare", "rezero"],
-        ["refused", "error"],
-        ["rtk", "ntrip", "rtcm"],
-        ["timeout", "time-out"],
-        ["endianness", "endian"],
-        ["response", "reply", "answer"],
-        ["direction", "sign", "polarity"],
-        ["synchronized", "sync", "synchronize", "synchronization"],
-        ["spreadsheet", "excel", "csv"],
-    ];
 
     function wordsOf(text) {
         return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
@@ -55,10 +34,11 @@ globalThis.mipSearch = (() => {
     }
 
     /** A word in any of its forms, and those that mean the same. */
-    function patternOf(word, synonyms) {
+    function patternOf(word, index) {
         const root = (one) => (one.length > 4 ? one.replace(/(?:ing|ed|es|s|e)$/, "") : one.length > 3 ? one.replace(/s$/, "") : one);
-        const others = SAME.filter((group) => group.some((one) => root(one) === root(word))).flat();
-        const all = new Set([word, ...(synonyms?.get(word.replace(/s$/, "")) ?? []), ...others].map(root));
+        const groups = index?.protocol.model.synonyms ?? [];
+        const others = groups.filter((group) => group.some((one) => root(one) === root(word))).flat();
+        const all = new Set([word, ...(index?.synonyms.get(word.replace(/s$/, "")) ?? []), ...others].map(root));
         return new RegExp(`(?<![a-z0-9])(?:${[...all].map((one) => (one.length < 3 ? `${one}(?![a-z0-9])` : one)).join("|")})`);
     }
 
@@ -75,10 +55,10 @@ globalThis.mipSearch = (() => {
      * a text. If no section has all, those that have most. `leads` is more than 0 for what the words name: the pages that have
      * them in the title, the sections whose headings are mostly these words, or a question.
      */
-    function passages(texts, text, synonyms, without) {
+    function passages(texts, text, index, without) {
         const words = telling(text);
         if (words.join("").length < 2) return [];
-        const patterns = words.map((word) => patternOf(word, synonyms));
+        const patterns = words.map((word) => patternOf(word, index));
         const found = [];
         for (const [url, title, sections] of texts) {
             if (without.has(url)) continue;
@@ -160,15 +140,40 @@ globalThis.mipSearch = (() => {
         return instead ? { ...searchAs(index, texts, instead), instead } : found;
     }
 
+    /** A text without what is done with a setting: "read", "save". */
+    function withoutFunctions(index, text) {
+        const names = index.protocol.model.functions.map(({ name }) => name);
+        const words = text.split(/\s+/);
+        return words.filter((word) => !names.includes(word.toLowerCase())).join(" ") || text;
+    }
+
+    /** Pages that compare the devices that a text names, two or more of them. */
+    function comparisonOf(index, text) {
+        const short = (name) => name.toLowerCase().replace(/^3dm-/, "");
+        const words = (text.match(/[a-z0-9]+(?:[-/][a-z0-9]+)*/gi) ?? []).map(short);
+        const named = (index.protocol.model.devices ?? []).filter(({ id, title }) => [id, title].some((one) => words.includes(short(one))));
+        if (named.length < 2) return [];
+        const [titles, ids] = [named.map(({ title }) => title).join(" and "), named.map(({ id }) => id).join(",")];
+        return ["commands", "data", "rates"].map((name) => ({
+            title: `${titles}: ${name}`,
+            href: `compare/${name}.html?devices=${ids}&differences=`,
+            content: "What differs between them.",
+            patterns: [],
+        }));
+    }
+
     function searchAs(index, texts, text) {
         const packet = index && mipFields.packetIn(index, text);
         const code = index && mipFields.codeIn(index, text);
         let ranked = index ? mipFields.find(index, text, 2 * FIELDS) : [];
-        if (index && !ranked.length) ranked = mipFields.find(index, telling(text).join(" "), 2 * FIELDS);
+        for (const less of index ? [withoutFunctions(index, text), telling(text).join(" ")] : []) {
+            const others = less === text ? [] : mipFields.find(index, less, 2 * FIELDS);
+            if (others.length && !(ranked[0]?.rank < WEAK)) ranked = others;
+        }
         // What has the name that is typed, or is asked for by descriptor, comes before pages.
         const named = ranked.length > 0 && ranked[0].rank <= 0;
         const fields = fieldsOf(ranked).map(({ field, rank }) => ({ field, rank, href: addressOf(field) }));
-        const parts = passages(texts, text, index?.synonyms, new Set(fields.map(({ field }) => shownBy(field))));
+        const parts = passages(texts, text, index, new Set(fields.map(({ field }) => shownBy(field))));
         const pages = parts.map((one) => ({ ...one, href: `${one.url}${one.anchor ? `#${one.anchor}` : ""}` }));
         const weak = !named && isSentence(text) && fields.every(({ rank }) => rank >= WEAK); // words of their descriptions
         const questions = weak ? pages.filter(({ anchor }) => anchor.includes(".question_")) : [];
@@ -176,6 +181,7 @@ globalThis.mipSearch = (() => {
         const others = pages.filter((one) => !leading.includes(one));
         const acknowledge = code && `packets.html#${index.protocol.model.acknowledge}.code.${index.protocol.model.ack_code}.${code.name}`;
         const groups = [
+            { title: "Comparison", pages: index ? comparisonOf(index, text) : [] },
             { title: "Tools", packets: packet ? [packet] : [] },
             { title: "Acknowledge", codes: code ? [{ ...code, href: acknowledge }] : [] },
             { title: "Pages", pages: [...new Set(leading)] },

@@ -1,4 +1,4 @@
-// What a sketch calls, and the macros of Arduino that may stand in the way of names.
+// What a sketch calls, and those macros of Arduino that have short names.
 #ifndef ARDUINO_H
 #define ARDUINO_H
 
