@@ -303,8 +303,8 @@ def test_magnetic_field(shown: Shown) -> None:
         assert close(turned, shown("sensor.scaled_mag").scaled_mag, 1)
 
 
-#: Year, height in km, latitude, longitude -> X, Y, Z in nT: of the model of 2020 test values that NOAA publishes, of that
-#: of 2025 those of another program, pygeomag 1.1.0, at the same places.
+#: Year, height in km, latitude, longitude -> X, Y, Z in nT. Those of the model of 2020 are test values that NOAA
+#: publishes with it, those of 2025 are of another program, pygeomag 1.1.0.
 KNOWN_FIELDS = [
     (2020.0, 0, 80, 0, 6570.4, -146.3, 54606.0),
     (2020.0, 0, 0, 120, 39624.3, 109.9, -10932.5),
