@@ -150,7 +150,7 @@ def of_arguments(f: m.Field, of: m.Model) -> Iterator[tuple[str, list[str]]]:
 
 
 def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, list[str]]]:
-    name = names.record_name(record)
+    name = names.symbol(record)
     for p in record.parameters:
         told = [prose(p.description, of), *said(describe.parameter(p, record, of))]
         told += said(describe.case(c, p, record) for c in p.cases if c.parameter is None)

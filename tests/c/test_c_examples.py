@@ -66,7 +66,7 @@ def raw(f: m.ExampleField) -> list[str]:
 
 
 def built(field: m.Field, values: dict[str, Any]) -> list[str]:
-    name = names.record_name(field)
+    name = names.symbol(field)
     lines = [f"{{ struct {name} v;", "memset(&v, 0, sizeof(v));"]
     lines += members("v", field.parameters, values)
     there = max((i + 1 for i, p in enumerate(field.counted) if p.name in values), default=0)

@@ -31,7 +31,7 @@ def test_every_example_has_its_section(manual: Manual) -> None:
         assert bytes.fromhex(block) == shown(e)
         assert bytes.fromhex(" ".join(words(row["Bytes"]) for row in rows)) == shown(e), e.id
         device = f", {e.device.title}" if e.device else ""
-        assert f"\n### {e.id}\n\n{e.title} ({ROLES[e.role]}{device}), in “{e.section}”." in seen
+        assert f"\n## {e.id}\n\n{e.title} ({ROLES[e.role]}{device}), in “{e.section}”." in seen
         assert prose(e.note, manual.model) in seen
         assert (
             (e.string is not None)

@@ -51,11 +51,11 @@ def test_pages_are_neat(manual: Manual) -> None:
 
 
 def test_no_placeholders(manual: Manual) -> None:
-    """Programs have empty calls and braces of their own."""
+    """Programs have empty calls and braces of their own, the index of C++ has names of functions."""
     anywhere = re.compile(
         r"\b(TODO|TBD|FIXME|XXX|todo|tbd|lorem)\b|\{%|Undefined|mipgen\.|object at 0x|\| None \||`None`"
     )
-    in_text = re.compile(r"\{\{|\(\)")
+    in_text = re.compile(r"\{\{|(?<!\w)\(\)")
     found = [(path, x[0]) for path, text in manual.pages.items() if (x := anywhere.search(text))]
     found += [(path, x[0]) for path, text in manual.pages.items() if (x := in_text.search(without_code(text)))]
     assert not found

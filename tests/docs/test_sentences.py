@@ -98,7 +98,7 @@ def section(language: str, name: str) -> str:
     t = thing(name)
     if language == "c":
         found = re.search(
-            rf"/\*\*(?:(?!\*/).)*\*/\nstruct {c.record_name(t)} \{{.*?^\}};", source("c/src/mip/*.h"), re.S | re.M
+            rf"/\*\*(?:(?!\*/).)*\*/\nstruct {c.symbol(t)} \{{.*?^\}};", source("c/src/mip/*.h"), re.S | re.M
         )
     elif language == "python":
         text = source(f"python/mip_protocol/{python.home(t)}.py")

@@ -10,7 +10,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from support import ROOT, SPECS, heavy, need, simulated
+from support import BUILD, ROOT, SPECS, heavy, need, simulated
 
 pytestmark = [] if shutil.which("node") else heavy("node")
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -92,7 +92,9 @@ def test_the_package_is_complete() -> None:
     assert about["engines"] == {"node": ">=18"}
     assert about["sideEffects"] is False
     assert "IMU" in about["keywords"]
-    assert about["repository"] == {"type": "git", "url": about["homepage"]}
+    addressed = json.loads((BUILD / "invented/javascript/package.json").read_text("utf-8"))  # it has an address
+    assert addressed["repository"] == {"type": "git", "url": addressed["homepage"]}
+    assert not about.keys() & {"repository", "homepage"}
     for name, paths in about["exports"].items():
         for path in paths.values() if isinstance(paths, dict) else (paths,):
             assert (GENERATED / path).is_file(), name

@@ -10,8 +10,11 @@ from pathlib import Path
 import pytest
 from mipgen import model as m
 from mipgen.facts import describe
-from mipgen.targets.javascript import blocks, docs, members, names
+from mipgen.targets.javascript import blocks, members, names
+from mipgen.targets.javascript.docs import COMMENTS
 from support import SPECS, model
+
+say = COMMENTS.say
 
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
 
@@ -35,7 +38,7 @@ def declared(spec: str, thing: m.Type | m.Field) -> tuple[str, str]:
 
 
 def sentences(facts: Iterable[describe.Fact], where: str) -> list[str]:
-    return [re.sub(r"\s+", " ", docs.say(fact.sentence, where)) for fact in facts]
+    return [re.sub(r"\s+", " ", say(fact.sentence, where)) for fact in facts]
 
 
 @specs

@@ -11,9 +11,11 @@ from pathlib import Path
 
 import pytest
 from mipgen import model as m
-from mipgen.facts import describe
+from mipgen.facts import comments, describe
 from mipgen.targets.python import docs, members, names
 from support import SPECS, all_fields, model
+
+say = docs.COMMENTS.say
 
 
 def plain(text: str) -> str:
@@ -51,7 +53,7 @@ def _attributes(owner: str, body: list[ast.stmt]) -> Iterator[tuple[str, str]]:
 def texts(of: m.Model) -> Iterator[tuple[str, str, str]]:
     """Module, name in it, and a text that must be there."""
     for f in all_fields(of):
-        yield from _about(f, [f"{f.title} ({docs.descriptors(f)}).", *_prose(f.description, f, of)])
+        yield from _about(f, [f"{f.title} ({comments.descriptors(f)}).", *_prose(f.description, f, of)])
         yield from _about(f, _sentences(describe.in_code(f, of), f))
         yield from _about(f, describe.sources(f))
         yield from _parameters(f, of)
@@ -82,7 +84,7 @@ def _parameters(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, 
             said = [*_prose(q.description, holder, of), *_sentences(describe.parameter(q, holder, of), holder)]
             yield from _about(holder, said, f"#{p.name}" if p.derived else f".{p.name}")
         for c in p.cases:
-            yield from _about(holder, [docs.say(describe.case(c, p, holder).value, names.home(holder))], f".{p.name}")
+            yield from _about(holder, [say(describe.case(c, p, holder).value, names.home(holder))], f".{p.name}")
 
 
 def _about(thing: m.Field | m.Type, said: list[str], part: str = "") -> Iterator[tuple[str, str, str]]:
@@ -93,11 +95,11 @@ def _about(thing: m.Field | m.Type, said: list[str], part: str = "") -> Iterator
 
 
 def _prose(text: str, thing: m.Field | m.Type, of: m.Model) -> list[str]:
-    return [docs.say(describe.prose(text, of), names.home(thing))] if text else []
+    return [say(describe.prose(text, of), names.home(thing))] if text else []
 
 
 def _sentences(facts: list[describe.Fact], thing: m.Field | m.Type) -> list[str]:
-    return [docs.say(fact.sentence, names.home(thing)) for fact in facts]
+    return [say(fact.sentence, names.home(thing)) for fact in facts]
 
 
 @pytest.mark.parametrize("spec", sorted(SPECS))
@@ -118,8 +120,8 @@ def test_every_device_is_documented(spec: str) -> None:
     of = model(spec)
     text = plain((SPECS[spec][1] / "python/mip_protocol/devices.py").read_text("utf-8"))
     for d in of.devices:
-        said = docs.say(describe.prose(d.description, of), "devices")
-        said += "".join(f" {docs.say(x.sentence, 'devices')}" for x in describe.device(d, of))
+        said = say(describe.prose(d.description, of), "devices")
+        said += "".join(f" {say(x.sentence, 'devices')}" for x in describe.device(d, of))
         sources = "".join(f" - {s}" for s in describe.sources(d))
         assert plain(f'"""{said}{sources}') in text, d.id
 
@@ -146,7 +148,7 @@ def test_references_are_names_of_python() -> None:
 
 def test_prose_names_fields_and_types() -> None:
     of = model("invented")
-    assert docs.say(describe.prose("After `tools.ping`, see `tools.shape` and `a.b`.", of), "more") == (
+    assert say(describe.prose("After `tools.ping`, see `tools.shape` and `a.b`.", of), "more") == (
         "After `tools.Ping`, see `tools.Shape` and `a.b`."
     )
 

@@ -20,9 +20,12 @@ import pytest
 from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.lower.numbers import in_numbers
-from mipgen.targets.python import docs, names
+from mipgen.targets.python import names
+from mipgen.targets.python.docs import COMMENTS
 from packages import REAL, Package, mip, real
 from support import SEED, SPECS, all_fields, model, rounds
+
+say = COMMENTS.say
 
 PACKAGES = {"real": real, "invented": mip}
 BOTH = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -39,10 +42,10 @@ def kind(package: Package, thing: m.Field | m.Type) -> Any:
 def said(known: Any, description: str, facts: list[describe.Fact], thing: m.Field | m.Type, of: m.Model) -> None:
     """The text begins with the description, contains every fact, and has neither lists nor lines."""
     where = names.home(thing)
-    prose = docs.say(describe.prose(description, of), where)
+    prose = say(describe.prose(description, of), where)
     assert known.text.startswith(prose) and "\n" not in known.text and not known.text.startswith("- "), known.name
     for fact in facts:
-        assert docs.say(fact.sentence, where) in known.text, (known.name, fact)
+        assert say(fact.sentence, where) in known.text, (known.name, fact)
 
 
 def objects(package: Package, f: m.Field, chance: random.Random, count: int = 6) -> Iterator[Any]:
@@ -96,10 +99,10 @@ def test_parameters_know_what_they_mean(spec: str) -> None:
             holder = r
             said(row, p.description, describe.parameter(p, holder, of), holder, of)
             for c in p.cases:
-                assert docs.say(describe.case(c, p, holder).value, names.home(holder)) in row.text
+                assert say(describe.case(c, p, holder).value, names.home(holder)) in row.text
                 if c.parameter is not None:
                     check(c.parameter, r, row.cases[c.tag.value], of)
-                    assert docs.say(describe.prose(c.parameter.description, of), names.home(holder)) in row.text
+                    assert say(describe.prose(c.parameter.description, of), names.home(holder)) in row.text
 
 
 def check(p: m.Parameter, r: m.Record, row: Any, of: m.Model) -> None:
@@ -177,7 +180,7 @@ def test_types_know_their_values_and_bits(spec: str) -> None:
     for s in of.sets:
         found = package.reflection.set_info(s.number)
         assert (found.name, found.number, found.title) == (s.name, s.number, s.title)
-        assert found.text.startswith(docs.say(describe.prose(s.description, of), names.module(s.family)))
+        assert found.text.startswith(say(describe.prose(s.description, of), names.module(s.family)))
 
 
 def test_only_types_of_the_specification_are_known() -> None:

@@ -36,7 +36,7 @@ class Comments:
 
     def family(self, x: m.Family, model: m.Model) -> list[str]:
         numbers, where = ", ".join(f"0x{s.number:02X}" for s in x.sets), self.names.module(x.name)
-        described = self._say(describe.prose(x.description, model), where)
+        described = self.say(describe.prose(x.description, model), where)
         several = x.sets if len(x.sets) > 1 else ()
         sets = [f"{s.name} (0x{s.number:02X}): {self._uncertain(s, where, model)}" for s in several]
         unsure = self._sentences(describe.uncertain(x, model), where)
@@ -48,10 +48,9 @@ class Comments:
     def field(self, f: m.Field, model: m.Model) -> list[str]:
         facts, where = describe.in_code(f, model), self.names.home(f)
         notes = describe.topics(facts, "note")
-        set = "" if len(f.occurrences) > 1 else f"0x{f.set:02X},"
         return [
-            f"{f.title} ({set}0x{f.descriptor:02X}).",
-            self._say(describe.prose(f.description, model), where),
+            f"{f.title} ({descriptors(f)}).",
+            self.say(describe.prose(f.description, model), where),
             self._sentences([fact for fact in facts if fact not in notes], where),
             self._sentences(notes, where),
             _sources(f),
@@ -72,7 +71,7 @@ class Comments:
     def member(self, p: m.Parameter, record: m.Record, model: m.Model) -> list[str]:
         facts, where = describe.parameter(p, record, model), self.names.home(record)
         variants = describe.topics(facts, "variant")
-        choices = [self._say(fact.sentence, where) for fact in variants]
+        choices = [self.say(fact.sentence, where) for fact in variants]
         choices += [self._case(c, p, record, model) for c in p.cases]
         text = self._text(p.description, [fact for fact in facts if fact not in variants], where, model)
         return [f"On the wire only: {p.name}. {text}" if p.derived else text, _items(choices)]
@@ -80,7 +79,7 @@ class Comments:
     def _case(self, c: m.Case, union: m.Parameter, record: m.Record, model: m.Model) -> str:
         """What a union holds for one value of its tag."""
         where, p = self.names.home(record), c.parameter
-        held = f"If {self._say(describe.case(c, union, record).value, where)}: `{self.alternative(p, record)}`."
+        held = f"If {self.say(describe.case(c, union, record).value, where)}: `{self.alternative(p, record)}`."
         facts = describe.parameter(p, record, model) if p else []
         return f"{held} {self._text(p.description if p else '', facts, where, model)}".strip()
 
@@ -90,12 +89,12 @@ class Comments:
     # ------------------------------------------------------------------------ words
 
     def _text(self, description: str, facts: Iterable[Fact], where: str, model: m.Model) -> str:
-        return f"{self._say(describe.prose(description, model), where)} {self._sentences(facts, where)}".strip()
+        return f"{self.say(describe.prose(description, model), where)} {self._sentences(facts, where)}".strip()
 
     def _sentences(self, facts: Iterable[Fact], where: str) -> str:
-        return " ".join(self._say(fact.sentence, where) for fact in facts)
+        return " ".join(self.say(fact.sentence, where) for fact in facts)
 
-    def _say(self, text: Iterable[str | Ref], where: str) -> str:
+    def say(self, text: Iterable[str | Ref], where: str) -> str:
         return describe.say(text, lambda ref: self._named(ref, where))
 
     def _named(self, ref: Ref, where: str) -> str:
@@ -113,6 +112,11 @@ class Comments:
                 return f"`{names.member(ref.thing.name)}`"
             case _:
                 return ref.words
+
+
+def descriptors(f: m.Field) -> str:
+    """ "0x80,0x04"; of a field of several sets the descriptor alone."""
+    return f"0x{f.descriptor:02X}" if len(f.occurrences) > 1 else f"0x{f.set:02X},0x{f.descriptor:02X}"
 
 
 def _sources(thing: m.Field | m.Family | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:

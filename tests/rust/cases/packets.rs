@@ -310,14 +310,15 @@ fn a_packet_that_was_given_is_not_given_again_by_flush() {
 
 #[test]
 fn long_garbage_full_of_false_syncs_passes() {
-    let mut stream = b"ue\x80\xFF".repeat(2000);
-    stream.extend(b"uu".repeat(3000));
+    let count = if cfg!(miri) { 100 } else { 2000 };
+    let mut stream = b"ue\x80\xFF".repeat(count);
+    stream.extend(b"uu".repeat(count));
     stream.extend(PING);
     for chunk in [1, 7, 261, 4096] {
         let cuts: Vec<usize> = (0..stream.len()).step_by(chunk).collect();
         let (packets, skipped) = parse(&stream, &cuts);
         assert_eq!(packets, [PING]);
-        assert_eq!(skipped, 14_000);
+        assert_eq!(skipped as usize, 6 * count);
     }
 }
 

@@ -18,19 +18,19 @@ def _alternative(p: m.Parameter | None, record: m.Record) -> str:
     return f"{names.member(p.name)}: {hint(p, record)}" if p else "{}"
 
 
-_COMMENTS = Comments(names, _alternative)
+COMMENTS = Comments(names, _alternative)
 
 
 def of_family(x: m.Family, model: m.Model) -> str:
-    return comment(_COMMENTS.family(x, model), 0)
+    return comment(COMMENTS.family(x, model), 0)
 
 
 def of_field(f: m.Field, model: m.Model) -> str:
-    return comment(_COMMENTS.field(f, model), 0)
+    return comment(COMMENTS.field(f, model), 0)
 
 
 def of_type(t: m.Type, model: m.Model) -> str:
-    return comment(_COMMENTS.type(t, model), 0)
+    return comment(COMMENTS.type(t, model), 0)
 
 
 def of_function(f: m.Function) -> str:
@@ -38,15 +38,15 @@ def of_function(f: m.Function) -> str:
 
 
 def of_value(v: m.EnumValue, t: m.Enum, model: m.Model) -> str:
-    return comment(_COMMENTS.value(v, t, model), 4)
+    return comment(COMMENTS.value(v, t, model), 4)
 
 
 def of_bits(b: m.Bits, t: m.Bitfield, model: m.Model) -> str:
-    return comment(_COMMENTS.bits(b, t, model), 4)
+    return comment(COMMENTS.bits(b, t, model), 4)
 
 
 def of_member(p: m.Parameter, record: m.Record, model: m.Model) -> str:
-    return comment(_COMMENTS.member(p, record, model), 4)
+    return comment(COMMENTS.member(p, record, model), 4)
 
 
 def comment(paragraphs: Iterable[str], indent: int) -> str:

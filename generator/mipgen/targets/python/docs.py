@@ -18,19 +18,19 @@ def _alternative(p: m.Parameter | None, record: m.Record) -> str:
     return annotation(p, record) if p else "None"
 
 
-_COMMENTS = Comments(names, _alternative)
+COMMENTS = Comments(names, _alternative)
 
 
 def of_family(x: m.Family, model: m.Model) -> str:
-    return literal(_COMMENTS.family(x, model), 0)
+    return literal(COMMENTS.family(x, model), 0)
 
 
 def of_field(f: m.Field, model: m.Model) -> str:
-    return literal(_COMMENTS.field(f, model), 4)
+    return literal(COMMENTS.field(f, model), 4)
 
 
 def of_type(t: m.Type, model: m.Model) -> str:
-    return literal(_COMMENTS.type(t, model), 0 if isinstance(t, m.Vector) else 4)
+    return literal(COMMENTS.type(t, model), 0 if isinstance(t, m.Vector) else 4)
 
 
 def of_function(f: m.Function) -> str:
@@ -38,24 +38,24 @@ def of_function(f: m.Function) -> str:
 
 
 def of_device(d: m.Device, model: m.Model) -> str:
-    return literal(_COMMENTS.device(d, model), 0)
+    return literal(COMMENTS.device(d, model), 0)
 
 
 def of_value(v: m.EnumValue, t: m.Enum, model: m.Model) -> str:
-    return literal(_COMMENTS.value(v, t, model), 4)
+    return literal(COMMENTS.value(v, t, model), 4)
 
 
 def of_bits(b: m.Bits, t: m.Bitfield, model: m.Model) -> str:
-    return literal(_COMMENTS.bits(b, t, model), 4)
+    return literal(COMMENTS.bits(b, t, model), 4)
 
 
 def of_member(p: m.Parameter, record: m.Record, model: m.Model) -> str:
-    return literal(_COMMENTS.member(p, record, model), 4)
+    return literal(COMMENTS.member(p, record, model), 4)
 
 
 def of_unheld(p: m.Parameter, record: m.Record, model: m.Model) -> str:
     """A comment on a parameter that objects do not hold, as it follows from the rest."""
-    return comment(" ".join(filter(None, _COMMENTS.member(p, record, model))), 4)
+    return comment(" ".join(filter(None, COMMENTS.member(p, record, model))), 4)
 
 
 # --------------------------------------------------------------------------- layout
