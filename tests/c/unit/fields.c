@@ -99,7 +99,7 @@ static void presence(void) {
 }
 
 static void counts(void) {
-    static const uint16_t items[125] = {0};
+    static const uint16_t items[126] = {0};
     struct mip_tools_list l;
     mip_tools_list_write(&l, 125, items);
     CHECK(mip_tools_list_encode(&l, fresh(1)) == MIP_OK);
