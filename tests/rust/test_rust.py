@@ -571,7 +571,7 @@ def test_what_is_no_request_is_refused_and_the_driver_goes_on(driver: str) -> No
         '{"op":"parse"}', parse + '"7","chunk":1}', parse + '"zz","chunk":1}', parse + '"00","chunk":0}',
         parse + '"00","chunk":-1}', parse + '"00"}', parse + '"00","chunk":1}x',
         '{"op":"decode"}', '{"op":"decode","packet":5}', '{"op":"decode","packet":"0 "}',
-        '{"op":"encode"}', '{"op":"encode","set":1}', '{"op":"encode","set":0,"fields":[]}',
+        '{"op":"encode"}', '{"op":"encode","set":1}',
         '{"op":"encode","set":256,"fields":[]}', encode + "[7]}", encode + '[{"raw":"00"}]}',
         encode + '[{"descriptor":256,"raw":"00"}]}', encode + '[{"descriptor":1}]}', encode + "[],}",
         '{"op":"encode" "set":1}', '{"op":"\\x"}', '{"op":"\\ud800"}', '{"op":"\\u12"}', '{"op":"\t"}', '{"op":--1}',
