@@ -188,8 +188,8 @@ export interface EventActionStatusEntry {
 export type ReceiverDynamics = Flavor<number, "3dm.receiver_dynamics">;
 /**
  * Motion that a GNSS receiver assumes. Uncertain: The value `fixed`. The SDK of 2014 numbers the modes 0 to 8, but the
- * list in its comments lacks this one, as u-blox receivers do. Uncertain: The descriptions. The sources have names
- * only; what is said of each mode is inferred from its name.
+ * list in its comments lacks this one, as u-blox receivers do. Uncertain: The descriptions. The sources list only
+ * names, from which the descriptions of the modes are inferred.
  *
  * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
  */
@@ -217,8 +217,8 @@ export declare const ReceiverDynamics: Enumeration<ReceiverDynamics> & {
 export type DataConditioningFlags = Flavor<number, "3dm.data_conditioning_flags">;
 /**
  * Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte protocol of the
- * 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The descriptions. The sources have
- * names only; what is said of each bit is inferred from its name.
+ * 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The descriptions. The sources list
+ * only names, from which the descriptions of the bits are inferred.
  *
  * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
  * - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -230,7 +230,7 @@ export declare const DataConditioningFlags: Bitfield<DataConditioningFlags> & {
     readonly CONING_SCULLING: DataConditioningFlags;
     /** Sends floats with the least significant byte first. Bit 4. */
     readonly LITTLE_ENDIAN_FLOATS: DataConditioningFlags;
-    /** Suppresses values that are not a number. Bit 5. */
+    /** Suppresses values that are NaN (not a number). Bit 5. */
     readonly NAN_SUPPRESSED: DataConditioningFlags;
     /** Corrects the distance between the accelerometers. Bit 6. */
     readonly FINITE_SIZE_CORRECTION: DataConditioningFlags;
@@ -261,7 +261,7 @@ export declare const MagBandwidth: Enumeration<MagBandwidth> & {
 
 export type ImuTimestampSelector = Flavor<number, "3dm.imu_timestamp_selector">;
 /**
- * A counter of the time of the sensor data.
+ * A time counter of the sensor data.
  *
  * - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
  */
@@ -366,7 +366,7 @@ export type DeviceStatusSelector = Flavor<number, "3dm.device_status_selector">;
 export declare const DeviceStatusSelector: Enumeration<DeviceStatusSelector> & {
     /** State and timer. */
     readonly BASIC: DeviceStatusSelector & 1;
-    /** State and timer with the counters of streams and port. */
+    /** State, timer, and the counters of streams and port. */
     readonly DIAGNOSTIC: DeviceStatusSelector & 2;
 };
 
@@ -486,7 +486,7 @@ export declare class GetGnssBaseRateResponse extends Response {
 export declare class DataStreamControlResponse extends Response {
     constructor(values: Values<DataStreamControlResponse>);
     /**
-     * Stream given in the command.
+     * Stream specified in the command.
      *
      * - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
      *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
@@ -510,17 +510,17 @@ export declare class DataStreamControlResponse extends Response {
  */
 export declare class ImuSignalConditioningResponse extends Response {
     constructor(values: Values<ImuSignalConditioningResponse, "reserved">);
-    /** Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000. */
+    /** Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000. */
     orientationDecimation: number;
     /** Processing steps. Default: 3. */
     dataConditioningFlags: DataConditioningFlags;
-    /** Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15. */
+    /** Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default: 15. */
     inertialFilterWidth: number;
-    /** Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17. */
+    /** Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17. */
     magFilterWidth: number;
-    /** Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10. */
+    /** Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10. */
     upCompensation: number;
-    /** Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. */
+    /** Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. */
     northCompensation: number;
     /** Bandwidth of the magnetometer of 3-series devices. */
     magBandwidth: MagBandwidth;
@@ -640,7 +640,7 @@ export declare class NmeaMessageFormatResponse extends Response {
  */
 export declare class GetBaseRateResponse extends Response {
     constructor(values: Values<GetBaseRateResponse>);
-    /** Data descriptor set given in the command. */
+    /** Data descriptor set specified in the command. */
     descriptorSet: number;
     /** Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz. */
     rate: number;
@@ -668,7 +668,8 @@ export declare class MessageFormatResponse extends Response {
  * Timer only, in microseconds.
  *
  * No device is certain to support it. Answers `DeviceStatus`. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
- * Uncertain: The SDK of 2014 names the values and the unit of the timer; the descriptions follow from the names.
+ * Uncertain: The SDK of 2014 lists the names of the values and the unit of the timer; the descriptions are inferred
+ * from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -747,7 +748,7 @@ export declare class DeviceStatusBasicWithoutStateResponse extends Response {
 /**
  * Diagnostic Device Status (0x0C,0x90).
  *
- * State and timer with the counters of streams and port.
+ * State, timer, and the counters of streams and port.
  *
  * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
@@ -798,15 +799,15 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
 /**
  * Diagnostic Device Status with GNSS (0x0C,0x90).
  *
- * State and timer with the counters of pulses, streams, port and receiver.
+ * State, timer, and the counters of pulses, streams, port and receiver.
  *
  * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
  * `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
  * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
  * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL has it for the 3DM-GX4-45
- * and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL only names the values; the
- * descriptions follow from the names, and the times are assumed to be in ms like the system timer.
+ * and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the values,
+ * from which the descriptions are inferred; the times are assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -867,15 +868,15 @@ export declare class DeviceStatusDiagnosticGnssResponse extends Response {
 /**
  * Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
  *
- * The layout with GNSS, plus what could not be started.
+ * The layout with GNSS, plus flags for parts that could not be started.
  *
  * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
  * `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
  * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
  * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45. Uncertain: No known manual documents it. Uncertain: MSCL
- * only names the values; the descriptions follow from the names, and the times are assumed to be in ms like the system
- * timer.
+ * lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like
+ * the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -949,8 +950,8 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
  * `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
  * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
  * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual documents
- * it. Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are assumed to be in
- * ms like the system timer.
+ * it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are
+ * assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1024,8 +1025,8 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
  * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
  * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known manual documents it for these devices; the offsets 49 to 69 in
- * the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names the values; the descriptions follow from the names,
- * and the times are assumed to be in ms like the system timer.
+ * the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only the names of the values, from which the descriptions
+ * are inferred; the times are assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1087,8 +1088,8 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
  * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
  * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
  * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
- * manual documents it. Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
- * assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known.
+ * manual documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred;
+ * the times are assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1149,8 +1150,9 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
  * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
  * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
  * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 names the values and the units of temperature and
- * times; the descriptions follow from the names. Uncertain: The units of the ranges are not known.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and the units of
+ * temperature and times; the descriptions are inferred from the names. Uncertain: The units of the ranges are not
+ * known.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1211,8 +1213,8 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
  * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
  * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
  * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 names the values and the units of temperature and
- * times; the descriptions follow from the names.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and the units of
+ * temperature and times; the descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1267,8 +1269,8 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
  *
  * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
  * `DeviceStatusBasicWithoutStateResponse` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has it, which names the values; the descriptions follow
- * from the names.
+ * `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has it, with the names of the values; the descriptions
+ * are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1295,14 +1297,14 @@ export declare class DeviceStatusBasicGx3Response extends Response {
 /**
  * Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
  *
- * State of the port with the counters of port, USB, receiver and IMU.
+ * State of the port, and the counters of the port, USB, receiver and IMU.
  *
  * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
  * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
  * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
  * `DeviceStatusDiagnosticRq1ImuResponse` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 has it, which names the values; the descriptions
- * follow from the names.
+ * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 has it, with the names of the values; the
+ * descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1356,7 +1358,7 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
     gnssReadOverruns: number;
     /** Messages of the receiver that were read. Unit: 1. */
     gnssMessageCount: number;
-    /** Messages of the receiver that came late. Unit: 1. */
+    /** Messages of the receiver that arrived late. Unit: 1. */
     gnssDelayedMessageCount: number;
     /** State of the IMU's driver; its values are not known. */
     imuDriverState: number;
@@ -1372,7 +1374,7 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
     imuReadOverruns: number;
     /** Messages of the IMU that were read. Unit: 1. */
     imuMessageCount: number;
-    /** Messages of the IMU that came late. Unit: 1. */
+    /** Messages of the IMU that arrived late. Unit: 1. */
     imuDelayedMessageCount: number;
 }
 
@@ -1420,9 +1422,9 @@ export declare class ComplementaryFilterResponse extends Response {
     pitchRollEnable: boolean;
     /** Corrects the heading (north, in terms of the 5-series). */
     headingEnable: boolean;
-    /** Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10. */
+    /** Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10. */
     pitchRollTimeConstant: number;
-    /** Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. */
+    /** Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. */
     headingTimeConstant: number;
 }
 
@@ -1651,7 +1653,7 @@ export declare class SensorToVehicleTransformDcmResponse extends Response {
  */
 export declare class GetEventSupportResponse extends Response {
     constructor(values: Values<GetEventSupportResponse>);
-    /** Query given in the command. */
+    /** Query specified in the command. */
     query: EventSupportQuery;
     /** Number of slots; instances go from 1 to this. Unit: 1. */
     maxInstances: number;
@@ -1815,8 +1817,8 @@ export declare class OdometerConfigResponse extends Response {
     /** Operation of the input. */
     mode: OdometerMode;
     /**
-     * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m. Pulses on line A per turn
-     * of the wheel, divided by the circumference of the wheel.
+     * Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m. Pulses on line A per
+     * turn of the wheel, divided by the circumference of the wheel.
      */
     scaling: number;
     /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. */
@@ -1847,7 +1849,7 @@ export declare class SensorRangeResponse extends Response {
  */
 export declare class GetCalibratedSensorRangesResponse extends Response {
     constructor(values: Values<GetCalibratedSensorRangesResponse>);
-    /** Sensor given in the command. */
+    /** Sensor specified in the command. */
     sensor: SensorRangeType;
     /** On the wire only: num_ranges. Number of ranges. The number of elements of `ranges`. */
     /**
@@ -2131,8 +2133,8 @@ export declare class GetFilterBaseRate extends Command<GetFilterBaseRateResponse
  * 3DM-CV7-GNSS/INS.
  *
  * A sentence may be listed several times with different talkers or sources. A sentence is sent only while the device is
- * not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS rejects the format if a sentence would come more
- * than 10 times per second, or, from a GNSS set, more than twice.
+ * not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS rejects the format if a sentence would be sent
+ * more than 10 times per second, or, from a GNSS set, more than twice.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
@@ -2365,7 +2367,7 @@ export declare class ConstellationSettings<R extends Response | undefined = unde
 /**
  * GNSS SBAS Settings (0x0C,0x22).
  *
- * Sets how the GNSS receivers use satellite based augmentation.
+ * Sets how the GNSS receivers use satellite-based augmentation (SBAS).
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSbasSettingsResponse`. Probably changes
  * `gnss_data.SbasInfo` and `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
@@ -2414,8 +2416,8 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`. Supported by
  * 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
- * The last fix is kept in the flash memory and the FRAM of the receiver. With the time of `GnssTimeAssistance` right
- * after power-up, the first fix takes 1 s at best. A change from enabled to none erases the flash memory of the
+ * The last fix is kept in the flash memory and the FRAM of the receiver. If you send the time with `GnssTimeAssistance`
+ * right after power-up, the first fix takes 1 s at best. A change from enabled to none erases the flash memory of the
  * receiver, which is rated for 100 000 erasures. The power consumption is slightly higher.
  *
  * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
@@ -2889,26 +2891,22 @@ export declare class ImuSignalConditioning<R extends Response | undefined = unde
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000. Required for
-     * `write`.
+     * Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000. Required
+     * for `write`.
      */
     orientationDecimation?: number;
     /** Processing steps. Default: 3. Required for `write`. */
     dataConditioningFlags?: DataConditioningFlags;
     /**
-     * Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15. Required
-     * for `write`.
+     * Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default: 15. Required for
+     * `write`.
      */
     inertialFilterWidth?: number;
-    /**
-     * Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17. Required for `write`.
-     */
+    /** Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17. Required for `write`. */
     magFilterWidth?: number;
-    /**
-     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10. Required for `write`.
-     */
+    /** Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10. Required for `write`. */
     upCompensation?: number;
-    /** Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. Required for `write`. */
+    /** Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. Required for `write`. */
     northCompensation?: number;
     /** Bandwidth of the magnetometer of 3-series devices. Required for `write`. */
     magBandwidth?: MagBandwidth;
@@ -2929,11 +2927,11 @@ export declare class ImuSignalConditioning<R extends Response | undefined = unde
 /**
  * IMU timestamp (0x0C,0x36).
  *
- * Sets or reads a counter of the time of the sensor data.
+ * Sets or reads a time counter of the sensor data.
  *
  * No device is certain to support it. Functions: `write` and `read`. Answered by `ImuTimestampResponse`. Known only
  * from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35
- * only. Uncertain: Whether a read needs `time` and ignores it, or leaves it out, as is assumed.
+ * only. Uncertain: Whether a read includes `time`, which is ignored, or omits it, as is assumed.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -2983,7 +2981,7 @@ export declare class AccelBias<R extends Response | undefined = undefined | Acce
     static load(): AccelBias<undefined>;
     /** Load the factory default setting. */
     static default(): AccelBias<undefined>;
-    /** Apply the new setting and send no acknowledge (5-series devices). */
+    /** Apply the new setting without sending an ACK (5-series devices). */
     static apply(values: { bias: types.Vector3f }): AccelBias<undefined>;
 }
 
@@ -3020,7 +3018,7 @@ export declare class GyroBias<R extends Response | undefined = undefined | GyroB
     static load(): GyroBias<undefined>;
     /** Load the factory default setting. */
     static default(): GyroBias<undefined>;
-    /** Apply the new setting and send no acknowledge (5-series devices). */
+    /** Apply the new setting without sending an ACK (5-series devices). */
     static apply(values: { bias: types.Vector3f }): GyroBias<undefined>;
 }
 
@@ -3085,7 +3083,7 @@ export declare class MagHardIronOffset<R extends Response | undefined = undefine
     static load(): MagHardIronOffset<undefined>;
     /** Load the factory default setting. */
     static default(): MagHardIronOffset<undefined>;
-    /** Apply the new setting and send no acknowledge (5-series devices). */
+    /** Apply the new setting without sending an ACK (5-series devices). */
     static apply(values: { offset: types.Vector3f }): MagHardIronOffset<undefined>;
 }
 
@@ -3126,7 +3124,7 @@ export declare class MagSoftIronMatrix<R extends Response | undefined = undefine
     static load(): MagSoftIronMatrix<undefined>;
     /** Load the factory default setting. */
     static default(): MagSoftIronMatrix<undefined>;
-    /** Apply the new setting and send no acknowledge (5-series devices). */
+    /** Apply the new setting without sending an ACK (5-series devices). */
     static apply(values: { matrix: types.Matrix3f }): MagSoftIronMatrix<undefined>;
 }
 
@@ -3291,7 +3289,7 @@ export declare class OdometerConfig<R extends Response | undefined = undefined |
     /** Operation of the input. Required for `write`. */
     mode?: OdometerMode;
     /**
-     * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m. Required for `write`.
+     * Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m. Required for `write`.
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
     scaling?: number;
@@ -3397,11 +3395,9 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
      * - On the 3DM-GX5-15: default true.
      */
     headingEnable?: boolean;
-    /**
-     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10. Required for `write`.
-     */
+    /** Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10. Required for `write`. */
     pitchRollTimeConstant?: number;
-    /** Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. Required for `write`. */
+    /** Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. Required for `write`. */
     headingTimeConstant?: number;
     /** Apply the new setting. */
     static write(values: { pitchRollEnable: boolean; headingEnable: boolean; pitchRollTimeConstant: number; headingTimeConstant: number }): ComplementaryFilter<undefined>;
@@ -3553,8 +3549,8 @@ export declare class DataStreamFormat<R extends Response | undefined = undefined
  * No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `DevicePowerStateResponse`. The device may take 5 s to answer. Known only from the MIP SDK of 2014 and MicroStrain
  * Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the
- * 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed. Uncertain: Whether
- * `state` may be left out with functions other than write. The SDK of 2014 sends `device` with every function, and a 0
+ * 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether
+ * `state` may be omitted with functions other than write. The SDK of 2014 sends `device` with every function, and a 0
  * in place of `state`.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
@@ -3618,7 +3614,7 @@ export declare class GpsAdvancedSettings extends Command<undefined> {
  * `DeviceStatusBasicGx3Response` or `DeviceStatusDiagnosticGx3Response`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
  * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The device expects its own model number, which `base.GetDeviceInfo` returns. Families of devices answer in different
+ * The device expects its own model number, which `base.GetDeviceInfo` returns. Device families reply in different
  * layouts. The selector and the length distinguish them.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -3629,13 +3625,13 @@ export declare class GpsAdvancedSettings extends Command<undefined> {
 export declare class DeviceStatus extends Command<DeviceStatusBasicRq1ImuResponse | DeviceStatusBasicResponse | DeviceStatusBasicWithoutStateResponse | DeviceStatusBasicGx3Response | DeviceStatusDiagnosticResponse | DeviceStatusDiagnosticGnssResponse | DeviceStatusDiagnosticGq4_45Response | DeviceStatusDiagnosticRq1_45Response | DeviceStatusDiagnosticGx4Response | DeviceStatusDiagnosticImuResponse | DeviceStatusDiagnosticGx4ImuResponse | DeviceStatusDiagnosticRq1ImuResponse | DeviceStatusDiagnosticGx3Response> {
     constructor(values: Values<DeviceStatus>);
     /**
-     * Model number of the device that answers.
+     * Model number of the device that replies.
      *
      * - On the 3DM-GX5-15: always 6254.
      * - On the 3DM-GX5-35: always 6252.
      * - On the 3DM-GX5-45: always 6251.
      */
     modelNumber: number;
-    /** Level of detail of the answer. */
+    /** Level of detail of the reply. */
     statusSelector: DeviceStatusSelector;
 }

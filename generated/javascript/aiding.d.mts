@@ -25,14 +25,14 @@ export declare const AidingFrameFormat: Enumeration<AidingFrameFormat> & {
 
 export type AidingEchoMode = Flavor<number, "aiding.aiding_echo_mode">;
 /**
- * Answers of the device to aiding measurements.
+ * Replies of the device to aiding measurements.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  */
 export declare const AidingEchoMode: Enumeration<AidingEchoMode> & {
     /** No acknowledge. */
     readonly SUPPRESS_ACK: AidingEchoMode & 0;
-    /** Acknowledge as for any command. */
+    /** ACK, as for any command. */
     readonly STANDARD: AidingEchoMode & 1;
     /** The data is returned in a response. */
     readonly RESPONSE: AidingEchoMode & 2;
@@ -43,7 +43,7 @@ export type Timebase = Flavor<number, "aiding.timebase">;
 export declare const Timebase: Enumeration<Timebase> & {
     /** Internal reference clock of the device. */
     readonly INTERNAL_REFERENCE: Timebase & 1;
-    /** External clock, with which the PPS synchronizes the device. */
+    /** External clock, to which the PPS synchronizes the device. */
     readonly EXTERNAL_TIME: Timebase & 2;
     /** Latency relative to the arrival of the command. */
     readonly TIME_OF_ARRIVAL: Timebase & 3;
@@ -134,8 +134,8 @@ export declare class EchoControlResponse extends Response {
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the rotation R and the
- * translation t. For GNSS positions and velocities the rotation does not matter. Send one that does not turn: Euler
- * angles 0, 0, 0 or the quaternion 1, 0, 0, 0. A read selects the format of the answer.
+ * translation t. For GNSS positions and velocities the rotation does not matter. Send the identity: Euler angles 0, 0,
+ * 0 or the quaternion 1, 0, 0, 0. A read selects the format of the reply.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -176,7 +176,7 @@ export declare class FrameConfig<R extends Response | undefined = undefined | Fr
 /**
  * Echo control (0x13,0x1F).
  *
- * Sets how the device answers aiding measurements.
+ * Sets how the device replies to aiding measurements.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -388,9 +388,9 @@ export declare class NedVelocity extends Command<undefined> {
  * Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported
  * by 3DM-CV7-GNSS/INS.
  *
- * The device supports up to four sensors of this kind. A wheeled vehicle constraint is a velocity of 0 with only y
- * valid, sent at least once per second. With z also valid and 0, motion is constrained to a plane (2D mode). A zero
- * velocity update is a velocity of 0, sent while the GNSS speed is below a threshold chosen by the user. In mode
+ * The device supports up to four sensors of this kind. For a wheeled vehicle constraint, send a velocity of 0 with only
+ * y valid, at least once per second. With z also valid and 0, motion is constrained to a plane (2D mode). A zero
+ * velocity update is a velocity of 0, sent while the GNSS speed is below a threshold that you choose. In mode
  * `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)

@@ -200,7 +200,7 @@ export declare class CommSpeedResponse extends Response {
 /**
  * Ping (0x01,0x01).
  *
- * Checks whether a device is present and answers commands.
+ * Checks whether a device is present and replies to commands.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
@@ -418,7 +418,7 @@ export declare class GpsTimeUpdate<R extends Response | undefined = undefined | 
     static write(values: { fieldId: GpsTimeField; value: number }): GpsTimeUpdate<undefined>;
     /** Return the current setting in a response. */
     static read(values: { fieldId: GpsTimeField }): GpsTimeUpdate<GpsTimeUpdateWeekNumberResponse | GpsTimeUpdateTowResponse>;
-    /** Apply the new setting and send no acknowledge (5-series devices). */
+    /** Apply the new setting without sending an ACK (5-series devices). */
     static apply(values: { fieldId: GpsTimeField; value: number }): GpsTimeUpdate<undefined>;
 }
 

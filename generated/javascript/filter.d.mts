@@ -12,9 +12,9 @@ import type * as types from "./types.mjs";
 
 export type DynamicsMode = Flavor<number, "filter.dynamics_mode">;
 /**
- * Motion that the filter expects, by the way in which the device travels. Uncertain: The SDK names the modes only; the
- * descriptions follow from the names. Uncertain: `filter_data.Status` reports a mode too, but is known to have the
- * values 1 to 3 only.
+ * Motion that the filter expects, depending on the kind of vehicle. Uncertain: The SDK lists only the names of the
+ * modes, from which the descriptions are inferred. Uncertain: `filter_data.Status` reports a mode too, but is known to
+ * have the values 1 to 3 only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -58,7 +58,7 @@ export type GnssAidingSource = Flavor<number, "filter.gnss_aiding_source">;
 export declare const GnssAidingSource: Enumeration<GnssAidingSource> & {
     /** All internal receivers. */
     readonly ALL_INTERNAL: GnssAidingSource & 1;
-    /** GNSS measurements that the user sends. */
+    /** GNSS measurements that your program sends. */
     readonly EXTERNAL: GnssAidingSource & 2;
     /** Internal receiver 1 only. */
     readonly INTERNAL_1: GnssAidingSource & 3;
@@ -90,13 +90,13 @@ export declare const HeadingUpdateSource: Enumeration<HeadingUpdateSource> & {
     readonly MAG: HeadingUpdateSource & 1;
     /** The velocity that the GNSS receiver measures. */
     readonly GNSS_VELOCITY: HeadingUpdateSource & 2;
-    /** The heading messages that the user sends. */
+    /** The heading messages that your program sends. */
     readonly EXTERNAL: HeadingUpdateSource & 3;
     /** The course over ground and the magnetometer. */
     readonly GNSS_VELOCITY_AND_MAG: HeadingUpdateSource & 4;
-    /** GNSS velocity and the messages of the user. */
+    /** GNSS velocity and your program's heading messages. */
     readonly GNSS_VELOCITY_AND_EXTERNAL: HeadingUpdateSource & 5;
-    /** Magnetometer and the messages of the user. */
+    /** Magnetometer and your program's heading messages. */
     readonly MAG_AND_EXTERNAL: HeadingUpdateSource & 6;
     /** All three. */
     readonly ALL: HeadingUpdateSource & 7;
@@ -179,13 +179,13 @@ export declare const AidingSource: Enumeration<AidingSource> & {
     readonly SPEED: AidingSource & 3;
     /** Built-in magnetometer. */
     readonly MAG: AidingSource & 4;
-    /** Heading that the user sends. */
+    /** Heading that your program sends. */
     readonly EXTERNAL_HEADING: AidingSource & 5;
-    /** Pressure altitude that the user sends. */
+    /** Pressure altitude that your program sends. */
     readonly EXTERNAL_ALTIMETER: AidingSource & 6;
-    /** Magnetic field that the user sends. */
+    /** Magnetic field that your program sends. */
     readonly EXTERNAL_MAG: AidingSource & 7;
-    /** Velocity in the body (vehicle) frame that the user sends. */
+    /** Velocity in the body (vehicle) frame that your program sends. */
     readonly BODY_FRAME_VELOCITY: AidingSource & 8;
     /** All sources, for save, load and default. */
     readonly ALL: AidingSource & 65535;
@@ -233,20 +233,20 @@ export declare const AngularConstraint: Enumeration<AngularConstraint> & {
 };
 
 export type InitialConditionSource = Flavor<number, "filter.initial_condition_source">;
-/** Initial conditions that the user provides instead of the device. */
+/** Initial conditions that your program provides instead of the device. */
 export declare const InitialConditionSource: Enumeration<InitialConditionSource> & {
     /** Position, velocity and attitude are automatic. */
     readonly AUTO_POSITION_VELOCITY_ATTITUDE: InitialConditionSource & 0;
-    /** Position, velocity, pitch and roll are automatic; the user provides the heading. */
+    /** Position, velocity, pitch and roll are automatic; your program provides the heading. */
     readonly AUTO_POSITION_VELOCITY_PITCH_ROLL: InitialConditionSource & 1;
-    /** Position and velocity are automatic; the user provides the attitude. */
+    /** Position and velocity are automatic; your program provides the attitude. */
     readonly AUTO_POSITION_VELOCITY: InitialConditionSource & 2;
-    /** The user provides position, velocity and attitude. */
+    /** Your program provides position, velocity and attitude. */
     readonly MANUAL: InitialConditionSource & 3;
 };
 
 export type HeadingAlignment = Flavor<number, "filter.heading_alignment">;
-/** Methods by which the device may determine its initial heading. */
+/** Methods that the device may use to determine its initial heading. */
 export declare const HeadingAlignment: Bitfield<HeadingAlignment> & {
     /** From the baseline between two GNSS antennas. Bit 0. */
     readonly DUAL_ANTENNA: HeadingAlignment;
@@ -254,12 +254,12 @@ export declare const HeadingAlignment: Bitfield<HeadingAlignment> & {
     readonly KINEMATIC: HeadingAlignment;
     /** From the built-in magnetometer. Bit 2. */
     readonly MAG: HeadingAlignment;
-    /** From the heading that the user sends. Bit 3. */
+    /** From the heading that your program sends. Bit 3. */
     readonly EXTERNAL: HeadingAlignment;
 };
 
 export type ReferenceFrame = Flavor<number, "filter.reference_frame">;
-/** Frame in which a position is given. */
+/** Frame of a position. */
 export declare const ReferenceFrame: Enumeration<ReferenceFrame> & {
     /** Earth-centred, Earth-fixed coordinates (WGS84). */
     readonly ECEF: ReferenceFrame & 1;
@@ -637,7 +637,7 @@ export declare class MagneticDeclinationSourceResponse extends Response {
     source: MagParameterSource;
     /**
      * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
-     * Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included,
+     * Uncertain: Whether it may be omitted if `source` is not manual. The manuals, that of the 3DM-GQ7 included,
      * require it only if it is, but state one length, with the value. Sending it always fits both.
      */
     declination: number;
@@ -654,7 +654,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurementResponse extends Resp
     constructor(values: Values<AccelMagnitudeErrorAdaptiveMeasurementResponse>);
     /** Kind of adaptation. */
     adaptiveMeasurement: AdaptiveMeasurementSelector;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
     /** Lower limit of the error. Unit: m/s^2. */
     lowLimit: number;
@@ -679,7 +679,7 @@ export declare class MagMagnitudeErrorAdaptiveMeasurementResponse extends Respon
     constructor(values: Values<MagMagnitudeErrorAdaptiveMeasurementResponse>);
     /** Kind of adaptation. */
     adaptiveMeasurement: AdaptiveMeasurementSelector;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
     /**
      * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
@@ -719,7 +719,7 @@ export declare class MagDipAngleErrorAdaptiveMeasurementResponse extends Respons
     constructor(values: Values<MagDipAngleErrorAdaptiveMeasurementResponse>);
     /** True if the adaptation is on. */
     enable: boolean;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
     /**
      * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
@@ -873,18 +873,18 @@ export declare class InitializationConfigResponse extends Response {
     constructor(values: Values<InitializationConfigResponse>);
     /** 1: the filter starts only after `Run`; 0: it starts as soon as it can. Range: 0 to 1. */
     waitForRunCommand: number;
-    /** Initial conditions that the user provides instead of the device. */
+    /** Initial conditions that your program provides instead of the device. */
     initialConditionSource: InitialConditionSource;
-    /** Methods by which the initial heading may be determined. */
+    /** Methods that may be used to determine the initial heading. */
     autoHeadingAlignmentSelector: HeadingAlignment;
-    /** Initial heading that the user provides. Unit: deg. */
+    /** Initial heading that your program provides. Unit: deg. */
     initialHeading: number;
-    /** Initial pitch that the user provides. Unit: deg. */
+    /** Initial pitch that your program provides. Unit: deg. */
     initialPitch: number;
-    /** Initial roll that the user provides. Unit: deg. */
+    /** Initial roll that your program provides. Unit: deg. */
     initialRoll: number;
     /**
-     * Initial position that the user provides. Elements: x, y, z.
+     * Initial position that your program provides. Elements: x, y, z.
      *
      * - If `referenceFrameSelector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
      * - If `referenceFrameSelector` is `ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m;
@@ -892,7 +892,7 @@ export declare class InitializationConfigResponse extends Response {
      */
     initialPosition: types.Vector3f;
     /**
-     * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
+     * Initial velocity that your program provides. Elements: x, y, z. Unit: m/s.
      *
      * - If `referenceFrameSelector` is `ReferenceFrame.ECEF`: frame ecef.
      * - If `referenceFrameSelector` is `ReferenceFrame.LLH`: elements north, east, down; frame ned.
@@ -1080,7 +1080,7 @@ export declare class SetInitialAttitude extends Command<undefined> {
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * 3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if magnetometer aiding is
- * on, the given heading is ignored.
+ * on, the value of this command is ignored.
  *
  * - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
  * - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -1133,7 +1133,7 @@ export declare class Run extends Command<undefined> {
 /**
  * Vehicle dynamics mode (0x0D,0x10).
  *
- * Adapts the filter to the motion that it has to expect.
+ * Adapts the filter to the expected motion.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `VehicleDynamicsModeResponse`. Probably changes
  * filter_data (0x82). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
@@ -1355,11 +1355,11 @@ export declare class GnssSource<R extends Response | undefined = undefined | Gns
 /**
  * External GNSS update (0x0D,0x16).
  *
- * Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
+ * Sends one position and velocity measurement from your own GNSS receiver to the filter.
  *
  * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
- * Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
+ * Rejected unless `GnssSource` selects the external source. The highest rate depends on the device.
  *
  * - mip-sdk-4: External GNSS update (0x0D,0x16)
  */
@@ -1390,7 +1390,7 @@ export declare class ExternalGnssUpdate extends Command<undefined> {
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
- * Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
+ * Rejected unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
  * `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination
  * source is not valid, -25 models reject true headings and -45 models magnetic ones.
  *
@@ -1658,7 +1658,7 @@ export declare class AutoZupt<R extends Response | undefined = undefined | AutoZ
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
- * Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate. Refused unless
+ * Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate. Rejected unless
  * external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by `AidingMeasurementEnable` on the
  * 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second. If the declination source is not valid, -25 models
  * reject true headings and -45 models magnetic ones.
@@ -1730,7 +1730,7 @@ export declare class AutoAngularZupt<R extends Response | undefined = undefined 
  * 3DM-GX5-45. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On the 3DM-GX5-45: `write`, `save`, `load`
  * and `default` only.
  *
- * Refused while the filter has no valid attitude.
+ * Rejected while the filter has no valid attitude.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -1756,7 +1756,7 @@ export declare class TareOrientation<R extends Response | undefined = undefined 
 /**
  * Commanded zero velocity update (0x0D,0x22).
  *
- * Tells the filter once that the device is at rest.
+ * Informs the filter once that the device is at rest.
  *
  * Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.NedVelocityUncertainty` and
  * `filter_data.EcefVelocityUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
@@ -1772,7 +1772,7 @@ export declare class CommandedZupt extends Command<undefined> {
 /**
  * Commanded zero angular rate update (0x0D,0x23).
  *
- * Tells the filter once that the device is not rotating.
+ * Informs the filter once that the device is not rotating.
  *
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
@@ -2061,7 +2061,7 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
     source?: MagParameterSource;
     /**
      * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Required
-     * for `write`. Uncertain: Whether it may be left out if `source` is not manual. The manuals, that of the 3DM-GQ7
+     * for `write`. Uncertain: Whether it may be omitted if `source` is not manual. The manuals, that of the 3DM-GQ7
      * included, require it only if it is, but state one length, with the value. Sending it always fits both.
      */
     declination?: number;
@@ -2088,7 +2088,7 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
  * `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Also called accelerometer magnitude error adaptive measurement. All parameters after the selector keep their values
- * if they are left out. Filter and limits take effect only with `fixed`. Raise the limits where vibration is strong,
+ * if they are omitted. Filter and limits take effect only with `fixed`. Raise the limits where vibration is strong,
  * lower them where it is weak. High limits reduce the accuracy of pitch and roll under linear acceleration, low limits
  * reduce the accuracy of the heading.
  *
@@ -2105,7 +2105,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
      *   `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
      */
     adaptiveMeasurement?: AdaptiveMeasurementSelector;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional. */
     frequency?: number;
     /** Lower limit of the error. Unit: m/s^2. Optional. */
     lowLimit?: number;
@@ -2137,7 +2137,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagMagnitudeErrorAdaptiveMeasurementResponse`.
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
- * only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be left out on write, as
+ * only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be omitted on write, as
  * those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device determines the limits. High
@@ -2156,7 +2156,7 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
      *   `AdaptiveMeasurementSelector.DISABLED` and `AdaptiveMeasurementSelector.FIXED`.
      */
     adaptiveMeasurement?: AdaptiveMeasurementSelector;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
     frequency?: number;
     /**
      * Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK states m/s^2; a manual
@@ -2217,7 +2217,7 @@ export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | un
     function: FunctionSelector;
     /** True if the adaptation is on. Required for `write`. */
     enable?: boolean;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
     frequency?: number;
     /**
      * Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK states m/s^2; rad is
@@ -2558,10 +2558,10 @@ export declare class InitializationConfig<R extends Response | undefined = undef
     function: FunctionSelector;
     /** 1: the filter starts only after `Run`; 0: it starts as soon as it can. Range: 0 to 1. Required for `write`. */
     waitForRunCommand?: number;
-    /** Initial conditions that the user provides instead of the device. Required for `write`. */
+    /** Initial conditions that your program provides instead of the device. Required for `write`. */
     initialConditionSource?: InitialConditionSource;
     /**
-     * Methods by which the initial heading may be determined. Required for `write`.
+     * Methods that may be used to determine the initial heading. Required for `write`.
      *
      * - On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `HeadingAlignment.KINEMATIC`, `HeadingAlignment.MAG` and
      *   `HeadingAlignment.EXTERNAL`.
@@ -2569,14 +2569,14 @@ export declare class InitializationConfig<R extends Response | undefined = undef
      *   `HeadingAlignment.MAG`.
      */
     autoHeadingAlignmentSelector?: HeadingAlignment;
-    /** Initial heading that the user provides. Unit: deg. Required for `write`. */
+    /** Initial heading that your program provides. Unit: deg. Required for `write`. */
     initialHeading?: number;
-    /** Initial pitch that the user provides. Unit: deg. Required for `write`. */
+    /** Initial pitch that your program provides. Unit: deg. Required for `write`. */
     initialPitch?: number;
-    /** Initial roll that the user provides. Unit: deg. Required for `write`. */
+    /** Initial roll that your program provides. Unit: deg. Required for `write`. */
     initialRoll?: number;
     /**
-     * Initial position that the user provides. Elements: x, y, z. Required for `write`.
+     * Initial position that your program provides. Elements: x, y, z. Required for `write`.
      *
      * - If `referenceFrameSelector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
      * - If `referenceFrameSelector` is `ReferenceFrame.LLH`: elements latitude, longitude, height; unit deg, deg, m;
@@ -2584,7 +2584,7 @@ export declare class InitializationConfig<R extends Response | undefined = undef
      */
     initialPosition?: types.Vector3f;
     /**
-     * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for `write`.
+     * Initial velocity that your program provides. Elements: x, y, z. Unit: m/s. Required for `write`.
      *
      * - If `referenceFrameSelector` is `ReferenceFrame.ECEF`: frame ecef.
      * - If `referenceFrameSelector` is `ReferenceFrame.LLH`: elements north, east, down; frame ned.

@@ -29,7 +29,7 @@ export declare const HeadingSourceFlags: Bitfield<HeadingSourceFlags> & {
     readonly MAG: HeadingSourceFlags;
     /** The velocity that the GNSS receiver measures. Bit 1. */
     readonly GNSS_VELOCITY: HeadingSourceFlags;
-    /** Heading messages that the user sends. Bit 2. */
+    /** Heading messages that your program sends. Bit 2. */
     readonly EXTERNAL: HeadingSourceFlags;
 };
 
@@ -79,7 +79,7 @@ export type HeadingAidingType = Flavor<number, "filter_data.heading_aiding_type"
 export declare const HeadingAidingType: Enumeration<HeadingAidingType> & {
     /** Two GNSS antennas. */
     readonly DUAL_ANTENNA: HeadingAidingType & 1;
-    /** A heading message of the user. */
+    /** A heading message from your program. */
     readonly EXTERNAL_MESSAGE: HeadingAidingType & 2;
 };
 
@@ -233,7 +233,7 @@ export declare const Gx5StatusFlags: Bitfield<Gx5StatusFlags> & {
     readonly RUN_VELOCITY_COVARIANCE_WARNING: Gx5StatusFlags;
     /** An attitude covariance is above its normal limit. Bit 6. Concerns `EulerAngles` and `EulerAnglesUncertainty`. */
     readonly RUN_ATTITUDE_COVARIANCE_WARNING: Gx5StatusFlags;
-    /** The solution contains values that are not numbers. Bit 7. Concerns `filter.Reset`. */
+    /** The solution contains NaN values. Bit 7. Concerns `filter.Reset`. */
     readonly RUN_NAN_IN_SOLUTION_WARNING: Gx5StatusFlags;
     /** The estimated gyroscope bias is high. Bit 8. Concerns `GyroBias`. */
     readonly RUN_GYRO_BIAS_EST_HIGH_WARNING: Gx5StatusFlags;
@@ -334,10 +334,7 @@ export declare const Cv7StatusFlags: Bitfield<Cv7StatusFlags> & {
      * `3dm.PpsSourceControl`.
      */
     readonly TIME_SYNC_WARNING: Cv7StatusFlags;
-    /**
-     * Not 0 if the solution contains values that are not numbers; reset the filter. Bits 12 to 15. Concerns
-     * `filter.Reset`.
-     */
+    /** Not 0 if the solution contains NaN values; reset the filter. Bits 12 to 15. Concerns `filter.Reset`. */
     readonly SOLUTION_ERROR: Cv7StatusFlags;
 };
 
@@ -840,7 +837,7 @@ export declare class GravityVector extends Data {
  *
  * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
- * The valid bit means that the source gave data within the last 2 seconds.
+ * The valid bit means that the source provided data within the last 2 seconds.
  *
  * - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
  */
@@ -1065,7 +1062,7 @@ export declare class StandardAtmosphere extends Data {
      */
     standardTemperature: number;
     /**
-     * Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if `ValidFlags.VALID` of
+     * Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if `ValidFlags.VALID` of
      * `validFlags` is set.
      */
     standardPressure: number;
@@ -1093,7 +1090,7 @@ export declare class StandardAtmosphere extends Data {
 export declare class PressureAltitude extends Data {
     constructor(values: Values<PressureAltitude>);
     /**
-     * Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most 84852. Valid if
+     * Altitude at which the standard atmosphere has the measured pressure. Unit: m. Range: at most 84852. Valid if
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     pressureAltitude: number;
@@ -1104,17 +1101,17 @@ export declare class PressureAltitude extends Data {
 /**
  * Density altitude (0x82,0x22).
  *
- * The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
+ * Density of the surrounding air, expressed as the altitude with the same density in the standard atmosphere.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK has the name only; the
- * description is the usual meaning of the term.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK lists only the name;
+ * the description is the usual meaning of the term.
  *
  * - mip-sdk-4: Density altitude (0x82,0x22)
  */
 export declare class DensityAltitude extends Data {
     constructor(values: Values<DensityAltitude>);
     /**
-     * Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if `ValidFlags.VALID` of
+     * Altitude at which the standard atmosphere has the present air density. Unit: m. Valid if `ValidFlags.VALID` of
      * `validFlags` is set.
      */
     densityAltitude: number;
@@ -1264,7 +1261,7 @@ export declare class MagResidualVector extends Data {
 export declare class AntennaOffsetCorrection extends Data {
     constructor(values: Values<AntennaOffsetCorrection>);
     /**
-     * Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+     * Estimated correction of the configured antenna offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     offset: types.Vector3f;
@@ -1355,7 +1352,7 @@ export declare class MultiAntennaOffsetCorrection extends Data {
     /** Receiver that the antenna belongs to. */
     receiverId: number;
     /**
-     * Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+     * Estimated correction of the configured antenna offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     offset: types.Vector3f;
@@ -1657,7 +1654,7 @@ export declare class GnssDualAntennaStatus extends Data {
 /**
  * Aiding frame configuration error (0x82,0x50).
  *
- * Estimated error of a frame that `aiding.FrameConfig` defines. It is corrected for.
+ * Estimated error of a frame that `aiding.FrameConfig` defines. The filter corrects for it.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *

@@ -112,7 +112,7 @@ export declare const ReceiverResetType: Enumeration<ReceiverResetType> & {
 export type AmbiguityFixMode = Flavor<number, "gnss.ambiguity_fix_mode">;
 /**
  * Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The descriptions of `conservative`
- * and `moderate`, which follow from the names.
+ * and `moderate`, which are inferred from the names.
  *
  * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
  */

@@ -21,21 +21,21 @@ export declare const FunctionSelector: Enumeration<FunctionSelector> & {
     readonly LOAD: FunctionSelector & 4;
     /** Load the factory default setting. */
     readonly DEFAULT: FunctionSelector & 5;
-    /** Apply the new setting and send no acknowledge (5-series devices). */
+    /** Apply the new setting without sending an ACK (5-series devices). */
     readonly APPLY: FunctionSelector & 6;
 };
 
 /**
  * Acknowledge (0x00,0xF1).
  *
- * Answers one command field. A response, if there is one, follows it in the same packet.
+ * Replies to one command field. A response, if there is one, follows it in the same packet.
  *
  * - 3dm-gx5-15: 2.2.2 Example “Ping” Reply Packet
  * - 3dm-cv7-gnss-ins: Ack/Nack Field Specification
  */
 export declare class Acknowledge extends Response {
     constructor(values: Values<Acknowledge>);
-    /** Descriptor of the command that is answered. */
+    /** Descriptor of the command that this replies to. */
     command: number;
     /** 0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK). */
     code: types.AckCode;

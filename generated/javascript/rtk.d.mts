@@ -3,8 +3,8 @@
  *
  * Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
  *
- * Uncertain: The SDK describes hardly anything of this set; most descriptions follow from the names. Uncertain: How the
- * strings are padded or ended.
+ * Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the names. Uncertain: How
+ * the strings are padded or ended.
  *
  * - mip-sdk-4: Rtk Commands (0x0F)
  */
@@ -14,7 +14,7 @@ import type * as types from "./types.mjs";
 
 export type ConnectedDevice = Flavor<number, "rtk.connected_device">;
 /**
- * A device that a corrections modem serves.
+ * Type of device connected to a corrections modem.
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
@@ -159,7 +159,7 @@ export declare class ConnectedDeviceTypeResponse extends Response {
  */
 export declare class GetActivationCodeResponse extends Response {
     constructor(values: Values<GetActivationCodeResponse>);
-    /** Code with which the modem is activated for its service. */
+    /** Code that activates the modem for its service. */
     activationCode: string;
 }
 
@@ -295,7 +295,7 @@ export declare class ConnectedDeviceType<R extends Response | undefined = undefi
 /**
  * Get activation code (0x0F,0x07).
  *
- * Reads the code with which the modem is activated for its service.
+ * Reads the code that activates the modem for its service.
  *
  * No device is certain to support it. Also called `get_act_code`. Answered by `GetActivationCodeResponse`. Known only
  * from the MicroStrain MIP SDK.
@@ -328,7 +328,7 @@ export declare class GetModemFirmwareVersion extends Command<GetModemFirmwareVer
  * Answered by `ServiceStatusResponse`. Sent by the device; the host answers. Not listed in any device profile. Known
  * only from the MicroStrain MIP SDK.
  *
- * The modem sends it as a host would, and the server answers as a device would.
+ * The modem sends it as a host would, and the server replies as a device would.
  *
  * - mip-sdk-4: Service status (0x0F,0x0A)
  */

@@ -62,7 +62,7 @@ export declare class EventSource extends Data {
  * counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other rates it would take longer or
  * shorter.
  *
- * A tick takes as long as one period at the base rate of the device.
+ * A tick is one period at the base rate of the device.
  *
  * - mip-sdk-4: Ticks (0xFF,0xD1)
  */
@@ -80,7 +80,7 @@ export declare class Ticks extends Data {
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether each set and each event
  * instance counts separately, as with `DeltaTime`.
  *
- * A tick takes as long as one period at the base rate of the device.
+ * A tick is one period at the base rate of the device.
  *
  * - mip-sdk-4: Delta ticks (0xFF,0xD2)
  */

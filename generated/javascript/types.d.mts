@@ -102,11 +102,11 @@ export declare const Cv7ContinuousBuiltInTest: Bitfield<Cv7ContinuousBuiltInTest
     readonly IMU_COMM_FAULT: Cv7ContinuousBuiltInTest;
     /** Inertial sensor processes take longer than their time slot. Bit 34. */
     readonly IMU_TIMING_OVERRUN: Cv7ContinuousBuiltInTest;
-    /** Fault of the accelerometer calibration. Bit 36. Concerns `sensor.ScaledAccel`. */
+    /** Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`. */
     readonly IMU_CALIBRATION_ERROR_ACCEL: Cv7ContinuousBuiltInTest;
-    /** Fault of the gyroscope calibration. Bit 37. Concerns `sensor.ScaledGyro`. */
+    /** Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`. */
     readonly IMU_CALIBRATION_ERROR_GYRO: Cv7ContinuousBuiltInTest;
-    /** Fault of the magnetometer calibration. Bit 38. Concerns `sensor.ScaledMag`. */
+    /** Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`. */
     readonly IMU_CALIBRATION_ERROR_MAG: Cv7ContinuousBuiltInTest;
     /** The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`. */
     readonly ACCEL_GENERAL_FAULT: Cv7ContinuousBuiltInTest;
@@ -167,7 +167,7 @@ export declare const Cv7ContinuousBuiltInTest: Bitfield<Cv7ContinuousBuiltInTest
 export type Cv7InertialContinuousBuiltInTest = Flavor<bigint, "cv7_inertial_continuous_built_in_test">;
 /**
  * Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits 0-31 system, 32-63
- * inertial sensors, 64-95 navigation. Uncertain: What the bits mean. The sources have numbers and names only; the
+ * inertial sensors, 64-95 navigation. Uncertain: The meaning of the bits. The sources list only numbers and names; the
  * descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
  *
  * - ros-driver: Built-in test of the CV7
@@ -206,11 +206,11 @@ export declare const Cv7InertialContinuousBuiltInTest: Bitfield<Cv7InertialConti
     readonly IMU_COMM_FAULT: Cv7InertialContinuousBuiltInTest;
     /** Inertial sensor processes take longer than their time slot. Bit 34. */
     readonly IMU_TIMING_OVERRUN: Cv7InertialContinuousBuiltInTest;
-    /** Fault of the accelerometer calibration. Bit 36. Concerns `sensor.ScaledAccel`. */
+    /** Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`. */
     readonly IMU_CALIBRATION_ERROR_ACCEL: Cv7InertialContinuousBuiltInTest;
-    /** Fault of the gyroscope calibration. Bit 37. Concerns `sensor.ScaledGyro`. */
+    /** Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`. */
     readonly IMU_CALIBRATION_ERROR_GYRO: Cv7InertialContinuousBuiltInTest;
-    /** Fault of the magnetometer calibration. Bit 38. Concerns `sensor.ScaledMag`. */
+    /** Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`. */
     readonly IMU_CALIBRATION_ERROR_MAG: Cv7InertialContinuousBuiltInTest;
     /** The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`. */
     readonly ACCEL_GENERAL_FAULT: Cv7InertialContinuousBuiltInTest;
@@ -261,8 +261,8 @@ export declare const Cv7InertialContinuousBuiltInTest: Bitfield<Cv7InertialConti
 export type Gq7ContinuousBuiltInTest = Flavor<bigint, "gq7_continuous_built_in_test">;
 /**
  * Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors, 64-95 navigation,
- * 96-127 GNSS. Uncertain: What the bits mean. The sources have numbers and names only; the descriptions are those of
- * the 3DM-CV7-GNSS/INS where the names are the same.
+ * 96-127 GNSS. Uncertain: The meaning of the bits. The sources list only numbers and names; the descriptions are those
+ * of the 3DM-CV7-GNSS/INS where the names are the same.
  *
  * - ros-driver: Built-in test of the GQ7
  * - mscl: Continuous built-in test
@@ -290,11 +290,11 @@ export declare const Gq7ContinuousBuiltInTest: Bitfield<Gq7ContinuousBuiltInTest
     readonly IMU_COMM_FAULT: Gq7ContinuousBuiltInTest;
     /** Inertial sensor processes take longer than their time slot. Bit 34. */
     readonly IMU_TIMING_OVERRUN: Gq7ContinuousBuiltInTest;
-    /** Fault of the accelerometer calibration. Bit 36. Concerns `sensor.ScaledAccel`. */
+    /** Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`. */
     readonly IMU_CALIBRATION_ERROR_ACCEL: Gq7ContinuousBuiltInTest;
-    /** Fault of the gyroscope calibration. Bit 37. Concerns `sensor.ScaledGyro`. */
+    /** Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`. */
     readonly IMU_CALIBRATION_ERROR_GYRO: Gq7ContinuousBuiltInTest;
-    /** Fault of the magnetometer calibration. Bit 38. Concerns `sensor.ScaledMag`. */
+    /** Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`. */
     readonly IMU_CALIBRATION_ERROR_MAG: Gq7ContinuousBuiltInTest;
     /** The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`. */
     readonly ACCEL_GENERAL_FAULT: Gq7ContinuousBuiltInTest;
@@ -392,7 +392,7 @@ export declare const EventTriggerType: Enumeration<EventTriggerType> & {
     readonly GPIO: EventTriggerType & 1;
     /** Compares one value of a data field with thresholds. */
     readonly THRESHOLD: EventTriggerType & 2;
-    /** Combines up to four other triggers by a truth table. */
+    /** Combines up to four other triggers in a truth table. */
     readonly COMBINATION: EventTriggerType & 3;
 };
 
@@ -420,7 +420,7 @@ export type EventTriggerMode = Flavor<number, "event_trigger_mode">;
  * - 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
  */
 export declare const EventTriggerMode: Enumeration<EventTriggerMode> & {
-    /** The trigger is never active. This is its mode after configuration. */
+    /** The trigger is never active. Configuring a trigger sets this mode. */
     readonly DISABLED: EventTriggerMode & 0;
     /** The trigger works as configured. */
     readonly ENABLED: EventTriggerMode & 1;
@@ -656,7 +656,7 @@ export declare const GnssFixType: Enumeration<GnssFixType> & {
     readonly FIX_TIME_ONLY: GnssFixType & 2;
     /** No fix. */
     readonly FIX_NONE: GnssFixType & 3;
-    /** Fix that is not valid. */
+    /** The fix is not valid. */
     readonly FIX_INVALID: GnssFixType & 4;
     /** RTK fix with float ambiguities. */
     readonly FIX_RTK_FLOAT: GnssFixType & 5;
@@ -913,21 +913,21 @@ export type NmeaMessageId = Flavor<number, "nmea_message_id">;
  * - 3dm-cv7-gnss-ins: PMSRR - Angular Rate and Acceleration
  */
 export declare const NmeaMessageId: Enumeration<NmeaMessageId> & {
-    /** GNSS fix. From a GNSS or the filter data set. */
+    /** GNSS fix, from a GNSS data set or the filter data set. */
     readonly GGA: NmeaMessageId & 1;
-    /** Latitude and longitude. From a GNSS or the filter data set. */
+    /** Latitude and longitude, from a GNSS data set or the filter data set. */
     readonly GLL: NmeaMessageId & 2;
-    /** Satellites in view. From a GNSS data set; the talker follows the constellation. */
+    /** Satellites in view, from a GNSS data set. The constellation determines the talker. */
     readonly GSV: NmeaMessageId & 3;
-    /** Recommended minimum GNSS data. From a GNSS or the filter data set. */
+    /** Recommended minimum GNSS data, from a GNSS data set or the filter data set. */
     readonly RMC: NmeaMessageId & 4;
-    /** Course and speed over ground. From a GNSS or the filter data set. */
+    /** Course and speed over ground, from a GNSS data set or the filter data set. */
     readonly VTG: NmeaMessageId & 5;
-    /** True heading. From a GNSS or the filter data set. */
+    /** True heading, from a GNSS data set or the filter data set. */
     readonly HDT: NmeaMessageId & 6;
-    /** Time and date. From a GNSS data set. */
+    /** Time and date, from a GNSS data set. */
     readonly ZDA: NmeaMessageId & 7;
-    /** GNSS error statistics. From a GNSS or the filter data set. */
+    /** GNSS error statistics, from a GNSS data set or the filter data set. */
     readonly GST: NmeaMessageId & 8;
     /**
      * Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in degrees with three
@@ -1005,8 +1005,8 @@ export type RtkStatusFlags = Flavor<number, "rtk_status_flags">;
  * State of the modem and of the corrections. Models of another kind send `RtkStatusFlagsLegacy`. Uncertain: Which model
  * sends which of the two forms. The SDK states only that it depends on the model number. Uncertain: Other software of
  * the vendor evaluates `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits
- * are `sinr`. Uncertain: The SDK has the names only; the descriptions follow from them. The meaning of the values is
- * not known.
+ * are `sinr`. Uncertain: The SDK lists only the names, from which the descriptions are inferred. The meaning of the
+ * values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -1042,7 +1042,8 @@ export type RtkStatusFlagsLegacy = Flavor<number, "rtk_status_flags_legacy">;
 /**
  * State of the modem and of the corrections, in its older form. Uncertain: Which model sends which of the two forms;
  * see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but also puts the last four numbers there.
- * Uncertain: The SDK has the names only; the descriptions follow from them. The meaning of the values is not known.
+ * Uncertain: The SDK lists only the names, from which the descriptions are inferred. The meaning of the values is not
+ * known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */

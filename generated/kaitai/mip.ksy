@@ -990,13 +990,13 @@ types:
         type: b1
       - id: imu_calibration_error_accel
         type: b1
-        doc: Fault of the accelerometer calibration.
+        doc: Accelerometer calibration fault.
       - id: imu_calibration_error_gyro
         type: b1
-        doc: Fault of the gyroscope calibration.
+        doc: Gyroscope calibration fault.
       - id: imu_calibration_error_mag
         type: b1
-        doc: Fault of the magnetometer calibration.
+        doc: Magnetometer calibration fault.
       - id: unused_39
         type: b1
       - id: accel_general_fault
@@ -1149,13 +1149,13 @@ types:
         type: b1
       - id: imu_calibration_error_accel
         type: b1
-        doc: Fault of the accelerometer calibration.
+        doc: Accelerometer calibration fault.
       - id: imu_calibration_error_gyro
         type: b1
-        doc: Fault of the gyroscope calibration.
+        doc: Gyroscope calibration fault.
       - id: imu_calibration_error_mag
         type: b1
-        doc: Fault of the magnetometer calibration.
+        doc: Magnetometer calibration fault.
       - id: unused_39
         type: b1
       - id: accel_general_fault
@@ -1271,13 +1271,13 @@ types:
         type: b1
       - id: imu_calibration_error_accel
         type: b1
-        doc: Fault of the accelerometer calibration.
+        doc: Accelerometer calibration fault.
       - id: imu_calibration_error_gyro
         type: b1
-        doc: Fault of the gyroscope calibration.
+        doc: Gyroscope calibration fault.
       - id: imu_calibration_error_mag
         type: b1
-        doc: Fault of the magnetometer calibration.
+        doc: Magnetometer calibration fault.
       - id: unused_39
         type: b1
       - id: accel_general_fault
@@ -1619,7 +1619,7 @@ types:
         doc: Corrects the distance between the accelerometers.
       - id: nan_suppressed
         type: b1
-        doc: Suppresses values that are not a number.
+        doc: Suppresses values that are NaN (not a number).
       - id: little_endian_floats
         type: b1
         doc: Sends floats with the least significant byte first.
@@ -1703,13 +1703,13 @@ types:
         doc: All bits as a number.
   filter_heading_alignment:
     -kind: bits
-    doc: Methods by which the device may determine its initial heading.
+    doc: Methods that the device may use to determine its initial heading.
     seq:
       - id: unused_4
         type: b4
       - id: external
         type: b1
-        doc: From the heading that the user sends.
+        doc: From the heading that your program sends.
       - id: mag
         type: b1
         doc: From the built-in magnetometer.
@@ -2811,7 +2811,7 @@ types:
         type: b13
       - id: external
         type: b1
-        doc: Heading messages that the user sends.
+        doc: Heading messages that your program sends.
       - id: gnss_velocity
         type: b1
         doc: The velocity that the GNSS receiver measures.
@@ -2955,7 +2955,7 @@ types:
         doc: The estimated gyroscope bias is high.
       - id: run_nan_in_solution_warning
         type: b1
-        doc: The solution contains values that are not numbers.
+        doc: The solution contains NaN values.
       - id: run_attitude_covariance_warning
         type: b1
         doc: An attitude covariance is above its normal limit.
@@ -2992,7 +2992,7 @@ types:
     seq:
       - id: solution_error
         type: b4
-        doc: Not 0 if the solution contains values that are not numbers; reset the filter.
+        doc: Not 0 if the solution contains NaN values; reset the filter.
       - id: unused_11
         type: b1
       - id: time_sync_warning
@@ -3356,18 +3356,18 @@ types:
         doc: "Time by that clock. Unit: ns."
   acknowledge:
     -orig-id: protocol.acknowledge
-    doc: Acknowledge. Answers one command field. A response, if there is one, follows it in the same packet.
+    doc: Acknowledge. Replies to one command field. A response, if there is one, follows it in the same packet.
     seq:
       - id: command
         type: u1
-        doc: Descriptor of the command that is answered.
+        doc: Descriptor of the command that this replies to.
       - id: code
         type: u1
         enum: ack_code
         doc: "0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK)."
   base_ping:
     -orig-id: base.ping
-    doc: Ping. Checks whether a device is present and answers commands.
+    doc: Ping. Checks whether a device is present and replies to commands.
   base_set_idle:
     -orig-id: base.set_idle
     doc: Set to idle. Stops all data streams, and wakes a sleeping device, so that it can be configured.
@@ -3778,7 +3778,7 @@ types:
         doc: One entry for each constellation.
   mip_3dm_gnss_sbas_settings:
     -orig-id: 3dm.gnss_sbas_settings
-    doc: GNSS SBAS Settings. Sets how the GNSS receivers use satellite based augmentation.
+    doc: GNSS SBAS Settings. Sets how the GNSS receivers use satellite-based augmentation (SBAS).
     seq:
       - id: function_value
         -orig-id: function
@@ -4076,7 +4076,7 @@ types:
       - id: orientation_decimation
         type: u2
         if: function_value == function_selector::write or _io.size >= 3
-        doc: "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000."
+        doc: "Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000."
       - id: data_conditioning_flags
         type: mip_3dm_data_conditioning_flags
         if: function_value == function_selector::write or _io.size >= 5
@@ -4084,19 +4084,19 @@ types:
       - id: inertial_filter_width
         type: u1
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15."
+        doc: "Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default: 15."
       - id: mag_filter_width
         type: u1
         if: function_value == function_selector::write or _io.size >= 7
-        doc: "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17."
+        doc: "Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17."
       - id: up_compensation
         type: u2
         if: function_value == function_selector::write or _io.size >= 9
-        doc: "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."
+        doc: "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10."
       - id: north_compensation
         type: u2
         if: function_value == function_selector::write or _io.size >= 11
-        doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
+        doc: "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10."
       - id: mag_bandwidth
         type: u1
         enum: mip_3dm_mag_bandwidth
@@ -4108,7 +4108,7 @@ types:
         doc: "Reserved: send 0."
   mip_3dm_imu_timestamp:
     -orig-id: 3dm.imu_timestamp
-    doc: IMU timestamp. Sets or reads a counter of the time of the sensor data.
+    doc: IMU timestamp. Sets or reads a time counter of the sensor data.
     seq:
       - id: function_value
         -orig-id: function
@@ -4269,7 +4269,7 @@ types:
       - id: scaling
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
+        doc: "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m."
       - id: uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
@@ -4323,11 +4323,11 @@ types:
       - id: pitch_roll_time_constant
         type: f4
         if: function_value == function_selector::write or _io.size >= 7
-        doc: "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."
+        doc: "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10."
       - id: heading_time_constant
         type: f4
         if: function_value == function_selector::write or _io.size >= 11
-        doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
+        doc: "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10."
   mip_3dm_sensor_range:
     -orig-id: 3dm.sensor_range
     doc: Sensor Range. Sets the measuring range of a sensor.
@@ -4436,11 +4436,11 @@ types:
     seq:
       - id: model_number
         type: u2
-        doc: Model number of the device that answers.
+        doc: Model number of the device that replies.
       - id: status_selector
         type: u1
         enum: mip_3dm_device_status_selector
-        doc: Level of detail of the answer.
+        doc: Level of detail of the reply.
   mip_3dm_imu_message_format_response:
     -orig-id: 3dm.imu_message_format_response
     doc: "IMU Message Format response. "
@@ -4503,7 +4503,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: Stream given in the command.
+        doc: Stream specified in the command.
       - id: enabled
         type: u1
         doc: True if the stream is sent.
@@ -4513,22 +4513,22 @@ types:
     seq:
       - id: orientation_decimation
         type: u2
-        doc: "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000."
+        doc: "Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000."
       - id: data_conditioning_flags
         type: mip_3dm_data_conditioning_flags
         doc: "Processing steps. Default: 3."
       - id: inertial_filter_width
         type: u1
-        doc: "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15."
+        doc: "Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default: 15."
       - id: mag_filter_width
         type: u1
-        doc: "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17."
+        doc: "Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17."
       - id: up_compensation
         type: u2
-        doc: "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."
+        doc: "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10."
       - id: north_compensation
         type: u2
-        doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
+        doc: "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10."
       - id: mag_bandwidth
         type: u1
         enum: mip_3dm_mag_bandwidth
@@ -4613,7 +4613,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: Data descriptor set given in the command.
+        doc: Data descriptor set specified in the command.
       - id: rate
         type: u2
         doc: "Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz."
@@ -4691,7 +4691,7 @@ types:
         doc: "Time since start-up. Unit: ms."
   mip_3dm_device_status_diagnostic_response:
     -orig-id: 3dm.device_status_diagnostic_response
-    doc: Diagnostic Device Status. State and timer with the counters of streams and port.
+    doc: Diagnostic Device Status. State, timer, and the counters of streams and port.
     seq:
       - id: model_number
         type: u2
@@ -4744,7 +4744,7 @@ types:
         doc: "System timer at the last message of the IMU. Unit: ms."
   mip_3dm_device_status_diagnostic_gnss_response:
     -orig-id: 3dm.device_status_diagnostic_gnss_response
-    doc: Diagnostic Device Status with GNSS. State and timer with the counters of pulses, streams, port and receiver.
+    doc: Diagnostic Device Status with GNSS. State, timer, and the counters of pulses, streams, port and receiver.
     seq:
       - id: model_number
         type: u2
@@ -4821,7 +4821,7 @@ types:
         doc: "System timer at the last message of the receiver. Unit: ms."
   mip_3dm_device_status_diagnostic_gq4_45_response:
     -orig-id: 3dm.device_status_diagnostic_gq4_45_response
-    doc: Diagnostic Device Status of the 3DM-GQ4-45. The layout with GNSS, plus what could not be started.
+    doc: Diagnostic Device Status of the 3DM-GQ4-45. The layout with GNSS, plus flags for parts that could not be started.
     seq:
       - id: model_number
         type: u2
@@ -5285,7 +5285,7 @@ types:
         doc: "Baud rate of the port. Unit: Bd."
   mip_3dm_device_status_diagnostic_gx3_response:
     -orig-id: 3dm.device_status_diagnostic_gx3_response
-    doc: Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45. State of the port with the counters of port, USB, receiver and IMU.
+    doc: Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45. State of the port, and the counters of the port, USB, receiver and IMU.
     seq:
       - id: model_number
         type: u2
@@ -5359,7 +5359,7 @@ types:
         doc: "Messages of the receiver that were read. Unit: 1."
       - id: gnss_delayed_message_count
         type: u4
-        doc: "Messages of the receiver that came late. Unit: 1."
+        doc: "Messages of the receiver that arrived late. Unit: 1."
       - id: imu_driver_state
         type: u2
         doc: "State of the IMU's driver; its values are not known."
@@ -5383,7 +5383,7 @@ types:
         doc: "Messages of the IMU that were read. Unit: 1."
       - id: imu_delayed_message_count
         type: u4
-        doc: "Messages of the IMU that came late. Unit: 1."
+        doc: "Messages of the IMU that arrived late. Unit: 1."
   mip_3dm_gps_dynamics_mode_response:
     -orig-id: 3dm.gps_dynamics_mode_response
     doc: "GPS dynamics mode response. "
@@ -5415,10 +5415,10 @@ types:
         doc: Corrects the heading (north, in terms of the 5-series).
       - id: pitch_roll_time_constant
         type: f4
-        doc: "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."
+        doc: "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10."
       - id: heading_time_constant
         type: f4
-        doc: "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."
+        doc: "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10."
   mip_3dm_accel_bias_response:
     -orig-id: 3dm.accel_bias_response
     doc: "Accelerometer Bias Configuration response. "
@@ -5560,7 +5560,7 @@ types:
       - id: query
         type: u1
         enum: mip_3dm_event_support_query
-        doc: Query given in the command.
+        doc: Query specified in the command.
       - id: max_instances
         type: u1
         doc: "Number of slots; instances go from 1 to this. Unit: 1."
@@ -5709,7 +5709,7 @@ types:
         doc: Operation of the input.
       - id: scaling
         type: f4
-        doc: "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
+        doc: "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m."
       - id: uncertainty
         type: f4
         doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
@@ -5731,7 +5731,7 @@ types:
       - id: sensor
         type: u1
         enum: mip_3dm_sensor_range_type
-        doc: Sensor given in the command.
+        doc: Sensor specified in the command.
       - id: num_ranges
         type: u1
         valid:
@@ -5796,7 +5796,7 @@ types:
     doc: Run navigation filter. Starts a filter that is configured to wait for this command.
   filter_vehicle_dynamics_mode:
     -orig-id: filter.vehicle_dynamics_mode
-    doc: Vehicle dynamics mode. Adapts the filter to the motion that it has to expect.
+    doc: Vehicle dynamics mode. Adapts the filter to the expected motion.
     seq:
       - id: function_value
         -orig-id: function
@@ -5884,7 +5884,7 @@ types:
         doc: Source of the GNSS data.
   filter_external_gnss_update:
     -orig-id: filter.external_gnss_update
-    doc: External GNSS update. Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
+    doc: External GNSS update. Sends one position and velocity measurement from your own GNSS receiver to the filter.
     seq:
       - id: tow
         type: f8
@@ -6080,10 +6080,10 @@ types:
         doc: Axes to tare; 0 resets all axes.
   filter_commanded_zupt:
     -orig-id: filter.commanded_zupt
-    doc: Commanded zero velocity update. Tells the filter once that the device is at rest.
+    doc: Commanded zero velocity update. Informs the filter once that the device is at rest.
   filter_commanded_angular_zupt:
     -orig-id: filter.commanded_angular_zupt
-    doc: Commanded zero angular rate update. Tells the filter once that the device is not rotating.
+    doc: Commanded zero angular rate update. Informs the filter once that the device is not rotating.
   filter_reference_position:
     -orig-id: filter.reference_position
     doc: Set reference position. Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
@@ -6231,7 +6231,7 @@ types:
       - id: frequency
         type: f4
         if: _io.size >= 6
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
+        doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
         if: _io.size >= 10
@@ -6269,7 +6269,7 @@ types:
       - id: frequency
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
+        doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
@@ -6306,7 +6306,7 @@ types:
       - id: frequency
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
+        doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: high_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
@@ -6468,31 +6468,31 @@ types:
         type: u1
         enum: filter_initial_condition_source
         if: function_value == function_selector::write or _io.size >= 3
-        doc: Initial conditions that the user provides instead of the device.
+        doc: Initial conditions that your program provides instead of the device.
       - id: auto_heading_alignment_selector
         type: filter_heading_alignment
         if: function_value == function_selector::write or _io.size >= 4
-        doc: Methods by which the initial heading may be determined.
+        doc: Methods that may be used to determine the initial heading.
       - id: initial_heading
         type: f4
         if: function_value == function_selector::write or _io.size >= 8
-        doc: "Initial heading that the user provides. Unit: deg."
+        doc: "Initial heading that your program provides. Unit: deg."
       - id: initial_pitch
         type: f4
         if: function_value == function_selector::write or _io.size >= 12
-        doc: "Initial pitch that the user provides. Unit: deg."
+        doc: "Initial pitch that your program provides. Unit: deg."
       - id: initial_roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 16
-        doc: "Initial roll that the user provides. Unit: deg."
+        doc: "Initial roll that your program provides. Unit: deg."
       - id: initial_position
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 28
-        doc: Initial position that the user provides.
+        doc: Initial position that your program provides.
       - id: initial_velocity
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 40
-        doc: "Initial velocity that the user provides. Unit: m/s."
+        doc: "Initial velocity that your program provides. Unit: m/s."
       - id: reference_frame_selector
         type: u1
         enum: filter_reference_frame
@@ -6855,7 +6855,7 @@ types:
         doc: Kind of adaptation.
       - id: frequency
         type: f4
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
+        doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
         doc: "Lower limit of the error. Unit: m/s^2."
@@ -6881,7 +6881,7 @@ types:
         doc: Kind of adaptation.
       - id: frequency
         type: f4
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
+        doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
         doc: "Lower limit of the error. Unit: gauss."
@@ -6906,7 +6906,7 @@ types:
         doc: True if the adaptation is on.
       - id: frequency
         type: f4
-        doc: "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."
+        doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: high_limit
         type: f4
         doc: "Upper limit of the error. Unit: rad."
@@ -7005,25 +7005,25 @@ types:
       - id: initial_condition_source
         type: u1
         enum: filter_initial_condition_source
-        doc: Initial conditions that the user provides instead of the device.
+        doc: Initial conditions that your program provides instead of the device.
       - id: auto_heading_alignment_selector
         type: filter_heading_alignment
-        doc: Methods by which the initial heading may be determined.
+        doc: Methods that may be used to determine the initial heading.
       - id: initial_heading
         type: f4
-        doc: "Initial heading that the user provides. Unit: deg."
+        doc: "Initial heading that your program provides. Unit: deg."
       - id: initial_pitch
         type: f4
-        doc: "Initial pitch that the user provides. Unit: deg."
+        doc: "Initial pitch that your program provides. Unit: deg."
       - id: initial_roll
         type: f4
-        doc: "Initial roll that the user provides. Unit: deg."
+        doc: "Initial roll that your program provides. Unit: deg."
       - id: initial_position
         type: vector3f
-        doc: Initial position that the user provides.
+        doc: Initial position that your program provides.
       - id: initial_velocity
         type: vector3f
-        doc: "Initial velocity that the user provides. Unit: m/s."
+        doc: "Initial velocity that your program provides. Unit: m/s."
       - id: reference_frame_selector
         type: u1
         enum: filter_reference_frame
@@ -7364,7 +7364,7 @@ types:
         doc: Device that the modem is connected to.
   rtk_get_activation_code:
     -orig-id: rtk.get_activation_code
-    doc: Get activation code. Reads the code with which the modem is activated for its service.
+    doc: Get activation code. Reads the code that activates the modem for its service.
   rtk_get_modem_firmware_version:
     -orig-id: rtk.get_modem_firmware_version
     doc: Get modem firmware version. Gets the firmware version of the cellular modem.
@@ -7469,7 +7469,7 @@ types:
       - id: activation_code
         type: str
         size: 32
-        doc: Code with which the modem is activated for its service.
+        doc: Code that activates the modem for its service.
   rtk_get_modem_firmware_version_response:
     -orig-id: rtk.get_modem_firmware_version_response
     doc: "Get modem firmware version response. "
@@ -7496,7 +7496,7 @@ types:
         doc: Time of the last transfer.
   displacement_get_calibration:
     -orig-id: displacement.get_calibration
-    doc: Get Analog to Displacement Calibration. Reads the line by which the device converts the counts of its converter to a displacement.
+    doc: Get Analog to Displacement Calibration. Reads the linear function by which the device converts the counts of its converter to a displacement.
   displacement_output_rate:
     -orig-id: displacement.output_rate
     doc: Displacement Output Data Rate. Reads the rate at which displacement is measured.
@@ -7580,7 +7580,7 @@ types:
             doc: Quaternion, scalar part first.
   aiding_echo_control:
     -orig-id: aiding.echo_control
-    doc: Echo control. Sets how the device answers aiding measurements.
+    doc: Echo control. Sets how the device replies to aiding measurements.
     seq:
       - id: function_value
         -orig-id: function
@@ -8380,7 +8380,7 @@ types:
         doc: Validity of the leap seconds.
   gnss_data_sbas_info:
     -orig-id: gnss_data.sbas_info
-    doc: SBAS info. Status of the satellite based augmentation.
+    doc: SBAS info. Status of the satellite-based augmentation (SBAS).
     seq:
       - id: tow
         type: f8
@@ -9468,7 +9468,7 @@ types:
         doc: "Temperature that the model has at this altitude. Unit: degC. Valid if `valid_flags.valid` is set."
       - id: standard_pressure
         type: f4
-        doc: "Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: standard_density
         type: f4
         doc: "Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if `valid_flags.valid` is set."
@@ -9481,17 +9481,17 @@ types:
     seq:
       - id: pressure_altitude
         type: f4
-        doc: "Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most 84852. Valid if `valid_flags.valid` is set."
+        doc: "Altitude at which the standard atmosphere has the measured pressure. Unit: m. Range: at most 84852. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
   filter_data_density_altitude:
     -orig-id: filter_data.density_altitude
-    doc: Density altitude. The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
+    doc: Density altitude. Density of the surrounding air, expressed as the altitude with the same density in the standard atmosphere.
     seq:
       - id: density_altitude
         type: f4
-        doc: "Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if `valid_flags.valid` is set."
+        doc: "Altitude at which the standard atmosphere has the present air density. Unit: m. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9561,7 +9561,7 @@ types:
     seq:
       - id: offset
         type: vector3f
-        doc: "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9616,7 +9616,7 @@ types:
         doc: Receiver that the antenna belongs to.
       - id: offset
         type: vector3f
-        doc: "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9794,7 +9794,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_aiding_frame_config_error:
     -orig-id: filter_data.aiding_frame_config_error
-    doc: "Aiding frame configuration error. Estimated error of a frame that `aiding_frame_config` defines. It is corrected for."
+    doc: "Aiding frame configuration error. Estimated error of a frame that `aiding_frame_config` defines. The filter corrects for it."
     seq:
       - id: frame_id
         type: u1
@@ -12704,7 +12704,7 @@ enums:
       doc: Load the factory default setting.
     6:
       id: apply
-      doc: Apply the new setting and send no acknowledge (5-series devices).
+      doc: Apply the new setting without sending an ACK (5-series devices).
   event_trigger_type:
     0:
       id: none_value
@@ -12718,7 +12718,7 @@ enums:
       doc: Compares one value of a data field with thresholds.
     3:
       id: combination
-      doc: Combines up to four other triggers by a truth table.
+      doc: Combines up to four other triggers in a truth table.
   event_action_type:
     0:
       id: none_value
@@ -12733,7 +12733,7 @@ enums:
   event_trigger_mode:
     0:
       id: disabled
-      doc: The trigger is never active. This is its mode after configuration.
+      doc: The trigger is never active. Configuring a trigger sets this mode.
     1:
       id: enabled
       doc: The trigger works as configured.
@@ -12808,7 +12808,7 @@ enums:
       doc: No fix.
     4:
       id: fix_invalid
-      doc: Fix that is not valid.
+      doc: The fix is not valid.
     5:
       id: fix_rtk_float
       doc: RTK fix with float ambiguities.
@@ -13088,28 +13088,28 @@ enums:
   nmea_message_id:
     1:
       id: gga
-      doc: GNSS fix. From a GNSS or the filter data set.
+      doc: GNSS fix, from a GNSS data set or the filter data set.
     2:
       id: gll
-      doc: Latitude and longitude. From a GNSS or the filter data set.
+      doc: Latitude and longitude, from a GNSS data set or the filter data set.
     3:
       id: gsv
-      doc: Satellites in view. From a GNSS data set; the talker follows the constellation.
+      doc: Satellites in view, from a GNSS data set. The constellation determines the talker.
     4:
       id: rmc
-      doc: Recommended minimum GNSS data. From a GNSS or the filter data set.
+      doc: Recommended minimum GNSS data, from a GNSS data set or the filter data set.
     5:
       id: vtg
-      doc: Course and speed over ground. From a GNSS or the filter data set.
+      doc: Course and speed over ground, from a GNSS data set or the filter data set.
     6:
       id: hdt
-      doc: True heading. From a GNSS or the filter data set.
+      doc: True heading, from a GNSS data set or the filter data set.
     7:
       id: zda
-      doc: Time and date. From a GNSS data set.
+      doc: Time and date, from a GNSS data set.
     8:
       id: gst
-      doc: GNSS error statistics. From a GNSS or the filter data set.
+      doc: GNSS error statistics, from a GNSS data set or the filter data set.
     129:
       id: msra
       doc: "Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in degrees with three decimals. From the filter data set."
@@ -13335,7 +13335,7 @@ enums:
       doc: State and timer.
     2:
       id: diagnostic
-      doc: State and timer with the counters of streams and port.
+      doc: State, timer, and the counters of streams and port.
   mip_3dm_legacy_data_stream:
     0:
       id: all_streams
@@ -13378,7 +13378,7 @@ enums:
       doc: All internal receivers.
     2:
       id: external
-      doc: GNSS measurements that the user sends.
+      doc: GNSS measurements that your program sends.
     3:
       id: internal_1
       doc: Internal receiver 1 only.
@@ -13405,16 +13405,16 @@ enums:
       doc: The velocity that the GNSS receiver measures.
     3:
       id: external
-      doc: The heading messages that the user sends.
+      doc: The heading messages that your program sends.
     4:
       id: gnss_velocity_and_mag
       doc: The course over ground and the magnetometer.
     5:
       id: gnss_velocity_and_external
-      doc: GNSS velocity and the messages of the user.
+      doc: "GNSS velocity and your program's heading messages."
     6:
       id: mag_and_external
-      doc: Magnetometer and the messages of the user.
+      doc: "Magnetometer and your program's heading messages."
     7:
       id: all
       doc: All three.
@@ -13475,16 +13475,16 @@ enums:
       doc: Built-in magnetometer.
     5:
       id: external_heading
-      doc: Heading that the user sends.
+      doc: Heading that your program sends.
     6:
       id: external_altimeter
-      doc: Pressure altitude that the user sends.
+      doc: Pressure altitude that your program sends.
     7:
       id: external_mag
-      doc: Magnetic field that the user sends.
+      doc: Magnetic field that your program sends.
     8:
       id: body_frame_velocity
-      doc: Velocity in the body (vehicle) frame that the user sends.
+      doc: Velocity in the body (vehicle) frame that your program sends.
     65535:
       id: all
       doc: All sources, for save, load and default.
@@ -13521,13 +13521,13 @@ enums:
       doc: Position, velocity and attitude are automatic.
     1:
       id: auto_position_velocity_pitch_roll
-      doc: Position, velocity, pitch and roll are automatic; the user provides the heading.
+      doc: Position, velocity, pitch and roll are automatic; your program provides the heading.
     2:
       id: auto_position_velocity
-      doc: Position and velocity are automatic; the user provides the attitude.
+      doc: Position and velocity are automatic; your program provides the attitude.
     3:
       id: manual
-      doc: The user provides position, velocity and attitude.
+      doc: Your program provides position, velocity and attitude.
   filter_reference_frame:
     1:
       id: ecef
@@ -13651,7 +13651,7 @@ enums:
       doc: No acknowledge.
     1:
       id: standard
-      doc: Acknowledge as for any command.
+      doc: ACK, as for any command.
     2:
       id: response
       doc: The data is returned in a response.
@@ -13661,7 +13661,7 @@ enums:
       doc: Internal reference clock of the device.
     2:
       id: external_time
-      doc: External clock, with which the PPS synchronizes the device.
+      doc: External clock, to which the PPS synchronizes the device.
     3:
       id: time_of_arrival
       doc: Latency relative to the arrival of the command.
@@ -13792,7 +13792,7 @@ enums:
       doc: Two GNSS antennas.
     2:
       id: external_message
-      doc: A heading message of the user.
+      doc: A heading message from your program.
   filter_data_aiding_measurement_type:
     1:
       id: gnss

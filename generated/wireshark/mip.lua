@@ -56,9 +56,9 @@ F["cv7_continuous_built_in_test"] = {
   { name = "gnss_receiver_2_stall", at = 3, size = 1, mask = 4, shift = 2, width = 1, doc = "No data from internal receiver 2 in time." },
   { name = "imu_comm_fault", at = 4, size = 1, mask = 2, shift = 1, width = 1, doc = "No communication with the inertial sensors." },
   { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "Inertial sensor processes take longer than their time slot." },
-  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Fault of the accelerometer calibration." },
-  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Fault of the gyroscope calibration." },
-  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Fault of the magnetometer calibration." },
+  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Accelerometer calibration fault." },
+  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Gyroscope calibration fault." },
+  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Magnetometer calibration fault." },
   { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "The accelerometer failed to initialize." },
   { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "The acceleration along an axis is near or outside the selected range." },
   { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The accelerometer self-test failed; the commanded built-in test updates this bit." },
@@ -96,9 +96,9 @@ F["cv7_inertial_continuous_built_in_test"] = {
   { name = "imu_clock_fault", at = 4, size = 1, mask = 1, shift = 0, width = 1, doc = "The inertial sensor clock failed." },
   { name = "imu_comm_fault", at = 4, size = 1, mask = 2, shift = 1, width = 1, doc = "No communication with the inertial sensors." },
   { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "Inertial sensor processes take longer than their time slot." },
-  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Fault of the accelerometer calibration." },
-  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Fault of the gyroscope calibration." },
-  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Fault of the magnetometer calibration." },
+  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Accelerometer calibration fault." },
+  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Gyroscope calibration fault." },
+  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Magnetometer calibration fault." },
   { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "The accelerometer failed to initialize." },
   { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "The acceleration along an axis is near or outside the selected range." },
   { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The accelerometer self-test failed; the commanded built-in test updates this bit." },
@@ -128,9 +128,9 @@ F["gq7_continuous_built_in_test"] = {
   { name = "imu_clock_fault", at = 4, size = 1, mask = 1, shift = 0, width = 1, doc = "The inertial sensor clock failed." },
   { name = "imu_comm_fault", at = 4, size = 1, mask = 2, shift = 1, width = 1, doc = "No communication with the inertial sensors." },
   { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "Inertial sensor processes take longer than their time slot." },
-  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Fault of the accelerometer calibration." },
-  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Fault of the gyroscope calibration." },
-  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Fault of the magnetometer calibration." },
+  { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Accelerometer calibration fault." },
+  { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Gyroscope calibration fault." },
+  { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Magnetometer calibration fault." },
   { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "The accelerometer failed to initialize." },
   { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "The acceleration along an axis is near or outside the selected range." },
   { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The accelerometer self-test failed; the commanded built-in test updates this bit." },
@@ -251,7 +251,7 @@ F["3dm.data_conditioning_flags"] = {
   { name = "orientation_calculation", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Computes the orientation." },
   { name = "coning_sculling", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Corrects coning and sculling." },
   { name = "little_endian_floats", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Sends floats with the least significant byte first." },
-  { name = "nan_suppressed", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Suppresses values that are not a number." },
+  { name = "nan_suppressed", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Suppresses values that are NaN (not a number)." },
   { name = "finite_size_correction", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Corrects the distance between the accelerometers." },
   { name = "disable_mag", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "Switches the magnetometer off." },
   { name = "mag_low_power", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "Reduces the power of the magnetometer." },
@@ -304,7 +304,7 @@ F["filter.heading_alignment"] = {
   { name = "dual_antenna", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "From the baseline between two GNSS antennas." },
   { name = "kinematic", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "From the GNSS velocity; assumes motion along the positive x axis of the vehicle." },
   { name = "mag", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "From the built-in magnetometer." },
-  { name = "external", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "From the heading that the user sends." },
+  { name = "external", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "From the heading that your program sends." },
 }
 E["filter.reference_frame"] = { [1] = "ecef", [2] = "llh", }
 E["filter.adaptive_level"] = { [0] = "off", [1] = "conservative", [2] = "moderate", [3] = "aggressive", }
@@ -635,7 +635,7 @@ F["filter_data.valid_flags"] = {
 F["filter_data.heading_source_flags"] = {
   { name = "mag", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The magnetometer." },
   { name = "gnss_velocity", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The velocity that the GNSS receiver measures." },
-  { name = "external", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Heading messages that the user sends." },
+  { name = "external", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Heading messages that your program sends." },
 }
 F["filter_data.gnss_aiding_status"] = {
   { name = "tight_coupling", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Raw ranges of the receiver are used." },
@@ -682,7 +682,7 @@ F["filter_data.gx5_status_flags"] = {
   { name = "run_position_covariance_warning", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "A position covariance is above its normal limit." },
   { name = "run_velocity_covariance_warning", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "A velocity covariance is above its normal limit." },
   { name = "run_attitude_covariance_warning", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "An attitude covariance is above its normal limit." },
-  { name = "run_nan_in_solution_warning", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "The solution contains values that are not numbers." },
+  { name = "run_nan_in_solution_warning", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "The solution contains NaN values." },
   { name = "run_gyro_bias_est_high_warning", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The estimated gyroscope bias is high." },
   { name = "run_accel_bias_est_high_warning", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "The estimated accelerometer bias is high." },
   { name = "run_gyro_scale_factor_est_high_warning", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "The estimated gyroscope scale factor is high." },
@@ -706,7 +706,7 @@ F["filter_data.cv7_status_flags"] = {
   { name = "antenna_lever_arm_warning", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The antenna offsets are probably wrong." },
   { name = "mounting_transform_warning", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "The mounting transformation is probably wrong." },
   { name = "time_sync_warning", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "No pulse per second is detected, or the time of an external heading is too old." },
-  { name = "solution_error", at = 0, size = 2, mask = 61440, shift = 12, width = 4, doc = "Not 0 if the solution contains values that are not numbers; reset the filter." },
+  { name = "solution_error", at = 0, size = 2, mask = 61440, shift = 12, width = 4, doc = "Not 0 if the solution contains NaN values; reset the filter." },
 }
 F["displacement_data.timestamp_flags"] = {
   { name = "time", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The clock has been set; `time` is valid." },
@@ -823,10 +823,10 @@ S["aiding.measurement_time"] = {
 }
 
 local ACKNOWLEDGE_FIELD = { descriptor = 0xF1, name = "protocol.acknowledge", role = "response", title = "Acknowledge",
-    doc = "Answers one command field. A response, if there is one, follows it in the same packet.", least = 2,
+    doc = "Replies to one command field. A response, if there is one, follows it in the same packet.", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "command", type = "u8", size = 1, doc = "Descriptor of the command that is answered." },
+      { kind = "scalar", name = "command", type = "u8", size = 1, doc = "Descriptor of the command that this replies to." },
       { kind = "scalar", name = "code", type = "u8", size = 1, enum = E["ack_code"], doc = "0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK)." },
     } }
 
@@ -862,7 +862,7 @@ local function field(f, places)
   end
 end
 field({ descriptor = 0x01, name = "base.ping", role = "command", title = "Ping",
-    doc = "Checks whether a device is present and answers commands.", least = 0,
+    doc = "Checks whether a device is present and replies to commands.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x01, name = "base.ping", title = "Ping" }, })
@@ -1105,7 +1105,7 @@ field({ descriptor = 0x21, name = "3dm.constellation_settings", role = "command"
       { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "config_count", type = "u8", size = 1, doc = "Number of entries. Range: 0 to 41." }, { kind = "array", name = "settings", counter = "config_count", capacity = 41, size = 6, doc = "One entry for each constellation.", item = { kind = "struct", name = "item", record = S["3dm.constellation_settings_entry"] } }, } },
     } }, { { set = 0x0C, name = "3dm.constellation_settings", title = "Constellation Settings" }, })
 field({ descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", title = "GNSS SBAS Settings",
-    doc = "Sets how the GNSS receivers use satellite based augmentation.", least = 1,
+    doc = "Sets how the GNSS receivers use satellite-based augmentation (SBAS).", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1233,17 +1233,17 @@ field({ descriptor = 0x35, name = "3dm.imu_signal_conditioning", role = "command
     required = { [1] = 8, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "orientation_decimation", type = "u16", size = 2, doc = "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "orientation_decimation", type = "u16", size = 2, doc = "Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "data_conditioning_flags", type = "u16", size = 2, flags = F["3dm.data_conditioning_flags"], doc = "Processing steps. Default: 3." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "inertial_filter_width", type = "u8", size = 1, doc = "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "mag_filter_width", type = "u8", size = 1, doc = "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "up_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." }, } },
-      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "north_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "inertial_filter_width", type = "u8", size = 1, doc = "Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default: 15." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "mag_filter_width", type = "u8", size = 1, doc = "Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "up_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "north_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "mag_bandwidth", type = "u8", size = 1, enum = E["3dm.mag_bandwidth"], doc = "Bandwidth of the magnetometer of 3-series devices." }, } },
       { kind = "group", first = 8, last = 8, body = { { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "Reserved: send 0." }, } },
     } }, { { set = 0x0C, name = "3dm.imu_signal_conditioning", title = "IMU signal conditioning" }, })
 field({ descriptor = 0x36, name = "3dm.imu_timestamp", role = "command", title = "IMU timestamp",
-    doc = "Sets or reads a counter of the time of the sensor data.", least = 1,
+    doc = "Sets or reads a time counter of the sensor data.", least = 1,
     required = { [1] = 2, [2] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1323,7 +1323,7 @@ field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "Operation of the input." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.odometer_config", title = "Odometer Configuration" }, })
 field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced Low-Pass Filter Settings",
@@ -1344,8 +1344,8 @@ field({ descriptor = 0x51, name = "3dm.complementary_filter", role = "command", 
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "Corrects pitch and roll (up, in terms of the 5-series). On the 3DM-GX5-15: default true." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "Corrects the heading (north, in terms of the 5-series). On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
     } }, { { set = 0x0C, name = "3dm.complementary_filter", title = "Complementary Filter Configuration" }, })
 field({ descriptor = 0x52, name = "3dm.sensor_range", role = "command", title = "Sensor Range",
     doc = "Sets the measuring range of a sensor.", least = 1,
@@ -1399,8 +1399,8 @@ field({ descriptor = 0x64, name = "3dm.device_status", role = "command", title =
     doc = "Gets the state of the device, in basic form or with counters.", least = 3,
     always = 2,
     rows = {
-      { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251." },
-      { kind = "scalar", name = "status_selector", type = "u8", size = 1, enum = E["3dm.device_status_selector"], doc = "Level of detail of the answer." },
+      { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251." },
+      { kind = "scalar", name = "status_selector", type = "u8", size = 1, enum = E["3dm.device_status_selector"], doc = "Level of detail of the reply." },
     } }, { { set = 0x0C, name = "3dm.device_status", title = "Device Status" }, })
 field({ descriptor = 0x80, name = "3dm.imu_message_format_response", role = "response", title = "IMU Message Format response",
     doc = "", least = 1,
@@ -1439,19 +1439,19 @@ field({ descriptor = 0x85, name = "3dm.data_stream_control_response", role = "re
     doc = "", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream given in the command. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream specified in the command. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
       { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "True if the stream is sent." },
     } }, { { set = 0x0C, name = "3dm.data_stream_control_response", title = "Data Stream Control response" }, })
 field({ descriptor = 0x86, name = "3dm.imu_signal_conditioning_response", role = "response", title = "IMU signal conditioning response",
     doc = "", least = 13,
     always = 8,
     rows = {
-      { kind = "scalar", name = "orientation_decimation", type = "u16", size = 2, doc = "Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000." },
+      { kind = "scalar", name = "orientation_decimation", type = "u16", size = 2, doc = "Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000." },
       { kind = "scalar", name = "data_conditioning_flags", type = "u16", size = 2, flags = F["3dm.data_conditioning_flags"], doc = "Processing steps. Default: 3." },
-      { kind = "scalar", name = "inertial_filter_width", type = "u8", size = 1, doc = "Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32. Default: 15." },
-      { kind = "scalar", name = "mag_filter_width", type = "u8", size = 1, doc = "Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17." },
-      { kind = "scalar", name = "up_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." },
-      { kind = "scalar", name = "north_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." },
+      { kind = "scalar", name = "inertial_filter_width", type = "u8", size = 1, doc = "Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default: 15." },
+      { kind = "scalar", name = "mag_filter_width", type = "u8", size = 1, doc = "Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17." },
+      { kind = "scalar", name = "up_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10." },
+      { kind = "scalar", name = "north_compensation", type = "u16", size = 2, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." },
       { kind = "scalar", name = "mag_bandwidth", type = "u8", size = 1, enum = E["3dm.mag_bandwidth"], doc = "Bandwidth of the magnetometer of 3-series devices." },
       { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "Reserved." },
     } }, { { set = 0x0C, name = "3dm.imu_signal_conditioning_response", title = "IMU signal conditioning response" }, })
@@ -1502,7 +1502,7 @@ field({ descriptor = 0x8E, name = "3dm.get_base_rate_response", role = "response
     doc = "", least = 3,
     always = 2,
     rows = {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set given in the command." },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set specified in the command." },
       { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz." },
     } }, { { set = 0x0C, name = "3dm.get_base_rate_response", title = "Get Data Base Rate response" }, })
 field({ descriptor = 0x8F, name = "3dm.message_format_response", role = "response", title = "Message Format response",
@@ -1545,7 +1545,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_without_state_respons
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_basic_without_state_response", title = "Basic Device Status without a state" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role = "response", title = "Diagnostic Device Status",
-    doc = "State and timer with the counters of streams and port.", least = 51,
+    doc = "State, timer, and the counters of streams and port.", least = 51,
     always = 16,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1567,7 +1567,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role 
       { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the IMU. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_response", title = "Diagnostic Device Status" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", role = "response", title = "Diagnostic Device Status with GNSS",
-    doc = "State and timer with the counters of pulses, streams, port and receiver.", least = 77,
+    doc = "State, timer, and the counters of pulses, streams, port and receiver.", least = 77,
     always = 24,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1597,7 +1597,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", 
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the receiver. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gnss_response", title = "Diagnostic Device Status with GNSS" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-GQ4-45",
-    doc = "The layout with GNSS, plus what could not be started.", least = 80,
+    doc = "The layout with GNSS, plus flags for parts that could not be started.", least = 80,
     always = 27,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1782,7 +1782,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_gx3_response", role =
       { kind = "scalar", name = "comm_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
     } }, { { set = 0x0C, name = "3dm.device_status_basic_gx3_response", title = "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", role = "response", title = "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
-    doc = "State of the port with the counters of port, USB, receiver and IMU.", least = 105,
+    doc = "State of the port, and the counters of the port, USB, receiver and IMU.", least = 105,
     always = 32,
     constants = { { at = 2, value = "\2" }, },
     rows = {
@@ -1809,7 +1809,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", r
       { kind = "scalar", name = "gnss_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the receiver. Unit: 1." },
       { kind = "scalar", name = "gnss_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the receiver. Unit: 1." },
       { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
-      { kind = "scalar", name = "gnss_delayed_message_count", type = "u32", size = 4, doc = "Messages of the receiver that came late. Unit: 1." },
+      { kind = "scalar", name = "gnss_delayed_message_count", type = "u32", size = 4, doc = "Messages of the receiver that arrived late. Unit: 1." },
       { kind = "scalar", name = "imu_driver_state", type = "u16", size = 2, doc = "State of the IMU's driver; its values are not known." },
       { kind = "scalar", name = "imu_port_state", type = "u16", size = 2, doc = "State of the port to the IMU; its values are not known." },
       { kind = "scalar", name = "imu_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent to the IMU. Unit: byte." },
@@ -1817,7 +1817,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", r
       { kind = "scalar", name = "imu_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the IMU. Unit: 1." },
       { kind = "scalar", name = "imu_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the IMU. Unit: 1." },
       { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
-      { kind = "scalar", name = "imu_delayed_message_count", type = "u32", size = 4, doc = "Messages of the IMU that came late. Unit: 1." },
+      { kind = "scalar", name = "imu_delayed_message_count", type = "u32", size = 4, doc = "Messages of the IMU that arrived late. Unit: 1." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx3_response", title = "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45" }, })
 field({ descriptor = 0x92, name = "3dm.gps_dynamics_mode_response", role = "response", title = "GPS dynamics mode response",
     doc = "", least = 1,
@@ -1838,8 +1838,8 @@ field({ descriptor = 0x97, name = "3dm.complementary_filter_response", role = "r
     rows = {
       { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "Corrects pitch and roll (up, in terms of the 5-series)." },
       { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "Corrects the heading (north, in terms of the 5-series)." },
-      { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10." },
-      { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10." },
+      { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10." },
+      { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." },
     } }, { { set = 0x0C, name = "3dm.complementary_filter_response", title = "Complementary Filter Configuration response" }, })
 field({ descriptor = 0x9A, name = "3dm.accel_bias_response", role = "response", title = "Accelerometer Bias Configuration response",
     doc = "", least = 12,
@@ -1934,7 +1934,7 @@ field({ descriptor = 0xB4, name = "3dm.get_event_support_response", role = "resp
     doc = "", least = 3,
     always = 4,
     rows = {
-      { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Query given in the command." },
+      { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Query specified in the command." },
       { kind = "scalar", name = "max_instances", type = "u8", size = 1, doc = "Number of slots; instances go from 1 to this. Unit: 1." },
       { kind = "counter", name = "num_entries", type = "u8", size = 1, doc = "Number of types." },
       { kind = "array", name = "entries", counter = "num_entries", capacity = 125, size = 2, doc = "The types. If query is trigger_types: type has values of event_trigger_type. If query is action_types: type has values of event_action_type.", readings = { {by = "query", value = 1, member = "type", enum = E["event_trigger_type"] }, {by = "query", value = 2, member = "type", enum = E["event_action_type"] }, }, item = { kind = "struct", name = "item", record = S["3dm.event_support_info"] } },
@@ -2005,7 +2005,7 @@ field({ descriptor = 0xC3, name = "3dm.odometer_config_response", role = "respon
     always = 3,
     rows = {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "Operation of the input." },
-      { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." },
+      { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." },
     } }, { { set = 0x0C, name = "3dm.odometer_config_response", title = "Odometer Configuration response" }, })
 field({ descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response", title = "Sensor Range response",
@@ -2019,7 +2019,7 @@ field({ descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_response", r
     doc = "", least = 2,
     always = 3,
     rows = {
-      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor given in the command." },
+      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor specified in the command." },
       { kind = "counter", name = "num_ranges", type = "u8", size = 1, doc = "Number of ranges." },
       { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "Each range that the sensor is calibrated for. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
     } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges_response", title = "Get Calibrated Sensor Ranges response" }, })
@@ -2064,7 +2064,7 @@ field({ descriptor = 0x05, name = "filter.run", role = "command", title = "Run n
     rows = {
     } }, { { set = 0x0D, name = "filter.run", title = "Run navigation filter" }, })
 field({ descriptor = 0x10, name = "filter.vehicle_dynamics_mode", role = "command", title = "Vehicle dynamics mode",
-    doc = "Adapts the filter to the motion that it has to expect.", least = 1,
+    doc = "Adapts the filter to the expected motion.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2108,7 +2108,7 @@ field({ descriptor = 0x15, name = "filter.gnss_source", role = "command", title 
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["filter.gnss_aiding_source"], doc = "Source of the GNSS data. On the 3DM-GX5-45: only all_internal and external." }, } },
     } }, { { set = 0x0D, name = "filter.gnss_source", title = "GNSS aiding source" }, })
 field({ descriptor = 0x16, name = "filter.external_gnss_update", role = "command", title = "External GNSS update",
-    doc = "Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.", least = 70,
+    doc = "Sends one position and velocity measurement from your own GNSS receiver to the filter.", least = 70,
     always = 8,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
@@ -2206,12 +2206,12 @@ field({ descriptor = 0x21, name = "filter.tare_orientation", role = "command", t
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "axes", type = "u8", size = 1, flags = F["filter.tare_axes"], doc = "Axes to tare; 0 resets all axes." }, } },
     } }, { { set = 0x0D, name = "filter.tare_orientation", title = "Tare orientation" }, })
 field({ descriptor = 0x22, name = "filter.commanded_zupt", role = "command", title = "Commanded zero velocity update",
-    doc = "Tells the filter once that the device is at rest.", least = 0,
+    doc = "Informs the filter once that the device is at rest.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0D, name = "filter.commanded_zupt", title = "Commanded zero velocity update" }, })
 field({ descriptor = 0x23, name = "filter.commanded_angular_zupt", role = "command", title = "Commanded zero angular rate update",
-    doc = "Tells the filter once that the device is not rotating.", least = 0,
+    doc = "Informs the filter once that the device is not rotating.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0D, name = "filter.commanded_angular_zupt", title = "Commanded zero angular rate update" }, })
@@ -2287,7 +2287,7 @@ field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measure
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." }, } },
@@ -2300,7 +2300,7 @@ field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measureme
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." }, } },
@@ -2313,7 +2313,7 @@ field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measureme
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." }, } },
@@ -2385,13 +2385,13 @@ field({ descriptor = 0x52, name = "filter.initialization_config", role = "comman
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Initial conditions that the user provides instead of the device." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods by which the initial heading may be determined. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only kinematic, mag and external. On the 3DM-GQ7-GNSS/INS: only dual_antenna, kinematic and mag." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." }, } },
-      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that the user provides. Unit: deg." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-      { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Initial conditions that your program provides instead of the device." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods that may be used to determine the initial heading. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only kinematic, mag and external. On the 3DM-GQ7-GNSS/INS: only dual_antenna, kinematic and mag." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that your program provides. Unit: deg." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that your program provides. Unit: deg." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that your program provides. Unit: deg." }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that your program provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that your program provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 9, last = 9, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." }, } },
     } }, { { set = 0x0D, name = "filter.initialization_config", title = "Navigation filter initialization" }, })
 field({ descriptor = 0x53, name = "filter.adaptive_filter_options", role = "command", title = "Adaptive filter control",
@@ -2619,7 +2619,7 @@ field({ descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_measure
     always = 7,
     rows = {
       { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation." },
-      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
+      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." },
       { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." },
@@ -2631,7 +2631,7 @@ field({ descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measureme
     always = 7,
     rows = {
       { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation." },
-      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
+      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
       { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." },
       { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." },
@@ -2643,7 +2643,7 @@ field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measureme
     always = 5,
     rows = {
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." },
-      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
+      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
       { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." },
       { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." },
@@ -2706,13 +2706,13 @@ field({ descriptor = 0xD2, name = "filter.initialization_config_response", role 
     always = 9,
     rows = {
       { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." },
-      { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Initial conditions that the user provides instead of the device." },
-      { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods by which the initial heading may be determined." },
-      { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." },
-      { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." },
-      { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that the user provides. Unit: deg." },
-      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Initial conditions that your program provides instead of the device." },
+      { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods that may be used to determine the initial heading." },
+      { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that your program provides. Unit: deg." },
+      { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that your program provides. Unit: deg." },
+      { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that your program provides. Unit: deg." },
+      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that your program provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: elements latitude, longitude, height; unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that your program provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: elements north, east, down; frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." },
     } }, { { set = 0x0D, name = "filter.initialization_config_response", title = "Navigation filter initialization response" }, })
 field({ descriptor = 0xD3, name = "filter.adaptive_filter_options_response", role = "response", title = "Adaptive filter control response",
@@ -2900,7 +2900,7 @@ field({ descriptor = 0x06, name = "rtk.connected_device_type", role = "command",
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Device that the modem is connected to." }, } },
     } }, { { set = 0x0F, name = "rtk.connected_device_type", title = "Connected device type" }, })
 field({ descriptor = 0x07, name = "rtk.get_activation_code", role = "command", title = "Get activation code",
-    doc = "Reads the code with which the modem is activated for its service.", least = 0,
+    doc = "Reads the code that activates the modem for its service.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0F, name = "rtk.get_activation_code", title = "Get activation code" }, })
@@ -2979,7 +2979,7 @@ field({ descriptor = 0x87, name = "rtk.get_activation_code_response", role = "re
     doc = "", least = 32,
     always = 1,
     rows = {
-      { kind = "text", name = "activation_code", count = 32, capacity = 32, doc = "Code with which the modem is activated for its service." },
+      { kind = "text", name = "activation_code", count = 32, capacity = 32, doc = "Code that activates the modem for its service." },
     } }, { { set = 0x0F, name = "rtk.get_activation_code_response", title = "Get activation code response" }, })
 field({ descriptor = 0x88, name = "rtk.get_modem_firmware_version_response", role = "response", title = "Get modem firmware version response",
     doc = "", least = 32,
@@ -2997,7 +2997,7 @@ field({ descriptor = 0x8A, name = "rtk.service_status_response", role = "respons
       { kind = "scalar", name = "last_bytes_time", type = "u64", size = 8, doc = "Time of the last transfer." },
     } }, { { set = 0x0F, name = "rtk.service_status_response", title = "Service status response" }, })
 field({ descriptor = 0x01, name = "displacement.get_calibration", role = "command", title = "Get Analog to Displacement Calibration",
-    doc = "Reads the line by which the device converts the counts of its converter to a displacement.", least = 0,
+    doc = "Reads the linear function by which the device converts the counts of its converter to a displacement.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x11, name = "displacement.get_calibration", title = "Get Analog to Displacement Calibration" }, })
@@ -3041,7 +3041,7 @@ field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } }, } },
     } }, { { set = 0x13, name = "aiding.frame_config", title = "Frame configuration" }, })
 field({ descriptor = 0x1F, name = "aiding.echo_control", role = "command", title = "Echo control",
-    doc = "Sets how the device answers aiding measurements.", least = 1,
+    doc = "Sets how the device replies to aiding measurements.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -3506,7 +3506,7 @@ field({ descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", t
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_leap_seconds_flags"], doc = "Validity of the leap seconds." },
     } }, { { set = 0x81, name = "gnss_data.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x91, name = "gnss_1.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x92, name = "gnss_2.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x93, name = "gnss_corrections.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x94, name = "gnss_external.gps_leap_seconds", title = "GPS leap seconds" }, { set = 0x95, name = "gnss_external_2.gps_leap_seconds", title = "GPS leap seconds" }, })
 field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = "SBAS info",
-    doc = "Status of the satellite based augmentation.", least = 16,
+    doc = "Status of the satellite-based augmentation (SBAS).", least = 16,
     always = 7,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
@@ -4020,7 +4020,7 @@ field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "dat
       { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature that the model has at this altitude. Unit: degC. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
@@ -4029,15 +4029,15 @@ field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data"
     always = 2,
     plain = true,
     rows = {
-      { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "pressure_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude at which the standard atmosphere has the measured pressure. Unit: m. Range: at most 84852. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.pressure_altitude", title = "Pressure altitude" }, })
 field({ descriptor = 0x22, name = "filter_data.density_altitude", role = "data", title = "Density altitude",
-    doc = "The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.", least = 6,
+    doc = "Density of the surrounding air, expressed as the altitude with the same density in the standard atmosphere.", least = 6,
     always = 2,
     plain = true,
     rows = {
-      { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "density_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude at which the standard atmosphere has the present air density. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.density_altitude", title = "Density altitude" }, })
 field({ descriptor = 0x25, name = "filter_data.mag_offset", role = "data", title = "Magnetometer offset",
@@ -4086,7 +4086,7 @@ field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role 
     doc = "Estimated error of the offset of the GNSS antenna.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction", title = "Antenna offset correction" }, })
 field({ descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncertainty", role = "data", title = "Antenna offset correction uncertainty",
@@ -4119,7 +4119,7 @@ field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction",
     always = 3,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the antenna offset that was set. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction", title = "Multi-antenna offset correction" }, })
 field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_uncertainty", role = "data", title = "Multi-antenna offset correction uncertainty",
@@ -4225,7 +4225,7 @@ field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role =
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gnss_dual_antenna_status", title = "GNSS dual antenna status" }, })
 field({ descriptor = 0x50, name = "filter_data.aiding_frame_config_error", role = "data", title = "Aiding frame configuration error",
-    doc = "Estimated error of a frame that aiding.frame_config defines. It is corrected for.", least = 29,
+    doc = "Estimated error of a frame that aiding.frame_config defines. The filter corrects for it.", least = 29,
     always = 3,
     rows = {
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },

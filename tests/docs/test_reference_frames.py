@@ -71,7 +71,7 @@ def test_formulas_of_the_pages() -> None:
     elements = re.search(r"\| ned \|.*?\| (y, x, -z) \|", pages[1])
     body = re.search(r"\| vehicle \|.*?\| (x, -y, -z) \|", pages[1])
     assert all(quaternions) and all(yaws) and elements and body
-    assert "east = NED y, north = NED x, up = -NED z" in pages[0] and "x stays, y and z change their signs" in pages[0]
+    assert "east = NED y, north = NED x, up = -NED z" in pages[0] and "x is unchanged, y and z change sign" in pages[0]
     for _ in range(50):
         roll, yaw = (chances.uniform(-math.pi, math.pi) for _ in range(2))
         pitch = chances.uniform(-math.pi / 2, math.pi / 2)

@@ -29,7 +29,7 @@ class AidingFrameFormat(codec.OpenEnum):
 
 
 class AidingEchoMode(codec.OpenEnum):
-    """Answers of the device to aiding measurements.
+    """Replies of the device to aiding measurements.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     """
@@ -37,7 +37,7 @@ class AidingEchoMode(codec.OpenEnum):
     SUPPRESS_ACK = 0
     """No acknowledge."""
     STANDARD = 1
-    """Acknowledge as for any command."""
+    """ACK, as for any command."""
     RESPONSE = 2
     """The data is returned in a response."""
 
@@ -48,7 +48,7 @@ class Timebase(codec.OpenEnum):
     INTERNAL_REFERENCE = 1
     """Internal reference clock of the device."""
     EXTERNAL_TIME = 2
-    """External clock, with which the PPS synchronizes the device."""
+    """External clock, to which the PPS synchronizes the device."""
     TIME_OF_ARRIVAL = 3
     """Latency relative to the arrival of the command."""
 
@@ -202,8 +202,8 @@ class FrameConfig(Command[R]):
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. For GNSS positions and velocities the rotation does not
-    matter. Send one that does not turn: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0. A read
-    selects the format of the answer.
+    matter. Send the identity: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0. A read selects the
+    format of the reply.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -333,7 +333,7 @@ class FrameConfig(Command[R]):
 class EchoControl(Command[R]):
     """Echo control (0x13,0x1F).
 
-    Sets how the device answers aiding measurements.
+    Sets how the device replies to aiding measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -760,10 +760,10 @@ class BodyFrameVelocity(Command[None]):
     Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    The device supports up to four sensors of this kind. A wheeled vehicle constraint is a velocity
-    of 0 with only y valid, sent at least once per second. With z also valid and 0, motion is
+    The device supports up to four sensors of this kind. For a wheeled vehicle constraint, send a
+    velocity of 0 with only y valid, at least once per second. With z also valid and 0, motion is
     constrained to a plane (2D mode). A zero velocity update is a velocity of 0, sent while the GNSS
-    speed is below a threshold chosen by the user. In mode `response` of `EchoControl`, the device
+    speed is below a threshold that you choose. In mode `response` of `EchoControl`, the device
     sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)

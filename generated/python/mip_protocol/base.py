@@ -352,7 +352,7 @@ class CommSpeedResponse(Response):
 class Ping(Command[None]):
     """Ping (0x01,0x01).
 
-    Checks whether a device is present and answers commands.
+    Checks whether a device is present and replies to commands.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST.
@@ -711,7 +711,7 @@ class GpsTimeUpdate(Command[R]):
     def apply(
         cls: ClassOf[GpsTimeUpdate[Any]], field_id: GpsTimeField, value: int
     ) -> GpsTimeUpdate[None]:
-        """Apply the new setting and send no acknowledge (5-series devices)."""
+        """Apply the new setting without sending an ACK (5-series devices)."""
         return cls(FunctionSelector.APPLY, field_id=field_id, value=value)
 
     @property

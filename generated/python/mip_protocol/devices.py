@@ -37,7 +37,7 @@ CL5_10 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
             (),
         )
     },
@@ -51,7 +51,7 @@ CL5_10 = Device(
     generation=5,
 )
 """Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is
-known. This profile is incomplete: No manual is known. Uncertain: MSCL does not know it.
+known. This profile is incomplete: No manual is known. Uncertain: MSCL does not list it.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -91,7 +91,7 @@ CL5_15 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -152,7 +152,7 @@ CL5_25 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -212,7 +212,7 @@ CV5_10 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
             (),
         )
     },
@@ -280,7 +280,7 @@ CV5_15 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -353,7 +353,7 @@ CV5_25 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -425,7 +425,7 @@ CV5_45 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         )
     },
@@ -440,7 +440,7 @@ CV5_45 = Device(
     generation=5,
 )
 """Inertial navigation system with GNSS. Generation 5. Model number 6256. No manual is known. This
-profile is incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
+profile is incomplete: No manual is known. Uncertain: Only MSCL lists it; the SDK does not.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -942,7 +942,7 @@ CV7_GNSS_INS = Device(
             1, "us", "Upper bound of the error of GPIO timestamps; the error is far smaller."
         ),
         "antenna_offset_error": Limit(
-            0.5, "m", "Highest value of the maximum offset of the antenna lever arm calibration."
+            0.5, "m", "Upper limit of the maximum offset in the antenna lever arm calibration."
         ),
     },
     notes={
@@ -1308,7 +1308,7 @@ CX5_10 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
             (),
         )
     },
@@ -1318,7 +1318,7 @@ CX5_10 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     incomplete=(
-        "Of the manual the table of contents is known, up to the set `3dm`. It has the sets `base`, `3dm` and `sensor` only.",
+        "Of the manual, only the table of contents is known, up to the set `3dm`. It lists only the sets `base`, `3dm` and `sensor`.",
     ),
     also=("3DM-CX5-IMU",),
     generation=5,
@@ -1326,8 +1326,8 @@ CX5_10 = Device(
 )
 """Inertial measurement unit. Also called 3DM-CX5-IMU. Generation 5. Model number 6275. Manual:
 3DM-CX5-10 Data Communications Protocol Manual, 8500-0087 revision A, 2017, known from its contents.
-This profile is incomplete: Of the manual the table of contents is known, up to the set `3dm`. It
-has the sets `base`, `3dm` and `sensor` only.
+This profile is incomplete: Of the manual, only the table of contents is known, up to the set `3dm`.
+It lists only the sets `base`, `3dm` and `sensor`.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1381,7 +1381,7 @@ CX5_15 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -1454,7 +1454,7 @@ CX5_25 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -1510,7 +1510,7 @@ CX5_35 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         )
     },
@@ -1603,7 +1603,7 @@ CX5_45 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         )
     },
@@ -1615,7 +1615,7 @@ CX5_45 = Device(
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
     },
     incomplete=(
-        "Of the manual the title is known: 196 pages, of which those from 131 describe the data.",
+        "Of the manual, only the title is known. It has 196 pages, and describes the data from page 131.",
     ),
     also=("3DM-CX5-GNSS/INS",),
     generation=5,
@@ -1623,8 +1623,8 @@ CX5_45 = Device(
 )
 """Inertial navigation system with GNSS. Also called 3DM-CX5-GNSS/INS. Generation 5. Model number
 6271. Manual: 3DM-CX5-45 Data Communications Protocol Manual, 8500-0089 revision A, 2017, known from
-its title. This profile is incomplete: Of the manual the title is known: 196 pages, of which those
-from 131 describe the data.
+its title. This profile is incomplete: Of the manual, only the title is known. It has 196 pages, and
+describes the data from page 131.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1734,7 +1734,7 @@ CX7_AHRS = Device(
     generation=7,
 )
 """Attitude and heading reference system. Generation 7. Model number 6701. No manual is known. This
-profile is incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
+profile is incomplete: No manual is known. Uncertain: Only MSCL lists it; the SDK does not.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1844,7 +1844,7 @@ CX7_AR = Device(
     generation=7,
 )
 """Attitude reference. Generation 7. Model number 6700. No manual is known. This profile is
-incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
+incomplete: No manual is known. Uncertain: Only MSCL lists it; the SDK does not.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1957,7 +1957,7 @@ CX7_INS = Device(
     generation=7,
 )
 """Inertial navigation system. Generation 7. Model number 6702. No manual is known. This profile is
-incomplete: No manual is known. Uncertain: Only MSCL knows it; the SDK does not.
+incomplete: No manual is known. Uncertain: Only MSCL lists it; the SDK does not.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2027,12 +2027,12 @@ GQ4_45 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gq4_45_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gq4_45_response`.",
             (),
         ),
     },
@@ -2041,18 +2041,18 @@ GQ4_45 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     incomplete=(
-        "The table of contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
-        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
+        "The manual's table of contents is known only up to the commands of the set `3dm`. The unknown part covers the sets `filter` and `system`.",
+        "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ),
     generation=4,
     manual="3dm-gq4-45",
 )
 """Tactical grade inertial navigation system with GNSS. Generation 4. Model number 6250. Manual:
 LORD 3DM-GQ4-45 Data Communications Protocol, of September 26, 2015, known from its table of
-contents. This profile is incomplete: The table of contents of the manual is known up to the
-commands of the set `3dm`. The sets `filter` and `system` follow. This profile is incomplete: It has
-the data sets 0x80, 0x81 and 0x82, none of whose fields is known. Uncertain: It may accept raw RTCM
-by a command whose layout is not known.
+contents. This profile is incomplete: The manual's table of contents is known only up to the
+commands of the set `3dm`. The unknown part covers the sets `filter` and `system`. This profile is
+incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known. Uncertain:
+It may accept raw RTCM by a command whose layout is not known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2209,7 +2209,7 @@ GQ7 = Device(
         ),
         "receivers": Note(
             "GNSS sets",
-            "The set 0x91 is of the first receiver, 0x92 of the second, 0x93 has the RTK corrections.",
+            "The set 0x91 is that of the first receiver and 0x92 that of the second; 0x93 contains the RTK corrections.",
             (),
         ),
     },
@@ -2752,7 +2752,7 @@ GX3_35 = Device(
         ),
     ),
     base_rates={},
-    notes={"receiver": Note("Receiver", "The GNSS receiver is of u-blox.", ())},
+    notes={"receiver": Note("Receiver", "The GNSS receiver is made by u-blox.", ())},
     readings={
         "3dm.data_stream_control.descriptor_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
@@ -2858,12 +2858,12 @@ GX4_15 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
             (),
         ),
     },
@@ -2939,12 +2939,12 @@ GX4_25 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_gx4_response`.",
             (),
         ),
     },
@@ -2959,7 +2959,7 @@ GX4_25 = Device(
     generation=4,
 )
 """Device of generation 4. Generation 4. Model number 6234. No manual is known. This profile is
-incomplete: Its manual (of 2014-12-23) is not known. Uncertain: A ROS driver by others uses the
+incomplete: Its manual (of 2014-12-23) is not known. Uncertain: A third-party ROS driver uses the
 model number 6253 for it, which is that of the 3DM-GX5-25.
 
 - mip-sdk-4: Device models
@@ -3004,12 +3004,12 @@ GX4_45 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         ),
     },
@@ -3034,7 +3034,7 @@ incomplete: No manual is known.
 GX4_IMU = Device(
     id="3dm-gx4-imu",
     title="3DM-GX4-IMU",
-    description="Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.",
+    description="Inertial sensor inside the 3DM-GX4-45, which replies in the direct mode.",
     model_number=6237,
     evidence=(
         Evidence(
@@ -3058,7 +3058,7 @@ GX4_IMU = Device(
     incomplete=("No manual is known.",),
     generation=4,
 )
-"""Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode. Generation 4. Model
+"""Inertial sensor inside the 3DM-GX4-45, which replies in the direct mode. Generation 4. Model
 number 6237. No manual is known. This profile is incomplete: No manual is known.
 
 - mip-sdk-2014: GX4 IMU
@@ -3095,7 +3095,7 @@ GX5_10 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and `3dm.device_status_diagnostic_imu_response`.",
             (),
         )
     },
@@ -3156,7 +3156,7 @@ GX5_15 = Device(
         "baud_rate_delay": Limit(
             250,
             "ms",
-            "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
+            "Time from the ACK of a new baud rate until the device replies to commands at that rate.",
         ),
     },
     notes={
@@ -3316,7 +3316,7 @@ GX5_25 = Device(
     notes={
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_response`.",
             (),
         )
     },
@@ -3394,7 +3394,7 @@ GX5_35 = Device(
         ),
         "device_status": Note(
             "Device status",
-            "It answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "It replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         ),
     },
@@ -3525,7 +3525,7 @@ GX5_45 = Device(
         "baud_rate_delay": Limit(
             250,
             "ms",
-            "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
+            "Time from the ACK of a new baud rate until the device replies to commands at that rate.",
         ),
         "rtcm_chunk": Limit(253, "byte", "Maximum number of RTCM bytes in one field."),
     },
@@ -3537,12 +3537,12 @@ GX5_45 = Device(
         ),
         "functions": Note(
             "Functions that the specification does not define",
-            "The manual has a read of `3dm.device_settings`, which is answered with the settings of all commands.",
+            "According to the manual, a read of `3dm.device_settings` returns the settings of all commands.",
             (),
         ),
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_gnss_response`.",
             (),
         ),
     },
@@ -3593,7 +3593,7 @@ MV5_AR = Device(
     notes={
         "j1939": Note(
             "J1939",
-            "Besides MIP it sends J1939 messages on CAN, from the address 0xE2, according to a driver by others. Angles have 1/32768 deg, rates 1/128 deg/s, accelerations 0.01 m/s^2 for each step.",
+            "Besides MIP it sends J1939 messages on CAN, from the address 0xE2, according to a third-party driver. The resolution is 1/32768 deg for angles, 1/128 deg/s for rates and 0.01 m/s^2 for accelerations.",
             (
                 ("Message", "PGN", "Signals", "Offset"),
                 ("Slope sensor 2", "0xF029", "pitch (bits 0 to 23), roll (24 to 47)", "-250 deg"),
@@ -3664,12 +3664,12 @@ RQ1_45_LT = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
             (),
         ),
         "absent": Note(
@@ -3684,8 +3684,8 @@ RQ1_45_LT = Device(
         "3dm.device_status_basic_response.system_state": mip_3dm.Gx4SystemState,
     },
     incomplete=(
-        "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
-        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
+        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part covers the set `system`.",
+        "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ),
     also=("3DM-RQ1-45_LT",),
     generation=4,
@@ -3693,10 +3693,10 @@ RQ1_45_LT = Device(
 )
 """Ruggedized tactical grade inertial navigation system with GPS. Also called 3DM-RQ1-45_LT.
 Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25,
-2013, known from its table of contents. This profile is incomplete: The table of contents of the
-manual is known up to `filter.SetInitialHeading`. The set `system` follows. This profile is
-incomplete: It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known. Uncertain: The
-SDK writes the name with an underscore before LT and ST.
+2013, known from its table of contents. This profile is incomplete: The manual's table of contents
+is known only up to `filter.SetInitialHeading`. The unknown part covers the set `system`. This
+profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.
+Uncertain: The SDK writes the name with an underscore before LT and ST.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -3739,12 +3739,12 @@ RQ1_45_ST = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
             "Device status",
-            "According to MSCL, it answers with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
+            "According to MSCL, it replies with `3dm.device_status_basic_response` and `3dm.device_status_diagnostic_rq1_45_response`.",
             (),
         ),
         "absent": Note(
@@ -3759,8 +3759,8 @@ RQ1_45_ST = Device(
         "3dm.device_status_basic_response.system_state": mip_3dm.Gx4SystemState,
     },
     incomplete=(
-        "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
-        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
+        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part covers the set `system`.",
+        "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ),
     also=("3DM-RQ1-45_ST",),
     generation=4,
@@ -3768,10 +3768,10 @@ RQ1_45_ST = Device(
 )
 """Ruggedized tactical grade inertial navigation system with GPS. Also called 3DM-RQ1-45_ST.
 Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25,
-2013, known from its table of contents. This profile is incomplete: The table of contents of the
-manual is known up to `filter.SetInitialHeading`. The set `system` follows. This profile is
-incomplete: It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known. Uncertain: The
-SDK writes the name with an underscore before LT and ST.
+2013, known from its table of contents. This profile is incomplete: The manual's table of contents
+is known only up to `filter.SetInitialHeading`. The unknown part covers the set `system`. This
+profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.
+Uncertain: The SDK writes the name with an underscore before LT and ST.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -3780,7 +3780,7 @@ SDK writes the name with an underscore before LT and ST.
 RQ1_IMU = Device(
     id="3dm-rq1-imu",
     title="3DM-RQ1-IMU",
-    description="Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.",
+    description="Inertial sensor inside the 3DM-RQ1-45, which replies in the direct mode.",
     model_number=6238,
     evidence=(
         Evidence(
@@ -3804,7 +3804,7 @@ RQ1_IMU = Device(
     incomplete=("No manual is known.",),
     generation=4,
 )
-"""Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode. Generation 4. Model
+"""Inertial sensor inside the 3DM-RQ1-45, which replies in the direct mode. Generation 4. Model
 number 6238. No manual is known. This profile is incomplete: No manual is known.
 
 - mip-sdk-2014: RQ1 IMU
@@ -3865,11 +3865,11 @@ DEMOD_DC = Device(
         ),
     ),
     base_rates={},
-    incomplete=("No manual is known; all is from MSCL.",),
+    incomplete=("No manual is known; everything here is from MSCL.",),
     also=("Digital Demod",),
 )
 """Digital demodulator for displacement sensors. Also called Digital Demod. Model number 6130. No
-manual is known. This profile is incomplete: No manual is known; all is from MSCL.
+manual is known. This profile is incomplete: No manual is known; everything here is from MSCL.
 
 - mscl: Displacement node
 """

@@ -17,9 +17,9 @@ from .protocol import FunctionSelector
 
 
 class DynamicsMode(codec.OpenEnum):
-    """Motion that the filter expects, by the way in which the device travels. Uncertain: The SDK
-    names the modes only; the descriptions follow from the names. Uncertain: `filter_data.Status`
-    reports a mode too, but is known to have the values 1 to 3 only.
+    """Motion that the filter expects, depending on the kind of vehicle. Uncertain: The SDK lists
+    only the names of the modes, from which the descriptions are inferred. Uncertain:
+    `filter_data.Status` reports a mode too, but is known to have the values 1 to 3 only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -64,7 +64,7 @@ class GnssAidingSource(codec.OpenEnum):
     ALL_INTERNAL = 1
     """All internal receivers."""
     EXTERNAL = 2
-    """GNSS measurements that the user sends."""
+    """GNSS measurements that your program sends."""
     INTERNAL_1 = 3
     """Internal receiver 1 only."""
     INTERNAL_2 = 4
@@ -95,13 +95,13 @@ class HeadingUpdateSource(codec.OpenEnum):
     GNSS_VELOCITY = 2
     """The velocity that the GNSS receiver measures."""
     EXTERNAL = 3
-    """The heading messages that the user sends."""
+    """The heading messages that your program sends."""
     GNSS_VELOCITY_AND_MAG = 4
     """The course over ground and the magnetometer."""
     GNSS_VELOCITY_AND_EXTERNAL = 5
-    """GNSS velocity and the messages of the user."""
+    """GNSS velocity and your program's heading messages."""
     MAG_AND_EXTERNAL = 6
-    """Magnetometer and the messages of the user."""
+    """Magnetometer and your program's heading messages."""
     ALL = 7
     """All three."""
 
@@ -185,13 +185,13 @@ class AidingSource(codec.OpenEnum):
     MAG = 4
     """Built-in magnetometer."""
     EXTERNAL_HEADING = 5
-    """Heading that the user sends."""
+    """Heading that your program sends."""
     EXTERNAL_ALTIMETER = 6
-    """Pressure altitude that the user sends."""
+    """Pressure altitude that your program sends."""
     EXTERNAL_MAG = 7
-    """Magnetic field that the user sends."""
+    """Magnetic field that your program sends."""
     BODY_FRAME_VELOCITY = 8
-    """Velocity in the body (vehicle) frame that the user sends."""
+    """Velocity in the body (vehicle) frame that your program sends."""
     ALL = 0xFFFF
     """All sources, for save, load and default."""
 
@@ -235,21 +235,21 @@ class AngularConstraint(codec.OpenEnum):
 
 
 class InitialConditionSource(codec.OpenEnum):
-    """Initial conditions that the user provides instead of the device."""
+    """Initial conditions that your program provides instead of the device."""
 
     AUTO_POSITION_VELOCITY_ATTITUDE = 0
     """Position, velocity and attitude are automatic."""
     AUTO_POSITION_VELOCITY_PITCH_ROLL = 1
-    """Position, velocity, pitch and roll are automatic; the user provides the heading."""
+    """Position, velocity, pitch and roll are automatic; your program provides the heading."""
     AUTO_POSITION_VELOCITY = 2
-    """Position and velocity are automatic; the user provides the attitude."""
+    """Position and velocity are automatic; your program provides the attitude."""
     MANUAL = 3
-    """The user provides position, velocity and attitude."""
+    """Your program provides position, velocity and attitude."""
 
 
 @codec.open_flag(8)
 class HeadingAlignment(IntFlag):
-    """Methods by which the device may determine its initial heading."""
+    """Methods that the device may use to determine its initial heading."""
 
     DUAL_ANTENNA = 1 << 0
     """From the baseline between two GNSS antennas. Bit 0."""
@@ -258,11 +258,11 @@ class HeadingAlignment(IntFlag):
     MAG = 1 << 2
     """From the built-in magnetometer. Bit 2."""
     EXTERNAL = 1 << 3
-    """From the heading that the user sends. Bit 3."""
+    """From the heading that your program sends. Bit 3."""
 
 
 class ReferenceFrame(codec.OpenEnum):
-    """Frame in which a position is given."""
+    """Frame of a position."""
 
     ECEF = 1
     """Earth-centred, Earth-fixed coordinates (WGS84)."""
@@ -956,7 +956,7 @@ class MagneticDeclinationSourceResponse(Response):
     """Source of the declination."""
     declination: float
     """Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
-    3.141592653589793. Uncertain: Whether it may be left out if `source` is not manual. The manuals,
+    3.141592653589793. Uncertain: Whether it may be omitted if `source` is not manual. The manuals,
     that of the 3DM-GQ7 included, require it only if it is, but state one length, with the value.
     Sending it always fits both.
     """
@@ -1011,7 +1011,7 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
+    """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     low_limit: float
     """Lower limit of the error. Unit: m/s^2."""
     high_limit: float
@@ -1088,7 +1088,7 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
+    """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     low_limit: float
     """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
     the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
@@ -1171,7 +1171,7 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     enable: bool
     """True if the adaptation is on."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
+    """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     high_limit: float
     """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is
     inferred from the quantity.
@@ -1494,24 +1494,24 @@ class InitializationConfigResponse(Response):
     wait_for_run_command: int
     """1: the filter starts only after `Run`; 0: it starts as soon as it can. Range: 0 to 1."""
     initial_condition_source: InitialConditionSource
-    """Initial conditions that the user provides instead of the device."""
+    """Initial conditions that your program provides instead of the device."""
     auto_heading_alignment_selector: HeadingAlignment
-    """Methods by which the initial heading may be determined."""
+    """Methods that may be used to determine the initial heading."""
     initial_heading: float
-    """Initial heading that the user provides. Unit: deg."""
+    """Initial heading that your program provides. Unit: deg."""
     initial_pitch: float
-    """Initial pitch that the user provides. Unit: deg."""
+    """Initial pitch that your program provides. Unit: deg."""
     initial_roll: float
-    """Initial roll that the user provides. Unit: deg."""
+    """Initial roll that your program provides. Unit: deg."""
     initial_position: types.Vector3f
-    """Initial position that the user provides. Elements: x, y, z.
+    """Initial position that your program provides. Elements: x, y, z.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
       unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f
-    """Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
+    """Initial velocity that your program provides. Elements: x, y, z. Unit: m/s.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements north, east, down; frame ned.
@@ -1877,7 +1877,7 @@ class SetInitialHeading(Command[None]):
     3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
-    magnetometer aiding is on, the given heading is ignored.
+    magnetometer aiding is on, the value of this command is ignored.
 
     - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
     - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -1962,7 +1962,7 @@ class Run(Command[None]):
 class VehicleDynamicsMode(Command[R]):
     """Vehicle dynamics mode (0x0D,0x10).
 
-    Adapts the filter to the motion that it has to expect.
+    Adapts the filter to the expected motion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `VehicleDynamicsModeResponse`. Probably changes filter_data (0x82). Supported by 3DM-GX5-45.
@@ -2453,11 +2453,12 @@ class GnssSource(Command[R]):
 class ExternalGnssUpdate(Command[None]):
     """External GNSS update (0x0D,0x16).
 
-    Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
+    Sends one position and velocity measurement from your own GNSS receiver to the filter.
 
     Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
-    Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
+    Rejected unless `GnssSource` selects the external source. The highest rate depends on the
+    device.
 
     - mip-sdk-4: External GNSS update (0x0D,0x16)
     """
@@ -2554,7 +2555,7 @@ class ExternalHeadingUpdate(Command[None]):
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
-    Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
+    Rejected unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
     `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second.
     If the declination source is not valid, -25 models reject true headings and -45 models magnetic
     ones.
@@ -3163,7 +3164,7 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     Better than `ExternalHeadingUpdate` if the heading changes quickly; the time must be accurate.
-    Refused unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
+    Rejected unless external heading updates are enabled, by `HeadingSource` on the 3DM-GX5 and by
     `AidingMeasurementEnable` on the 3DM-CV7. The 3DM-GX5-15 accepts at most 20 updates per second.
     If the declination source is not valid, -25 models reject true headings and -45 models magnetic
     ones.
@@ -3310,7 +3311,7 @@ class TareOrientation(Command[R]):
     On the 3DM-GX5-15: `write`, `save`, `load` and `default` only. On the 3DM-GX5-45: `write`,
     `save`, `load` and `default` only.
 
-    Refused while the filter has no valid attitude.
+    Rejected while the filter has no valid attitude.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -3373,7 +3374,7 @@ class TareOrientation(Command[R]):
 class CommandedZupt(Command[None]):
     """Commanded zero velocity update (0x0D,0x22).
 
-    Tells the filter once that the device is at rest.
+    Informs the filter once that the device is at rest.
 
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
@@ -3396,7 +3397,7 @@ class CommandedZupt(Command[None]):
 class CommandedAngularZupt(Command[None]):
     """Commanded zero angular rate update (0x0D,0x23).
 
-    Tells the filter once that the device is not rotating.
+    Informs the filter once that the device is not rotating.
 
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
@@ -4068,8 +4069,8 @@ class MagneticDeclinationSource(Command[R]):
     """
     declination: float | None
     """Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
-    3.141592653589793. Required for `write`. Uncertain: Whether it may be left out if `source` is
-    not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state one
+    3.141592653589793. Required for `write`. Uncertain: Whether it may be omitted if `source` is not
+    manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state one
     length, with the value. Sending it always fits both.
     """
 
@@ -4131,10 +4132,10 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     by 3DM-GX5-15 and 3DM-GX5-45.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
-    selector keep their values if they are left out. Filter and limits take effect only with
-    `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High limits
-    reduce the accuracy of pitch and roll under linear acceleration, low limits reduce the accuracy
-    of the heading.
+    selector keep their values if they are omitted. Filter and limits take effect only with `fixed`.
+    Raise the limits where vibration is strong, lower them where it is weak. High limits reduce the
+    accuracy of pitch and roll under linear acceleration, low limits reduce the accuracy of the
+    heading.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -4189,7 +4190,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
       `AdaptiveMeasurementSelector.FIXED`.
     """
     frequency: float | None
-    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional."""
+    """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional."""
     low_limit: float | None
     """Lower limit of the error. Unit: m/s^2. Optional."""
     high_limit: float | None
@@ -4289,7 +4290,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
     by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after
-    the selector may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
+    the selector may be omitted on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     determines the limits. High limits suit high dynamics but do not reject disturbances of the
@@ -4348,7 +4349,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
       `AdaptiveMeasurementSelector.FIXED`.
     """
     frequency: float | None
-    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
+    """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
     """
     low_limit: float | None
     """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
@@ -4509,7 +4510,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     enable: bool | None
     """True if the adaptation is on. Required for `write`."""
     frequency: float | None
-    """Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
+    """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
     """
     high_limit: float | None
     """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
@@ -5361,9 +5362,9 @@ class InitializationConfig(Command[R]):
     Required for `write`.
     """
     initial_condition_source: InitialConditionSource | None
-    """Initial conditions that the user provides instead of the device. Required for `write`."""
+    """Initial conditions that your program provides instead of the device. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None
-    """Methods by which the initial heading may be determined. Required for `write`.
+    """Methods that may be used to determine the initial heading. Required for `write`.
 
     - On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only `HeadingAlignment.KINEMATIC`,
       `HeadingAlignment.MAG` and `HeadingAlignment.EXTERNAL`.
@@ -5371,20 +5372,21 @@ class InitializationConfig(Command[R]):
       and `HeadingAlignment.MAG`.
     """
     initial_heading: float | None
-    """Initial heading that the user provides. Unit: deg. Required for `write`."""
+    """Initial heading that your program provides. Unit: deg. Required for `write`."""
     initial_pitch: float | None
-    """Initial pitch that the user provides. Unit: deg. Required for `write`."""
+    """Initial pitch that your program provides. Unit: deg. Required for `write`."""
     initial_roll: float | None
-    """Initial roll that the user provides. Unit: deg. Required for `write`."""
+    """Initial roll that your program provides. Unit: deg. Required for `write`."""
     initial_position: types.Vector3f | None
-    """Initial position that the user provides. Elements: x, y, z. Required for `write`.
+    """Initial position that your program provides. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements latitude, longitude, height;
       unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f | None
-    """Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for `write`.
+    """Initial velocity that your program provides. Elements: x, y, z. Unit: m/s. Required for
+    `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: elements north, east, down; frame ned.

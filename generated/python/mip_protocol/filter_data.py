@@ -36,7 +36,7 @@ class HeadingSourceFlags(IntFlag):
     GNSS_VELOCITY = 1 << 1
     """The velocity that the GNSS receiver measures. Bit 1."""
     EXTERNAL = 1 << 2
-    """Heading messages that the user sends. Bit 2."""
+    """Heading messages that your program sends. Bit 2."""
 
 
 @codec.open_flag(16)
@@ -86,7 +86,7 @@ class HeadingAidingType(codec.OpenEnum):
     DUAL_ANTENNA = 1
     """Two GNSS antennas."""
     EXTERNAL_MESSAGE = 2
-    """A heading message of the user."""
+    """A heading message from your program."""
 
 
 class AidingMeasurementType(codec.OpenEnum):
@@ -245,7 +245,7 @@ class Gx5StatusFlags(IntFlag):
     `EulerAnglesUncertainty`.
     """
     RUN_NAN_IN_SOLUTION_WARNING = 1 << 7
-    """The solution contains values that are not numbers. Bit 7. Concerns `filter.Reset`."""
+    """The solution contains NaN values. Bit 7. Concerns `filter.Reset`."""
     RUN_GYRO_BIAS_EST_HIGH_WARNING = 1 << 8
     """The estimated gyroscope bias is high. Bit 8. Concerns `GyroBias`."""
     RUN_ACCEL_BIAS_EST_HIGH_WARNING = 1 << 9
@@ -337,8 +337,8 @@ class Cv7StatusFlags(IntFlag):
     Concerns `mip_3dm.PpsSourceControl`.
     """
     SOLUTION_ERROR = 0xF000
-    """Not 0 if the solution contains values that are not numbers; reset the filter. Bits 12 to 15.
-    Concerns `filter.Reset`.
+    """Not 0 if the solution contains NaN values; reset the filter. Bits 12 to 15. Concerns
+    `filter.Reset`.
     """
 
     @property
@@ -1175,7 +1175,7 @@ class HeadingUpdateState(Data):
 
     Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
-    The valid bit means that the source gave data within the last 2 seconds.
+    The valid bit means that the source provided data within the last 2 seconds.
 
     - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
     """
@@ -1617,7 +1617,7 @@ class StandardAtmosphere(Data):
     `valid_flags` is set.
     """
     standard_pressure: float
-    """Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if
+    """Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     standard_density: float
@@ -1668,7 +1668,7 @@ class PressureAltitude(Data):
     _LAYOUT = (("pressure_altitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     pressure_altitude: float
-    """Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most
+    """Altitude at which the standard atmosphere has the measured pressure. Unit: m. Range: at most
     84852. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
@@ -1682,11 +1682,11 @@ class PressureAltitude(Data):
 class DensityAltitude(Data):
     """Density altitude (0x82,0x22).
 
-    The density of the surrounding air, as the altitude at which the standard atmosphere is as
-    dense.
+    Density of the surrounding air, expressed as the altitude with the same density in the standard
+    atmosphere.
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
-    has the name only; the description is the usual meaning of the term.
+    lists only the name; the description is the usual meaning of the term.
 
     - mip-sdk-4: Density altitude (0x82,0x22)
     """
@@ -1702,7 +1702,7 @@ class DensityAltitude(Data):
     _LAYOUT = (("density_altitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     density_altitude: float
-    """Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if
+    """Altitude at which the standard atmosphere has the present air density. Unit: m. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
@@ -1960,7 +1960,7 @@ class AntennaOffsetCorrection(Data):
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
-    """Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame:
+    """Estimated correction of the configured antenna offset. Elements: x, y, z. Unit: m. Frame:
     vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
@@ -2132,7 +2132,7 @@ class MultiAntennaOffsetCorrection(Data):
     receiver_id: int
     """Receiver that the antenna belongs to."""
     offset: types.Vector3f
-    """Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame:
+    """Estimated correction of the configured antenna offset. Elements: x, y, z. Unit: m. Frame:
     vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
@@ -2689,7 +2689,7 @@ class GnssDualAntennaStatus(Data):
 class AidingFrameConfigError(Data):
     """Aiding frame configuration error (0x82,0x50).
 
-    Estimated error of a frame that `aiding.FrameConfig` defines. It is corrected for.
+    Estimated error of a frame that `aiding.FrameConfig` defines. The filter corrects for it.
 
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 

@@ -134,7 +134,7 @@ class ReceiverResetType(codec.OpenEnum):
 
 class AmbiguityFixMode(codec.OpenEnum):
     """Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The
-    descriptions of `conservative` and `moderate`, which follow from the names.
+    descriptions of `conservative` and `moderate`, which are inferred from the names.
 
     - mip-sdk-4: Rtk Configuration (0x0E,0x04)
     """

@@ -1758,7 +1758,7 @@ class GpsLeapSeconds(Shared, Data):
 class SbasInfo(Shared, Data):
     """SBAS info (0x12).
 
-    Status of the satellite based augmentation.
+    Status of the satellite-based augmentation (SBAS).
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.

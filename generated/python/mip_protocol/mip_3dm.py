@@ -261,8 +261,8 @@ class EventActionStatusEntry(Structure):
 class ReceiverDynamics(codec.OpenEnum):
     """Motion that a GNSS receiver assumes. Uncertain: The value `fixed`. The SDK of 2014 numbers
     the modes 0 to 8, but the list in its comments lacks this one, as u-blox receivers do.
-    Uncertain: The descriptions. The sources have names only; what is said of each mode is inferred
-    from its name.
+    Uncertain: The descriptions. The sources list only names, from which the descriptions of the
+    modes are inferred.
 
     - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
     """
@@ -291,8 +291,8 @@ class ReceiverDynamics(codec.OpenEnum):
 class DataConditioningFlags(IntFlag):
     """Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
     protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain:
-    The descriptions. The sources have names only; what is said of each bit is inferred from its
-    name.
+    The descriptions. The sources list only names, from which the descriptions of the bits are
+    inferred.
 
     - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
     - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -305,7 +305,7 @@ class DataConditioningFlags(IntFlag):
     LITTLE_ENDIAN_FLOATS = 1 << 4
     """Sends floats with the least significant byte first. Bit 4."""
     NAN_SUPPRESSED = 1 << 5
-    """Suppresses values that are not a number. Bit 5."""
+    """Suppresses values that are NaN (not a number). Bit 5."""
     FINITE_SIZE_CORRECTION = 1 << 6
     """Corrects the distance between the accelerometers. Bit 6."""
     DISABLE_MAG = 1 << 8
@@ -333,7 +333,7 @@ class MagBandwidth(codec.OpenEnum):
 
 
 class ImuTimestampSelector(codec.OpenEnum):
-    """A counter of the time of the sensor data.
+    """A time counter of the sensor data.
 
     - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
     """
@@ -444,7 +444,7 @@ class DeviceStatusSelector(codec.OpenEnum):
     BASIC = 1
     """State and timer."""
     DIAGNOSTIC = 2
-    """State and timer with the counters of streams and port."""
+    """State, timer, and the counters of streams and port."""
 
 
 class LegacyDataStream(codec.OpenEnum):
@@ -644,7 +644,7 @@ class DataStreamControlResponse(Response):
     _LAYOUT = (("descriptor_set", "B", None), ("enabled", "B", codec.truth))
 
     descriptor_set: int
-    """Stream given in the command.
+    """Stream specified in the command.
 
     - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
       3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
@@ -710,20 +710,21 @@ class ImuSignalConditioningResponse(Response):
     )
 
     orientation_decimation: int
-    """Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
+    """Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1
+    to 1000.
     """
     data_conditioning_flags: DataConditioningFlags
     """Processing steps. Default: 3."""
     inertial_filter_width: int
-    """Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32.
-    Default: 15.
+    """Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default:
+    15.
     """
     mag_filter_width: int
-    """Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17."""
+    """Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17."""
     up_compensation: int
-    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."""
+    """Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10."""
     north_compensation: int
-    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
+    """Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10."""
     mag_bandwidth: MagBandwidth
     """Bandwidth of the magnetometer of 3-series devices."""
     reserved: int
@@ -962,7 +963,7 @@ class GetBaseRateResponse(Response):
     _LAYOUT = (("descriptor_set", "B", None), ("rate", "H", None))
 
     descriptor_set: int
-    """Data descriptor set given in the command."""
+    """Data descriptor set specified in the command."""
     rate: int
     """Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz."""
 
@@ -1010,8 +1011,8 @@ class DeviceStatusBasicRq1ImuResponse(Response):
     Timer only, in microseconds.
 
     No device is certain to support it. Answers `DeviceStatus`. Sent if `status_selector` is
-    `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 names the values and the unit of the
-    timer; the descriptions follow from the names.
+    `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 lists the names of the values and the
+    unit of the timer; the descriptions are inferred from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1163,7 +1164,7 @@ class DeviceStatusBasicWithoutStateResponse(Response):
 class DeviceStatusDiagnosticResponse(Response):
     """Diagnostic Device Status (0x0C,0x90).
 
-    State and timer with the counters of streams and port.
+    State, timer, and the counters of streams and port.
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
@@ -1311,7 +1312,7 @@ class DeviceStatusDiagnosticResponse(Response):
 class DeviceStatusDiagnosticGnssResponse(Response):
     """Diagnostic Device Status with GNSS (0x0C,0x90).
 
-    State and timer with the counters of pulses, streams, port and receiver.
+    State, timer, and the counters of pulses, streams, port and receiver.
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
@@ -1320,8 +1321,8 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL has
     it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
-    Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
-    assumed to be in ms like the system timer.
+    Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred;
+    the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1518,7 +1519,7 @@ class DeviceStatusDiagnosticGnssResponse(Response):
 class DeviceStatusDiagnosticGq4_45Response(Response):
     """Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
 
-    The layout with GNSS, plus what could not be started.
+    The layout with GNSS, plus flags for parts that could not be started.
 
     Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`,
@@ -1526,8 +1527,8 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45. Uncertain: No known manual documents
-    it. Uncertain: MSCL only names the values; the descriptions follow from the names, and the times
-    are assumed to be in ms like the system timer.
+    it. Uncertain: MSCL lists only the names of the values, from which the descriptions are
+    inferred; the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1753,8 +1754,8 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No
-    known manual documents it. Uncertain: MSCL only names the values; the descriptions follow from
-    the names, and the times are assumed to be in ms like the system timer.
+    known manual documents it. Uncertain: MSCL lists only the names of the values, from which the
+    descriptions are inferred; the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1981,8 +1982,8 @@ class DeviceStatusDiagnosticGx4Response(Response):
     `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known
     manual documents it for these devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45
-    agree. Uncertain: MSCL only names the values; the descriptions follow from the names, and the
-    times are assumed to be in ms like the system timer.
+    agree. Uncertain: MSCL lists only the names of the values, from which the descriptions are
+    inferred; the times are assumed to be in ms like the system timer.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2167,8 +2168,8 @@ class DeviceStatusDiagnosticImuResponse(Response):
     `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL has it
     for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL
-    only names the values; the descriptions follow from the names, and the times are assumed to be
-    in ms like the system timer. Uncertain: The units of the ranges are not known.
+    lists only the names of the values, from which the descriptions are inferred; the times are
+    assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2353,8 +2354,8 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of
-    2014 names the values and the units of temperature and times; the descriptions follow from the
-    names. Uncertain: The units of the ranges are not known.
+    2014 lists the names of the values and the units of temperature and times; the descriptions are
+    inferred from the names. Uncertain: The units of the ranges are not known.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2538,8 +2539,8 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of
-    2014 names the values and the units of temperature and times; the descriptions follow from the
-    names.
+    2014 lists the names of the values and the units of temperature and times; the descriptions are
+    inferred from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2706,7 +2707,7 @@ class DeviceStatusBasicGx3Response(Response):
     No device is certain to support it. Answers `DeviceStatus`. Distinguished from
     `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse` by the size of its data.
     Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has
-    it, which names the values; the descriptions follow from the names.
+    it, with the names of the values; the descriptions are inferred from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2784,7 +2785,7 @@ class DeviceStatusBasicGx3Response(Response):
 class DeviceStatusDiagnosticGx3Response(Response):
     """Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
 
-    State of the port with the counters of port, USB, receiver and IMU.
+    State of the port, and the counters of the port, USB, receiver and IMU.
 
     No device is certain to support it. Answers `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
@@ -2792,7 +2793,7 @@ class DeviceStatusDiagnosticGx3Response(Response):
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the
-    SDK of 2014 has it, which names the values; the descriptions follow from the names.
+    SDK of 2014 has it, with the names of the values; the descriptions are inferred from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2953,7 +2954,7 @@ class DeviceStatusDiagnosticGx3Response(Response):
     gnss_message_count: int
     """Messages of the receiver that were read. Unit: 1."""
     gnss_delayed_message_count: int
-    """Messages of the receiver that came late. Unit: 1."""
+    """Messages of the receiver that arrived late. Unit: 1."""
     imu_driver_state: int
     """State of the IMU's driver; its values are not known."""
     imu_port_state: int
@@ -2969,7 +2970,7 @@ class DeviceStatusDiagnosticGx3Response(Response):
     imu_message_count: int
     """Messages of the IMU that were read. Unit: 1."""
     imu_delayed_message_count: int
-    """Messages of the IMU that came late. Unit: 1."""
+    """Messages of the IMU that arrived late. Unit: 1."""
 
     def __init__(
         self,
@@ -3137,9 +3138,9 @@ class ComplementaryFilterResponse(Response):
     heading_enable: bool
     """Corrects the heading (north, in terms of the 5-series)."""
     pitch_roll_time_constant: float
-    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."""
+    """Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10."""
     heading_time_constant: float
-    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
+    """Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10."""
 
     def __init__(
         self,
@@ -3593,7 +3594,7 @@ class GetEventSupportResponse(Response):
     )
 
     query: EventSupportQuery
-    """Query given in the command."""
+    """Query specified in the command."""
     max_instances: int
     """Number of slots; instances go from 1 to this. Unit: 1."""
     # On the wire only: num_entries. Number of types. The number of elements of `entries`.
@@ -3922,8 +3923,8 @@ class OdometerConfigResponse(Response):
     mode: OdometerMode
     """Operation of the input."""
     scaling: float
-    """Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m. Pulses
-    on line A per turn of the wheel, divided by the circumference of the wheel.
+    """Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m.
+    Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
     """
     uncertainty: float
     """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."""
@@ -3986,7 +3987,7 @@ class GetCalibratedSensorRangesResponse(Response):
     )
 
     sensor: SensorRangeType
-    """Sensor given in the command."""
+    """Sensor specified in the command."""
     # On the wire only: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
     """Each range that the sensor is calibrated for.
@@ -4548,8 +4549,8 @@ class NmeaMessageFormat(Command[R]):
 
     A sentence may be listed several times with different talkers or sources. A sentence is sent
     only while the device is not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS
-    rejects the format if a sentence would come more than 10 times per second, or, from a GNSS set,
-    more than twice.
+    rejects the format if a sentence would be sent more than 10 times per second, or, from a GNSS
+    set, more than twice.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -5050,7 +5051,7 @@ class ConstellationSettings(Command[R]):
 class GnssSbasSettings(Command[R]):
     """GNSS SBAS Settings (0x0C,0x22).
 
-    Sets how the GNSS receivers use satellite based augmentation.
+    Sets how the GNSS receivers use satellite-based augmentation (SBAS).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GnssSbasSettingsResponse`. Probably changes `gnss_data.SbasInfo` and
@@ -5158,7 +5159,7 @@ class GnssAssistedFix(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
     Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
-    The last fix is kept in the flash memory and the FRAM of the receiver. With the time of
+    The last fix is kept in the flash memory and the FRAM of the receiver. If you send the time with
     `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
     enabled to none erases the flash memory of the receiver, which is rated for 100 000 erasures.
     The power consumption is slightly higher.
@@ -6282,26 +6283,26 @@ class ImuSignalConditioning(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     orientation_decimation: int | None
-    """Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
-    Required for `write`.
+    """Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1
+    to 1000. Required for `write`.
     """
     data_conditioning_flags: DataConditioningFlags | None
     """Processing steps. Default: 3. Required for `write`."""
     inertial_filter_width: int | None
-    """Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32.
-    Default: 15. Required for `write`.
+    """Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default:
+    15. Required for `write`.
     """
     mag_filter_width: int | None
-    """Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17.
-    Required for `write`.
+    """Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17. Required
+    for `write`.
     """
     up_compensation: int | None
-    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+    """Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10.
     Required for `write`.
     """
     north_compensation: int | None
-    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
-    Required for `write`.
+    """Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. Required for
+    `write`.
     """
     mag_bandwidth: MagBandwidth | None
     """Bandwidth of the magnetometer of 3-series devices. Required for `write`."""
@@ -6386,12 +6387,12 @@ class ImuSignalConditioning(Command[R]):
 class ImuTimestamp(Command[R]):
     """IMU timestamp (0x0C,0x36).
 
-    Sets or reads a counter of the time of the sensor data.
+    Sets or reads a time counter of the sensor data.
 
     No device is certain to support it. Functions: `write` and `read`. Answered by
     `ImuTimestampResponse`. Known only from the MIP SDK of 2014. Uncertain: Which devices have it.
-    The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read needs
-    `time` and ignores it, or leaves it out, as is assumed.
+    The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read
+    includes `time`, which is ignored, or omits it, as is assumed.
 
     - mip-sdk-2014: IMU timestamp (0x0C,0x36)
     """
@@ -6525,7 +6526,7 @@ class AccelBias(Command[R]):
     def apply(
         cls: ClassOf[AccelBias[Any]], bias: types.Vector3f | codec.Numbers
     ) -> AccelBias[None]:
-        """Apply the new setting and send no acknowledge (5-series devices)."""
+        """Apply the new setting without sending an ACK (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
     @property
@@ -6611,7 +6612,7 @@ class GyroBias(Command[R]):
 
     @classmethod
     def apply(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f | codec.Numbers) -> GyroBias[None]:
-        """Apply the new setting and send no acknowledge (5-series devices)."""
+        """Apply the new setting without sending an ACK (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
     @property
@@ -6743,7 +6744,7 @@ class MagHardIronOffset(Command[R]):
     def apply(
         cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f | codec.Numbers
     ) -> MagHardIronOffset[None]:
-        """Apply the new setting and send no acknowledge (5-series devices)."""
+        """Apply the new setting without sending an ACK (5-series devices)."""
         return cls(FunctionSelector.APPLY, offset=offset)
 
     @property
@@ -6836,7 +6837,7 @@ class MagSoftIronMatrix(Command[R]):
     def apply(
         cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f | codec.Rows
     ) -> MagSoftIronMatrix[None]:
-        """Apply the new setting and send no acknowledge (5-series devices)."""
+        """Apply the new setting without sending an ACK (5-series devices)."""
         return cls(FunctionSelector.APPLY, matrix=matrix)
 
     @property
@@ -7197,7 +7198,7 @@ class OdometerConfig(Command[R]):
     mode: OdometerMode | None
     """Operation of the input. Required for `write`."""
     scaling: float | None
-    """Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+    """Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m.
     Required for `write`. Pulses on line A per turn of the wheel, divided by the circumference of
     the wheel.
     """
@@ -7448,12 +7449,12 @@ class ComplementaryFilter(Command[R]):
     - On the 3DM-GX5-15: default true.
     """
     pitch_roll_time_constant: float | None
-    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+    """Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10.
     Required for `write`.
     """
     heading_time_constant: float | None
-    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
-    Required for `write`.
+    """Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. Required for
+    `write`.
     """
 
     def __init__(
@@ -7875,9 +7876,9 @@ class DevicePowerState(Command[R]):
     Answered by `DevicePowerStateResponse`. The device may take 5 s to answer. Known only from the
     MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A
     comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The
-    SDK of 2014 uses a longer one than usual; 5 s is assumed. Uncertain: Whether `state` may be left
-    out with functions other than write. The SDK of 2014 sends `device` with every function, and a 0
-    in place of `state`.
+    SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether `state` may be
+    omitted with functions other than write. The SDK of 2014 sends `device` with every function, and
+    a 0 in place of `state`.
 
     - mip-sdk-2014: Device power state (0x0C,0x61)
     - mscl: Device power state (0x0C,0x61)
@@ -8035,8 +8036,8 @@ class DeviceStatus(
     `DeviceStatusDiagnosticGx3Response`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
     3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
-    The device expects its own model number, which `base.GetDeviceInfo` returns. Families of devices
-    answer in different layouts. The selector and the length distinguish them.
+    The device expects its own model number, which `base.GetDeviceInfo` returns. Device families
+    reply in different layouts. The selector and the length distinguish them.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -8070,14 +8071,14 @@ class DeviceStatus(
     _LAYOUT = (("model_number", "H", None), ("status_selector", "B", DeviceStatusSelector))
 
     model_number: int
-    """Model number of the device that answers.
+    """Model number of the device that replies.
 
     - On the 3DM-GX5-15: always 6254.
     - On the 3DM-GX5-35: always 6252.
     - On the 3DM-GX5-45: always 6251.
     """
     status_selector: DeviceStatusSelector
-    """Level of detail of the answer."""
+    """Level of detail of the reply."""
 
     def __init__(self, model_number: int, status_selector: DeviceStatusSelector) -> None:
         self.model_number = model_number

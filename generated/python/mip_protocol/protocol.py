@@ -28,13 +28,13 @@ class FunctionSelector(codec.OpenEnum):
     DEFAULT = 5
     """Load the factory default setting."""
     APPLY = 6
-    """Apply the new setting and send no acknowledge (5-series devices)."""
+    """Apply the new setting without sending an ACK (5-series devices)."""
 
 
 class Acknowledge(Shared, Response):
     """Acknowledge (0x00,0xF1).
 
-    Answers one command field. A response, if there is one, follows it in the same packet.
+    Replies to one command field. A response, if there is one, follows it in the same packet.
 
     - 3dm-gx5-15: 2.2.2 Example “Ping” Reply Packet
     - 3dm-cv7-gnss-ins: Ack/Nack Field Specification
@@ -51,7 +51,7 @@ class Acknowledge(Shared, Response):
     _LAYOUT = (("command", "B", None), ("code", "B", types.AckCode))
 
     command: int
-    """Descriptor of the command that is answered."""
+    """Descriptor of the command that this replies to."""
     code: types.AckCode
     """0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK)."""
 

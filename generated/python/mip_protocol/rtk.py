@@ -2,7 +2,7 @@
 
 Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
 
-Uncertain: The SDK describes hardly anything of this set; most descriptions follow from the names.
+Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the names.
 Uncertain: How the strings are padded or ended.
 
 - mip-sdk-4: Rtk Commands (0x0F)
@@ -20,7 +20,7 @@ from .protocol import FunctionSelector
 
 
 class ConnectedDevice(codec.OpenEnum):
-    """A device that a corrections modem serves.
+    """Type of device connected to a corrections modem.
 
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
@@ -248,7 +248,7 @@ class GetActivationCodeResponse(Response):
     _LAYOUT = (("activation_code", "", wire.Text(32, 32)),)
 
     activation_code: str
-    """Code with which the modem is activated for its service."""
+    """Code that activates the modem for its service."""
 
     def __init__(self, activation_code: str) -> None:
         self.activation_code = activation_code
@@ -505,7 +505,7 @@ class ConnectedDeviceType(Command[R]):
 class GetActivationCode(Command[GetActivationCodeResponse]):
     """Get activation code (0x0F,0x07).
 
-    Reads the code with which the modem is activated for its service.
+    Reads the code that activates the modem for its service.
 
     No device is certain to support it. Also called `get_act_code`. Answered by
     `GetActivationCodeResponse`. Known only from the MicroStrain MIP SDK.
@@ -552,7 +552,7 @@ class ServiceStatus(Command[ServiceStatusResponse]):
     Answered by `ServiceStatusResponse`. Sent by the device; the host answers. Not listed in any
     device profile. Known only from the MicroStrain MIP SDK.
 
-    The modem sends it as a host would, and the server answers as a device would.
+    The modem sends it as a host would, and the server replies as a device would.
 
     - mip-sdk-4: Service status (0x0F,0x0A)
     """

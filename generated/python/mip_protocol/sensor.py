@@ -388,7 +388,7 @@ class CompOrientationUpdateMatrix(Data):
 
     Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
     profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of
-    the change and the frames. The SDK and the SDK of 2014 state the name and the layout only.
+    the change and the frames. The SDK and the SDK of 2014 state only the name and the layout.
 
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
     - mip-sdk-2014: Orientation Update Matrix (0x80,0x0B)
@@ -465,8 +465,8 @@ class OrientationRawTemperature(Data):
     `orientation_raw_temp`. Not listed in any device profile. Known only from the MIP SDK of 2014
     and MicroStrain MIP SDK.
 
-    The first sensor is that of the magnetometer, the second that of gyroscope 3 and accelerometer
-    3, the third that of gyroscope 2 and accelerometers 1 and 2, the fourth that of gyroscope 1.
+    The first sensor belongs to the magnetometer, the second to gyroscope 3 and accelerometer 3, the
+    third to gyroscope 2 and accelerometers 1 and 2, the fourth to gyroscope 1.
 
     - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
     - mip-sdk-2014: Raw Temperature (0x80,0x0D)
@@ -567,7 +567,7 @@ class PpsTimestampWithFlags(Data):
     Deprecated: the SDK marks the descriptor as deprecated and names no replacement. Distinguished
     from `PpsTimestamp` by the size of its data. Not listed in any device profile. Known only from
     the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices send it. The
-    SDK of 2014 is of the time of the 3DM-GX3 devices. Uncertain: The epoch.
+    SDK of 2014 dates from the time of the 3DM-GX3 devices. Uncertain: The epoch.
 
     The sources contradict each other. MSCL and the SDK of 2014 have this layout, and agree.
 

@@ -120,11 +120,11 @@ class InterfaceControl(Command[R]):
     `InterfaceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     Accepted on the main port only. The main port always keeps MIP in both directions. The change
-    comes before the acknowledge, which is sent on the main port; bytes that arrive during the
-    change may be lost. The device rejects protocols that it or the port does not have, and more
-    parsers than it has; then nothing is changed. Answers to an incoming protocol are sent on the
-    same port, even if the protocol is not an outgoing one. Devices differ in how many protocols
-    they receive and send at a time.
+    takes effect before the ACK, which is sent on the main port. Bytes that arrive during the change
+    may be lost. The device rejects protocols that it or the port does not have, and more parsers
+    than it has; then nothing is changed. Replies to an incoming protocol are sent on the same port,
+    even if the protocol is not an outgoing one. Devices differ in how many protocols they receive
+    and send at a time.
 
     - mip-sdk-4: Interface control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
@@ -227,8 +227,8 @@ class CommMode(Command[R]):
     For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `CommModeResponse`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
-    The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
-    command and `mip_3dm.DeviceStatus` of the device itself are answered.
+    The ACK is sent in the old mode, just before the switch. In a direct mode, the device itself
+    replies only to this command and `mip_3dm.DeviceStatus`.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """

@@ -118,11 +118,11 @@ class Cv7ContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Fault of the accelerometer calibration. Bit 36. Concerns `sensor.ScaledAccel`."""
+    """Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Fault of the gyroscope calibration. Bit 37. Concerns `sensor.ScaledGyro`."""
+    """Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Fault of the magnetometer calibration. Bit 38. Concerns `sensor.ScaledMag`."""
+    """Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
     """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
@@ -184,9 +184,9 @@ class Cv7ContinuousBuiltInTest(IntFlag):
 @codec.open_flag(128)
 class Cv7InertialContinuousBuiltInTest(IntFlag):
     """Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver:
-    bits 0-31 system, 32-63 inertial sensors, 64-95 navigation. Uncertain: What the bits mean. The
-    sources have numbers and names only; the descriptions are those of the 3DM-CV7-GNSS/INS where
-    the names are the same.
+    bits 0-31 system, 32-63 inertial sensors, 64-95 navigation. Uncertain: The meaning of the bits.
+    The sources list only numbers and names; the descriptions are those of the 3DM-CV7-GNSS/INS
+    where the names are the same.
 
     - ros-driver: Built-in test of the CV7
     - mscl: Continuous built-in test
@@ -225,11 +225,11 @@ class Cv7InertialContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Fault of the accelerometer calibration. Bit 36. Concerns `sensor.ScaledAccel`."""
+    """Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Fault of the gyroscope calibration. Bit 37. Concerns `sensor.ScaledGyro`."""
+    """Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Fault of the magnetometer calibration. Bit 38. Concerns `sensor.ScaledMag`."""
+    """Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
     """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
@@ -281,8 +281,9 @@ class Cv7InertialContinuousBuiltInTest(IntFlag):
 @codec.open_flag(128)
 class Gq7ContinuousBuiltInTest(IntFlag):
     """Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial
-    sensors, 64-95 navigation, 96-127 GNSS. Uncertain: What the bits mean. The sources have numbers
-    and names only; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
+    sensors, 64-95 navigation, 96-127 GNSS. Uncertain: The meaning of the bits. The sources list
+    only numbers and names; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are
+    the same.
 
     - ros-driver: Built-in test of the GQ7
     - mscl: Continuous built-in test
@@ -311,11 +312,11 @@ class Gq7ContinuousBuiltInTest(IntFlag):
     IMU_TIMING_OVERRUN = 1 << 34
     """Inertial sensor processes take longer than their time slot. Bit 34."""
     IMU_CALIBRATION_ERROR_ACCEL = 1 << 36
-    """Fault of the accelerometer calibration. Bit 36. Concerns `sensor.ScaledAccel`."""
+    """Accelerometer calibration fault. Bit 36. Concerns `sensor.ScaledAccel`."""
     IMU_CALIBRATION_ERROR_GYRO = 1 << 37
-    """Fault of the gyroscope calibration. Bit 37. Concerns `sensor.ScaledGyro`."""
+    """Gyroscope calibration fault. Bit 37. Concerns `sensor.ScaledGyro`."""
     IMU_CALIBRATION_ERROR_MAG = 1 << 38
-    """Fault of the magnetometer calibration. Bit 38. Concerns `sensor.ScaledMag`."""
+    """Magnetometer calibration fault. Bit 38. Concerns `sensor.ScaledMag`."""
     ACCEL_GENERAL_FAULT = 1 << 40
     """The accelerometer failed to initialize. Bit 40. Concerns `sensor.ScaledAccel`."""
     ACCEL_OVER_RANGE = 1 << 41
@@ -464,7 +465,7 @@ class EventTriggerType(codec.OpenEnum):
     THRESHOLD = 2
     """Compares one value of a data field with thresholds."""
     COMBINATION = 3
-    """Combines up to four other triggers by a truth table."""
+    """Combines up to four other triggers in a truth table."""
 
 
 class EventActionType(codec.OpenEnum):
@@ -490,7 +491,7 @@ class EventTriggerMode(codec.OpenEnum):
     """
 
     DISABLED = 0
-    """The trigger is never active. This is its mode after configuration."""
+    """The trigger is never active. Configuring a trigger sets this mode."""
     ENABLED = 1
     """The trigger works as configured."""
     TEST = 2
@@ -813,7 +814,7 @@ class GnssFixType(codec.OpenEnum):
     FIX_NONE = 3
     """No fix."""
     FIX_INVALID = 4
-    """Fix that is not valid."""
+    """The fix is not valid."""
     FIX_RTK_FLOAT = 5
     """RTK fix with float ambiguities."""
     FIX_RTK_FIXED = 6
@@ -1070,21 +1071,21 @@ class NmeaMessageId(codec.OpenEnum):
     """
 
     GGA = 1
-    """GNSS fix. From a GNSS or the filter data set."""
+    """GNSS fix, from a GNSS data set or the filter data set."""
     GLL = 2
-    """Latitude and longitude. From a GNSS or the filter data set."""
+    """Latitude and longitude, from a GNSS data set or the filter data set."""
     GSV = 3
-    """Satellites in view. From a GNSS data set; the talker follows the constellation."""
+    """Satellites in view, from a GNSS data set. The constellation determines the talker."""
     RMC = 4
-    """Recommended minimum GNSS data. From a GNSS or the filter data set."""
+    """Recommended minimum GNSS data, from a GNSS data set or the filter data set."""
     VTG = 5
-    """Course and speed over ground. From a GNSS or the filter data set."""
+    """Course and speed over ground, from a GNSS data set or the filter data set."""
     HDT = 6
-    """True heading. From a GNSS or the filter data set."""
+    """True heading, from a GNSS data set or the filter data set."""
     ZDA = 7
-    """Time and date. From a GNSS data set."""
+    """Time and date, from a GNSS data set."""
     GST = 8
-    """GNSS error statistics. From a GNSS or the filter data set."""
+    """GNSS error statistics, from a GNSS data set or the filter data set."""
     MSRA = 129
     """Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in
     degrees with three decimals. From the filter data set.
@@ -1180,8 +1181,8 @@ class RtkStatusFlags(IntFlag):
     `RtkStatusFlagsLegacy`. Uncertain: Which model sends which of the two forms. The SDK states only
     that it depends on the model number. Uncertain: Other software of the vendor evaluates
     `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits
-    are `sinr`. Uncertain: The SDK has the names only; the descriptions follow from them. The
-    meaning of the values is not known.
+    are `sinr`. Uncertain: The SDK lists only the names, from which the descriptions are inferred.
+    The meaning of the values is not known.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -1276,8 +1277,8 @@ class RtkStatusFlags(IntFlag):
 class RtkStatusFlagsLegacy(IntFlag):
     """State of the modem and of the corrections, in its older form. Uncertain: Which model sends
     which of the two forms; see `RtkStatusFlags`. Uncertain: The SDK calls bits 20-31 reserved, but
-    also puts the last four numbers there. Uncertain: The SDK has the names only; the descriptions
-    follow from them. The meaning of the values is not known.
+    also puts the last four numbers there. Uncertain: The SDK lists only the names, from which the
+    descriptions are inferred. The meaning of the values is not known.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """

@@ -27,13 +27,13 @@ pub type Apply<C> = crate::Call<C, { FunctionSelector::APPLY.0 }>;
 record! {
     /// Acknowledge (0x00,0xF1).
     ///
-    /// Answers one command field. A response, if there is one, follows it in the same packet.
+    /// Replies to one command field. A response, if there is one, follows it in the same packet.
     ///
     /// Source: 3dm-gx5-15: 2.2.2 Example “Ping” Reply Packet; 3dm-cv7-gnss-ins: Ack/Nack Field
     /// Specification.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct Acknowledge {
-        /// Descriptor of the command that is answered.
+        /// Descriptor of the command that this replies to.
         pub command: u8,
         /// 0 (ACK) if the device carried out the command, otherwise the reason why it did not
         /// (NACK).

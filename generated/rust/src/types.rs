@@ -13,7 +13,7 @@ open_enum! {
         LOAD = 4, "load";
         /// Load the factory default setting.
         DEFAULT = 5, "default";
-        /// Apply the new setting and send no acknowledge (5-series devices).
+        /// Apply the new setting without sending an ACK (5-series devices).
         APPLY = 6, "apply";
     }
 }
@@ -161,15 +161,15 @@ bitfield! {
         /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Fault of the accelerometer calibration. Bit 36. Concerns
+        /// Accelerometer calibration fault. Bit 36. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Fault of the gyroscope calibration. Bit 37. Concerns
+        /// Gyroscope calibration fault. Bit 37. Concerns
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Fault of the magnetometer calibration. Bit 38. Concerns
+        /// Magnetometer calibration fault. Bit 38. Concerns
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
@@ -253,8 +253,8 @@ bitfield! {
     /// Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver:
     /// bits 0-31 system, 32-63 inertial sensors, 64-95 navigation.
     ///
-    /// Uncertain: What the bits mean. The sources have numbers and names only; the descriptions are
-    /// those of the 3DM-CV7-GNSS/INS where the names are the same.
+    /// Uncertain: The meaning of the bits. The sources list only numbers and names; the
+    /// descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
     ///
     /// Source: ros-driver: Built-in test of the CV7; mscl: Continuous built-in test.
     Cv7InertialContinuousBuiltInTest: [u8; 16] {
@@ -306,15 +306,15 @@ bitfield! {
         /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Fault of the accelerometer calibration. Bit 36. Concerns
+        /// Accelerometer calibration fault. Bit 36. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Fault of the gyroscope calibration. Bit 37. Concerns
+        /// Gyroscope calibration fault. Bit 37. Concerns
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Fault of the magnetometer calibration. Bit 38. Concerns
+        /// Magnetometer calibration fault. Bit 38. Concerns
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
@@ -385,8 +385,8 @@ bitfield! {
     /// Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial
     /// sensors, 64-95 navigation, 96-127 GNSS.
     ///
-    /// Uncertain: What the bits mean. The sources have numbers and names only; the descriptions are
-    /// those of the 3DM-CV7-GNSS/INS where the names are the same.
+    /// Uncertain: The meaning of the bits. The sources list only numbers and names; the
+    /// descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
     ///
     /// Source: ros-driver: Built-in test of the GQ7; mscl: Continuous built-in test.
     Gq7ContinuousBuiltInTest: [u8; 16] {
@@ -423,15 +423,15 @@ bitfield! {
         /// Inertial sensor processes take longer than their time slot. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
-        /// Fault of the accelerometer calibration. Bit 36. Concerns
+        /// Accelerometer calibration fault. Bit 36. Concerns
         /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel).
         IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
             imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
-        /// Fault of the gyroscope calibration. Bit 37. Concerns
+        /// Gyroscope calibration fault. Bit 37. Concerns
         /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         IMU_CALIBRATION_ERROR_GYRO: bool = 37,
             imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
-        /// Fault of the magnetometer calibration. Bit 38. Concerns
+        /// Magnetometer calibration fault. Bit 38. Concerns
         /// [`sensor::ScaledMag`](crate::sensor::ScaledMag).
         IMU_CALIBRATION_ERROR_MAG: bool = 38,
             imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
@@ -575,7 +575,7 @@ open_enum! {
         GPIO = 1, "gpio";
         /// Compares one value of a data field with thresholds.
         THRESHOLD = 2, "threshold";
-        /// Combines up to four other triggers by a truth table.
+        /// Combines up to four other triggers in a truth table.
         COMBINATION = 3, "combination";
     }
 }
@@ -601,7 +601,7 @@ open_enum! {
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B); 3dm-cv7-gnss-ins: Enabling & Disabling
     /// Triggers.
     EventTriggerMode: u8 {
-        /// The trigger is never active. This is its mode after configuration.
+        /// The trigger is never active. Configuring a trigger sets this mode.
         DISABLED = 0, "disabled";
         /// The trigger works as configured.
         ENABLED = 1, "enabled";
@@ -991,7 +991,7 @@ open_enum! {
         FIX_TIME_ONLY = 2, "fix_time_only";
         /// No fix.
         FIX_NONE = 3, "fix_none";
-        /// Fix that is not valid.
+        /// The fix is not valid.
         FIX_INVALID = 4, "fix_invalid";
         /// RTK fix with float ambiguities.
         FIX_RTK_FLOAT = 5, "fix_rtk_float";
@@ -1253,21 +1253,21 @@ open_enum! {
     /// Source: 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs; 3dm-cv7-gnss-ins: PMSRA -
     /// Euler Angles; 3dm-cv7-gnss-ins: PMSRR - Angular Rate and Acceleration.
     NmeaMessageId: u8 {
-        /// GNSS fix. From a GNSS or the filter data set.
+        /// GNSS fix, from a GNSS data set or the filter data set.
         GGA = 1, "gga";
-        /// Latitude and longitude. From a GNSS or the filter data set.
+        /// Latitude and longitude, from a GNSS data set or the filter data set.
         GLL = 2, "gll";
-        /// Satellites in view. From a GNSS data set; the talker follows the constellation.
+        /// Satellites in view, from a GNSS data set. The constellation determines the talker.
         GSV = 3, "gsv";
-        /// Recommended minimum GNSS data. From a GNSS or the filter data set.
+        /// Recommended minimum GNSS data, from a GNSS data set or the filter data set.
         RMC = 4, "rmc";
-        /// Course and speed over ground. From a GNSS or the filter data set.
+        /// Course and speed over ground, from a GNSS data set or the filter data set.
         VTG = 5, "vtg";
-        /// True heading. From a GNSS or the filter data set.
+        /// True heading, from a GNSS data set or the filter data set.
         HDT = 6, "hdt";
-        /// Time and date. From a GNSS data set.
+        /// Time and date, from a GNSS data set.
         ZDA = 7, "zda";
-        /// GNSS error statistics. From a GNSS or the filter data set.
+        /// GNSS error statistics, from a GNSS data set or the filter data set.
         GST = 8, "gst";
         /// Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in
         /// degrees with three decimals. From the filter data set.
@@ -1366,8 +1366,8 @@ bitfield! {
     /// Uncertain: Which model sends which of the two forms. The SDK states only that it depends on
     /// the model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the
     /// legacy form, 1 is this one. In the legacy form of the SDK the same two bits are `sinr`.
-    /// Uncertain: The SDK has the names only; the descriptions follow from them. The meaning of the
-    /// values is not known.
+    /// Uncertain: The SDK lists only the names, from which the descriptions are inferred. The
+    /// meaning of the values is not known.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     RtkStatusFlags: u32 {
@@ -1413,8 +1413,8 @@ bitfield! {
     ///
     /// Uncertain: Which model sends which of the two forms; see [`RtkStatusFlags`]. Uncertain: The
     /// SDK calls bits 20-31 reserved, but also puts the last four numbers there. Uncertain: The SDK
-    /// has the names only; the descriptions follow from them. The meaning of the values is not
-    /// known.
+    /// lists only the names, from which the descriptions are inferred. The meaning of the values is
+    /// not known.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     RtkStatusFlagsLegacy: u32 {

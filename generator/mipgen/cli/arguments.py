@@ -138,7 +138,7 @@ def parser() -> argparse.ArgumentParser:
         "--ignore",
         type=Path,
         metavar="FILE",
-        help="a YAML list of changes that do not count, each with a reason",
+        help="a YAML list of changes to ignore, each with a reason",
     )
     diff.add_argument(
         "--release",
@@ -207,7 +207,7 @@ def _part(command: argparse.ArgumentParser) -> None:
         ("field", "NAME", "this field, such as 3dm.message_format"),
     ):
         group.add_argument(f"--{name}", action="append", dest=f"{name}s", default=[], metavar=metavar, help=text)
-    group.add_argument("--certain", action="store_true", help="of the devices only what they support for certain")
+    group.add_argument("--certain", action="store_true", help="only what the devices support for certain")
 
 
 def _out(command: argparse.ArgumentParser) -> None:

@@ -15,7 +15,7 @@ def add_selection(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME,...",
-        help="these fields or sets only: sensor.scaled_accel, sensor, 0x80, 0x80:0x04",
+        help="only these fields or sets: sensor.scaled_accel, sensor, 0x80, 0x80:0x04",
     )
     parser.add_argument("--without", action="append", default=[], metavar="NAME,...", help="all except these")
 

@@ -40,7 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="a field and its rate; SET:NAME@HZ for a shared field; NAME@HZ*N with N elements",
     )
     add("--device", metavar="DEVICE", help="check rates and ports of this device")
-    add("--baud", type=hertz, metavar="BD", help="how much of this rate is used")
+    add("--baud", type=hertz, metavar="BD", help="show how much of this rate is used")
 
 
 class Stream(NamedTuple):

@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("action", choices=list(_NEEDED), metavar="ACTION", help=", ".join(_NEEDED))
-    add("names", nargs="+", metavar="PORT|FILE", help="such as /dev/ttyACM0, COM3, HOST:PORT; a file of settings")
+    add("names", nargs="+", metavar="PORT|FILE", help="a port such as /dev/ttyACM0, COM3, HOST:PORT; a settings file")
     add("-o", dest="output", metavar="FILE", default="-", help="pull: write to this file (default: standard output)")
     ports.add_arguments(parser)
 

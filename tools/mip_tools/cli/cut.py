@@ -32,7 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("file", metavar="FILE", help="a log; - for standard input")
-    add("-o", "--output", required=True, metavar="FILE", help="where to write; - for standard output")
+    add("-o", "--output", required=True, metavar="FILE", help="output file; - for standard output")
     add("--begin", type=_when, metavar="T", help="start at this time")
     add("--end", type=_when, metavar="T", help="end at this time")
     add("--bytes", type=_range, metavar="A:B", help="packets that begin in these bytes, B not included")

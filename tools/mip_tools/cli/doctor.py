@@ -35,7 +35,7 @@ exit status: 0 if nothing is wrong, 1 if something is
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
-    add("input", metavar="PORT|LOG", help="such as /dev/ttyACM0, COM3, HOST:PORT; a log; - for standard input")
+    add("input", metavar="PORT|LOG", help="a port such as /dev/ttyACM0, COM3, HOST:PORT; a log; - for standard input")
     add("names", nargs="*", default=[], metavar="NAME@HZ", help="rates that a device should reach")
     add("--duration", type=seconds, default=5.0, metavar="S", help="seconds to watch a device (default: 5)")
     add("--html", metavar="FILE", help="write a report with a timeline")

@@ -42,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     form.add_argument("--json", action="store_true", help="a JSON object for each packet, as it arrives")
     add("--raw", action="store_true", help="add each packet in hexadecimal")
     add("--skipped", action="store_true", help="also show bytes outside packets")
-    add("--count", type=positive, metavar="N", help="end after N packets")
+    add("--count", type=positive, metavar="N", help="stop after N packets")
     add_device(parser)
     silence.add_arguments(parser)
     ports.add_arguments(parser)

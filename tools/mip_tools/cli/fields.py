@@ -32,7 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("name", nargs="?", metavar="NAME", help="a set or a field")
     add("--search", metavar="TEXT", help="fields that have this text in their name or description")
-    add("--device", metavar="DEVICE", help="what this device has")
+    add("--device", metavar="DEVICE", help="only the fields of this device")
     add("--json", action="store_true", help="print JSON, for programs")
 
 

@@ -31,18 +31,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("logs", nargs="+", metavar="LOGS", help="folders, logs, or URLs of either")
-    add("-o", "--output", required=True, metavar="FOLDER", help="the data set, which is made or added to")
+    add("-o", "--output", required=True, metavar="FOLDER", help="the data set, which is created or extended")
     add("--pattern", default="*.bin", help="names of the logs in a folder (default: %(default)s)")
-    add("--only", action="append", default=[], metavar="NAME,...", help="these fields or sets only")
+    add("--only", action="append", default=[], metavar="NAME,...", help="only these fields or sets")
     add(
         "--invalid",
         choices=("keep", "mask", "drop"),
         default="keep",
-        help="values that their flags say are not valid: keep them (default), leave them empty, or drop their rows",
+        help="values whose flags mark them as invalid: keep them (default), leave them empty, or drop their rows",
     )
-    add("--device-from", type=_group, metavar="REGEX", help="its group finds the device in the name of a log")
-    add("--workers", type=positive, metavar="N", help="processes of this machine (default: one for each core)")
-    add("--scheduler", metavar="ADDRESS", help="a Dask scheduler, in place of processes of this machine")
+    add("--device-from", type=_group, metavar="REGEX", help="pattern whose group is the device in the name of a log")
+    add("--workers", type=positive, metavar="N", help="number of local processes (default: one for each core)")
+    add("--scheduler", metavar="ADDRESS", help="a Dask scheduler, instead of local processes")
 
 
 def _group(text: str) -> str:

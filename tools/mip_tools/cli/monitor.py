@@ -36,9 +36,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("input", metavar="PORT", help="a port, a log, or - for standard input")
-    add("names", nargs="*", default=[], metavar="NAME", help="these fields or sets only")
-    add("--rate", type=hertz, default=4.0, metavar="HZ", help="how often to show (default: 4)")
-    add("--duration", type=seconds, metavar="S", help="end after S seconds")
+    add("names", nargs="*", default=[], metavar="NAME", help="only these fields or sets")
+    add("--rate", type=hertz, default=4.0, metavar="HZ", help="refresh rate (default: 4)")
+    add("--duration", type=seconds, metavar="S", help="stop after S seconds")
     add_device(parser)
     silence.add_arguments(parser)
     ports.add_arguments(parser)

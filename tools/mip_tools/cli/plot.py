@@ -34,10 +34,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("file", metavar="FILE", help="a log; - for standard input")
     add("names", nargs="+", metavar="NAME", help="fields, or FIELD.PARAMETER, FIELD.PARAMETER.ELEMENT")
-    add("-o", "--output", metavar="FILE", help="an image; without it, a window opens")
+    add("-o", "--output", metavar="FILE", help="write an image (default: open a window)")
     add("--together", action="store_true", help="draw all in one diagram")
     add("--invalid", choices=("mask", "keep"), default="mask", help="leave out invalid values (default), or keep them")
-    add("--size", type=_size, default=(10.0, 0.0), metavar="WxH", help="in inches; 10 wide by default")
+    add("--size", type=_size, default=(10.0, 0.0), metavar="WxH", help="size in inches (default: 10 wide)")
 
 
 def _size(text: str) -> tuple[float, float]:

@@ -28,7 +28,7 @@ takes the place of a list of the same firmware only; this needs the extra `yaml`
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
-    add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
+    add("port", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
     add("--spec", type=Path, default=Path(), metavar="FOLDER", help="a specification or an overlay (default: .)")
     add("--dry-run", "--stdout", action="store_true", dest="dry_run", help="print the file, write nothing")
     ports.add_arguments(parser)

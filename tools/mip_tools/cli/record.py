@@ -26,10 +26,10 @@ the program is killed, it is FILE.NUMBER.part.
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
-    add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
-    add("-o", "--output", required=True, metavar="FILE", help="where to write; - for standard output")
-    add("--duration", type=seconds, metavar="S", help="end after S seconds")
-    add("--packets", type=positive, metavar="N", help="end after N packets")
+    add("port", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
+    add("-o", "--output", required=True, metavar="FILE", help="output file; - for standard output")
+    add("--duration", type=seconds, metavar="S", help="stop after S seconds")
+    add("--packets", type=positive, metavar="N", help="stop after N packets")
     add("--force", action="store_true", help="replace an older recording, if anything is received")
     silence.add_arguments(parser)
     ports.add_arguments(parser)

@@ -37,14 +37,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     parser.usage = "mip send [options] PORT COMMAND [FUNCTION] [VALUE ...]"
     add = parser.add_argument
-    add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT; left out with --hex")
+    add("port", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT; left out with --hex")
     # It is missing with --hex, as there is no port before it then.
-    add("command_name", metavar="COMMAND", nargs="?", help="as `mip fields` names it")
+    add("command_name", metavar="COMMAND", nargs="?", help="name of the command, as in `mip fields`")
     add("function", metavar="FUNCTION", nargs="?", help="write, read, save, load or default")
     add("values", metavar="VALUE", nargs="*", default=[], help="values in order, or NAME=VALUE")
     add("--hex", action="store_true", help="print the bytes of the packet, send nothing")
     add("--timeout", type=seconds, metavar="S", help="seconds to wait (default: 1, or as specified)")
-    add("--json", action="store_true", help="print the answer as JSON")
+    add("--json", action="store_true", help="print the reply as JSON")
     add_device(parser)
     ports.add_arguments(parser)
 

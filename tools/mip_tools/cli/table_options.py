@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--invalid",
         choices=("keep", "mask", "drop"),
         default="keep",
-        help="values that their flags say are not valid: keep them (default), leave them empty, or drop their rows",
+        help="values whose flags mark them as invalid: keep them (default), leave them empty, or drop their rows",
     )
     add("--names", action="store_true", dest="named", help="names of values and flags, not numbers")
 

@@ -52,9 +52,9 @@ chance; all=RATE is every kind.
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
-    add("device", nargs="?", metavar="DEVICE", help="which device, as listed by --list")
-    add("--list", action="store_true", help="list the devices and end")
-    add("--no-effect", action="store_true", help="list the commands that change nothing on a virtual device and end")
+    add("device", nargs="?", metavar="DEVICE", help="name of the device, as listed by --list")
+    add("--list", action="store_true", help="list the devices and exit")
+    add("--no-effect", action="store_true", help="list the commands that change nothing on a virtual device and exit")
     add("--certain", action="store_true", help="only the commands and data that the device is known to have")
     add("--pty", action="append", default=[], metavar="PATH", help="a pseudo-terminal, with a link to it at PATH")
     add("--tcp", action="append", default=[], metavar="[HOST:]PORT", help="a TCP port; 0: the system chooses one")
@@ -72,7 +72,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="standing (default), circle:radius=20,speed=5, track:file=CSV, trajectory:file=CSV or replay:file=LOG",
     )
     add("--scenario", type=Path, metavar="FILE", help="a YAML file with events, and perhaps devices and their ports")
-    add("--schema", action="store_true", help="print the JSON schema of scenario files and end")
+    add("--schema", action="store_true", help="print the JSON schema of scenario files and exit")
     add(
         "--signal",
         type=_signal,
@@ -81,14 +81,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="PIN=HZ",
         help="a square wave at a pin of the device",
     )
-    add("--noise", type=_noise, default=1.0, metavar="X", help="times the usual noise (default: 1); 0: none")
-    add("--seed", type=int, default=0, metavar="N", help="for noise and faults (default: 0)")
+    add("--noise", type=_noise, default=1.0, metavar="X", help="multiple of the usual noise (default: 1); 0: none")
+    add("--seed", type=int, default=0, metavar="N", help="seed of noise and faults (default: 0)")
     add(
         "--speed",
         type=_speed,
         default=1.0,
         metavar="X",
-        help="times real time (default: 1); 0: as fast as clients read",
+        help="multiple of real time (default: 1); 0: as fast as clients read",
     )
     add(
         "--start",
@@ -97,7 +97,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="simulated time at the start: ISO 8601, UTC, or `now` "
         "(default: 2024-01-06T23:59:42, or that of a replayed log)",
     )
-    add("--duration", type=_seconds, metavar="S", help="end after this many simulated seconds")
+    add("--duration", type=_seconds, metavar="S", help="stop after this many simulated seconds")
     add(
         "--queue",
         type=_bytes,
@@ -105,7 +105,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="BYTES",
         help=f"how much waits for a slow client (default: {CAPACITY}); beyond it, the oldest packets are dropped",
     )
-    add("--storage", type=Path, metavar="FILE", help="keeps saved settings (default: they are lost at the end)")
+    add("--storage", type=Path, metavar="FILE", help="keep saved settings here (default: they are lost at the end)")
     add("--strict-baud", action="store_true", help="baud rates limit the data, and wrong ones garble them")
     add("--fault", action="append", default=[], metavar="FAULT,...", help="inject faults; see below")
     add("--fault-log", type=Path, metavar="FILE", help="log each fault as a line of JSON")

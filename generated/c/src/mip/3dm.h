@@ -207,7 +207,7 @@ struct mip_3dm_event_action_status_entry {
 /**
  * Motion that a GNSS receiver assumes. Uncertain: The value `fixed`. The SDK of 2014 numbers the
  * modes 0 to 8, but the list in its comments lacks this one, as u-blox receivers do. Uncertain: The
- * descriptions. The sources have names only; what is said of each mode is inferred from its name.
+ * descriptions. The sources list only names, from which the descriptions of the modes are inferred.
  *
  * - mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34)
  */
@@ -237,8 +237,8 @@ MIP_API const char *mip_3dm_receiver_dynamics_name(uint8_t value);
 /**
  * Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
  * protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain:
- * The descriptions. The sources have names only; what is said of each bit is inferred from its
- * name.
+ * The descriptions. The sources list only names, from which the descriptions of the bits are
+ * inferred.
  *
  * - mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35)
  * - mscl: IMU Signal Conditioning (0x0C,0x35)
@@ -250,7 +250,7 @@ typedef uint16_t mip_3dm_data_conditioning_flags;
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_CONING_SCULLING 0x0002U
 /** Bit 4. Sends floats with the least significant byte first. */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_LITTLE_ENDIAN_FLOATS 0x0010U
-/** Bit 5. Suppresses values that are not a number. */
+/** Bit 5. Suppresses values that are NaN (not a number). */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_NAN_SUPPRESSED 0x0020U
 /** Bit 6. Corrects the distance between the accelerometers. */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_FINITE_SIZE_CORRECTION 0x0040U
@@ -279,7 +279,7 @@ enum mip_3dm_mag_bandwidth MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_mag_bandwidth_name(uint8_t value);
 /**
- * A counter of the time of the sensor data.
+ * A time counter of the sensor data.
  *
  * - mip-sdk-2014: IMU Timestamp (0x0C,0x36)
  */
@@ -397,7 +397,7 @@ MIP_API const char *mip_3dm_sensor_power_state_name(uint8_t value);
 enum mip_3dm_device_status_selector MIP_ENUM_8 {
     /** State and timer. */
     MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC = 1,
-    /** State and timer with the counters of streams and port. */
+    /** State, timer, and the counters of streams and port. */
     MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC = 2
 };
 
@@ -1328,8 +1328,8 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode
  *
  * A sentence is sent only while the device is not idle and the data of the source is valid.
  *
- * The 3DM-CV7-GNSS/INS rejects the format if a sentence would come more than 10 times per second,
- * or, from a GNSS set, more than twice.
+ * The 3DM-CV7-GNSS/INS rejects the format if a sentence would be sent more than 10 times per
+ * second, or, from a GNSS set, more than twice.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
@@ -1575,7 +1575,7 @@ mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descri
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
 struct mip_3dm_get_base_rate_response {
-    /** Data descriptor set given in the command. */
+    /** Data descriptor set specified in the command. */
     uint8_t descriptor_set;
     /** Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz. */
     uint16_t rate;
@@ -1977,7 +1977,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
  */
 struct mip_3dm_data_stream_control_response {
     /**
-     * Stream given in the command. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
+     * Stream specified in the command. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
      * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
      * 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
      * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
@@ -2233,7 +2233,7 @@ MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_enco
 /**
  * GNSS SBAS Settings: command (0x0C,0x22).
  *
- * Sets how the GNSS receivers use satellite based augmentation.
+ * Sets how the GNSS receivers use satellite-based augmentation (SBAS).
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
  * Probably changes mip_gnss_data_sbas_info and mip_gnss_data_sbas_correction. Supported by
@@ -2390,8 +2390,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
  *
- * With the time of mip_3dm_gnss_time_assistance right after power-up, the first fix takes 1 s at
- * best.
+ * If you send the time with mip_3dm_gnss_time_assistance right after power-up, the first fix takes
+ * 1 s at best.
  *
  * A change from enabled to none erases the flash memory of the receiver, which is rated for 100 000
  * erasures.
@@ -2831,7 +2831,7 @@ static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
 struct mip_3dm_get_event_support_response {
-    /** Query given in the command. A value of enum mip_3dm_event_support_query. */
+    /** Query specified in the command. A value of enum mip_3dm_event_support_query. */
     uint8_t query;
     /** Number of slots; instances go from 1 to this. Unit: 1. */
     uint8_t max_instances;
@@ -3219,7 +3219,7 @@ union mip_3dm_event_trigger_config_parameters {
      */
     struct mip_event_trigger_threshold threshold;
     /**
-     * If type is MIP_EVENT_TRIGGER_TYPE_COMBINATION. Combines up to four other triggers by a truth
+     * If type is MIP_EVENT_TRIGGER_TYPE_COMBINATION. Combines up to four other triggers in a truth
      * table.
      */
     struct mip_event_trigger_combination combination;
@@ -3363,7 +3363,7 @@ union mip_3dm_event_trigger_config_response_parameters {
      */
     struct mip_event_trigger_threshold threshold;
     /**
-     * If type is MIP_EVENT_TRIGGER_TYPE_COMBINATION. Combines up to four other triggers by a truth
+     * If type is MIP_EVENT_TRIGGER_TYPE_COMBINATION. Combines up to four other triggers in a truth
      * table.
      */
     struct mip_event_trigger_combination combination;
@@ -4278,30 +4278,30 @@ struct mip_3dm_imu_signal_conditioning {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
-     * Required for write.
+     * Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1
+     * to 1000. Required for write.
      */
     uint16_t orientation_decimation;
     /** Processing steps. Default: 3. Required for write. */
     mip_3dm_data_conditioning_flags data_conditioning_flags;
     /**
-     * Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32.
-     * Default: 15. Required for write.
+     * Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default:
+     * 15. Required for write.
      */
     uint8_t inertial_filter_width;
     /**
-     * Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17.
-     * Required for write.
+     * Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17. Required
+     * for write.
      */
     uint8_t mag_filter_width;
     /**
-     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+     * Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10.
      * Required for write.
      */
     uint16_t up_compensation;
     /**
-     * Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
-     * Required for write.
+     * Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. Required for
+     * write.
      */
     uint16_t north_compensation;
     /**
@@ -4337,18 +4337,17 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_encode(
 } /**
    * Apply the new setting. Fills the structure and returns its address.
    *
-   * - orientation_decimation: Divides 1000 Hz to the rate at which the orientation is computed.
-   * Unit:
-   *   1. Range: 1 to 1000. Required for write.
+   * - orientation_decimation: Divisor of 1000 Hz that sets the rate at which the orientation is
+   *   computed. Unit: 1. Range: 1 to 1000. Required for write.
    * - data_conditioning_flags: Processing steps. Default: 3. Required for write.
-   * - inertial_filter_width: Width of the filter of accelerometers and gyroscopes in samples. Unit:
-   *   1. Range: 1 to 32. Default: 15. Required for write.
-   * - mag_filter_width: Width of the filter of the magnetometer in samples. Unit: 1. Range: 1
-   * to 32. Default: 17. Required for write.
-   * - up_compensation: Time constant of the correction of pitch and roll. Unit: s. Range: 1 to
-   * 1000. Default: 10. Required for write.
-   * - north_compensation: Time constant of the correction of the heading. Unit: s. Range: 1 to
-   * 1000. Default: 10. Required for write.
+   * - inertial_filter_width: Width of the accelerometer and gyroscope filter in samples. Unit: 1.
+   *   Range: 1 to 32. Default: 15. Required for write.
+   * - mag_filter_width: Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32.
+   *   Default: 17. Required for write.
+   * - up_compensation: Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000.
+   *   Default: 10. Required for write.
+   * - north_compensation: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
+   *   Default: 10. Required for write.
    * - mag_bandwidth: Bandwidth of the magnetometer of 3-series devices. A value of enum
    *   mip_3dm_mag_bandwidth. Required for write.
    */
@@ -4408,23 +4407,22 @@ mip_3dm_imu_signal_conditioning_default(struct mip_3dm_imu_signal_conditioning *
  */
 struct mip_3dm_imu_signal_conditioning_response {
     /**
-     * Divides 1000 Hz to the rate at which the orientation is computed. Unit: 1. Range: 1 to 1000.
+     * Divisor of 1000 Hz that sets the rate at which the orientation is computed. Unit: 1. Range: 1
+     * to 1000.
      */
     uint16_t orientation_decimation;
     /** Processing steps. Default: 3. */
     mip_3dm_data_conditioning_flags data_conditioning_flags;
     /**
-     * Width of the filter of accelerometers and gyroscopes in samples. Unit: 1. Range: 1 to 32.
-     * Default: 15.
+     * Width of the accelerometer and gyroscope filter in samples. Unit: 1. Range: 1 to 32. Default:
+     * 15.
      */
     uint8_t inertial_filter_width;
-    /** Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32. Default: 17. */
+    /** Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32. Default: 17. */
     uint8_t mag_filter_width;
-    /**
-     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
-     */
+    /** Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10. */
     uint16_t up_compensation;
-    /** Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. */
+    /** Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. */
     uint16_t north_compensation;
     /** Bandwidth of the magnetometer of 3-series devices. A value of enum mip_3dm_mag_bandwidth. */
     uint8_t mag_bandwidth;
@@ -4457,12 +4455,12 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_enc
 /**
  * IMU timestamp: command (0x0C,0x36).
  *
- * Sets or reads a counter of the time of the sensor data.
+ * Sets or reads a time counter of the sensor data.
  *
  * No device is certain to support it. Functions: write and read. Answered by
  * mip_3dm_imu_timestamp_response. Known only from the MIP SDK of 2014. Uncertain: Which devices
  * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read
- * needs `time` and ignores it, or leaves it out, as is assumed.
+ * includes `time`, which is ignored, or omits it, as is assumed.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -4656,7 +4654,7 @@ mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
  *
  * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
@@ -4798,7 +4796,7 @@ mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
  *
  * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
@@ -5009,7 +5007,7 @@ mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *comman
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
  *
  * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
@@ -5160,7 +5158,7 @@ mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *comman
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
  *
  * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
@@ -5796,7 +5794,7 @@ struct mip_3dm_odometer_config {
     /** Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write. */
     uint8_t mode;
     /**
-     * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+     * Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m.
      * Required for write.
      *
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
@@ -5832,9 +5830,9 @@ MIP_CHECKED static inline mip_error mip_3dm_odometer_config_encode(
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - mode: Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write.
-   * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit:
-   * pulse/m. Required for write. Pulses on line A per turn of the wheel, divided by the
-   * circumference of the wheel.
+   * - scaling: Pulses per distance travelled; negative if the encoder rotates backwards. Unit:
+   *   pulse/m. Required for write. Pulses on line A per turn of the wheel, divided by the
+   *   circumference of the wheel.
    * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0.
    * Required for write.
    */
@@ -5888,7 +5886,7 @@ struct mip_3dm_odometer_config_response {
     /** Operation of the input. A value of enum mip_3dm_odometer_mode. */
     uint8_t mode;
     /**
-     * Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+     * Pulses per distance travelled; negative if the encoder rotates backwards. Unit: pulse/m.
      *
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
@@ -6168,13 +6166,13 @@ struct mip_3dm_complementary_filter {
      */
     mip_bool heading_enable;
     /**
-     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+     * Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10.
      * Required for write.
      */
     float pitch_roll_time_constant;
     /**
-     * Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
-     * Required for write.
+     * Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. Required for
+     * write.
      */
     float heading_time_constant;
 };
@@ -6207,10 +6205,10 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_encode(
    * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write.
    * On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10:
    * MSCL does not offer it. On the 3DM-GX5-15: default true.
-   * - pitch_roll_time_constant: Time constant of the correction of pitch and roll. Unit: s. Range:
-   * 1 to 1000. Default: 10. Required for write.
-   * - heading_time_constant: Time constant of the correction of the heading. Unit: s. Range: 1 to
-   *   1000. Default: 10. Required for write.
+   * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1
+   * to 1000. Default: 10. Required for write.
+   * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
+   *   Default: 10. Required for write.
    */
 static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_write(
     struct mip_3dm_complementary_filter *command, mip_bool pitch_roll_enable,
@@ -6266,11 +6264,9 @@ struct mip_3dm_complementary_filter_response {
     mip_bool pitch_roll_enable;
     /** Corrects the heading (north, in terms of the 5-series). */
     mip_bool heading_enable;
-    /**
-     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
-     */
+    /** Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10. */
     float pitch_roll_time_constant;
-    /** Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. */
+    /** Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10. */
     float heading_time_constant;
 };
 
@@ -6501,7 +6497,7 @@ mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_r
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
 struct mip_3dm_get_calibrated_sensor_ranges_response {
-    /** Sensor given in the command. A value of enum mip_3dm_sensor_range_type. */
+    /** Sensor specified in the command. A value of enum mip_3dm_sensor_range_type. */
     uint8_t sensor;
     /** Number of ranges. The number of elements of ranges. */
     uint8_t num_ranges;
@@ -6898,7 +6894,7 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
  * mip_3dm_device_power_state_response. The device may take 5 s to answer. Known only from the MIP
  * SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
  * the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014
- * uses a longer one than usual; 5 s is assumed. Uncertain: Whether `state` may be left out with
+ * uses one longer than usual; 5 s is assumed. Uncertain: Whether `state` may be omitted with
  * functions other than write. The SDK of 2014 sends `device` with every function, and a 0 in place
  * of `state`.
  *
@@ -7126,7 +7122,7 @@ mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *comm
  *
  * The device expects its own model number, which mip_base_get_device_info returns.
  *
- * Families of devices answer in different layouts. The selector and the length distinguish them.
+ * Device families reply in different layouts. The selector and the length distinguish them.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -7135,11 +7131,11 @@ mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *comm
  */
 struct mip_3dm_device_status {
     /**
-     * Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35:
+     * Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35:
      * always 6252. On the 3DM-GX5-45: always 6251.
      */
     uint16_t model_number;
-    /** Level of detail of the answer. A value of enum mip_3dm_device_status_selector. */
+    /** Level of detail of the reply. A value of enum mip_3dm_device_status_selector. */
     uint8_t status_selector;
 };
 
@@ -7166,9 +7162,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_encode(
 } /**
    * Device Status. Fills the structure and returns its address.
    *
-   * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+   * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
    *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
-   * - status_selector: Level of detail of the answer. A value of enum
+   * - status_selector: Level of detail of the reply. A value of enum
    * mip_3dm_device_status_selector.
    */
 static inline struct mip_3dm_device_status *
@@ -7186,8 +7182,8 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  * Timer only, in microseconds.
  *
  * No device is certain to support it. Answers mip_3dm_device_status. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: The SDK of 2014 names the values and the unit of
- * the timer; the descriptions follow from the names.
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: The SDK of 2014 lists the names of the values
+ * and the unit of the timer; the descriptions are inferred from the names.
  *
  * Parameters without a member, on the wire only:
  * - model_number: Model number of the inertial sensor. Always 6238.
@@ -7348,7 +7344,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_without_state_re
 /**
  * Diagnostic Device Status: response (0x0C,0x90).
  *
- * State and timer with the counters of streams and port.
+ * State, timer, and the counters of streams and port.
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
@@ -7427,7 +7423,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_en
 /**
  * Diagnostic Device Status with GNSS: response (0x0C,0x90).
  *
- * State and timer with the counters of pulses, streams, port and receiver.
+ * State, timer, and the counters of pulses, streams, port and receiver.
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
@@ -7437,8 +7433,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_en
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain:
  * MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
- * Uncertain: MSCL only names the values; the descriptions follow from the names, and the times are
- * assumed to be in ms like the system timer.
+ * Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the
+ * times are assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7527,7 +7523,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_respon
 /**
  * Diagnostic Device Status of the 3DM-GQ4-45: response (0x0C,0x90).
  *
- * The layout with GNSS, plus what could not be started.
+ * The layout with GNSS, plus flags for parts that could not be started.
  *
  * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
@@ -7536,8 +7532,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_respon
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45. Uncertain: No known manual
- * documents it. Uncertain: MSCL only names the values; the descriptions follow from the names, and
- * the times are assumed to be in ms like the system timer.
+ * documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are
+ * inferred; the times are assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7641,8 +7637,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_resp
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Uncertain: No known manual documents it. Uncertain: MSCL only names the values; the descriptions
- * follow from the names, and the times are assumed to be in ms like the system timer.
+ * Uncertain: No known manual documents it. Uncertain: MSCL lists only the names of the values, from
+ * which the descriptions are inferred; the times are assumed to be in ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7747,9 +7743,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_resp
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: No known manual documents it for these
- * devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only names
- * the values; the descriptions follow from the names, and the times are assumed to be in ms like
- * the system timer.
+ * devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only
+ * the names of the values, from which the descriptions are inferred; the times are assumed to be in
+ * ms like the system timer.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7842,9 +7838,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_respons
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
- * and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL only names the values; the
- * descriptions follow from the names, and the times are assumed to be in ms like the system timer.
- * Uncertain: The units of the ranges are not known.
+ * and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the values,
+ * from which the descriptions are inferred; the times are assumed to be in ms like the system
+ * timer. Uncertain: The units of the ranges are not known.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -7936,9 +7932,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_respons
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_rq1_imu_response
  * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 names
- * the values and the units of temperature and times; the descriptions follow from the names.
- * Uncertain: The units of the ranges are not known.
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 lists
+ * the names of the values and the units of temperature and times; the descriptions are inferred
+ * from the names. Uncertain: The units of the ranges are not known.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8030,8 +8026,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_res
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response
  * and mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 names
- * the values and the units of temperature and times; the descriptions follow from the names.
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: The SDK of 2014 lists
+ * the names of the values and the units of temperature and times; the descriptions are inferred
+ * from the names.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8116,7 +8113,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_res
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_without_state_response by
  * the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain:
- * Only the SDK of 2014 has it, which names the values; the descriptions follow from the names.
+ * Only the SDK of 2014 has it, with the names of the values; the descriptions are inferred from the
+ * names.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -8169,7 +8167,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_enc
 /**
  * Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
  *
- * State of the port with the counters of port, USB, receiver and IMU.
+ * State of the port, and the counters of the port, USB, receiver and IMU.
  *
  * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
@@ -8178,7 +8176,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_enc
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response
  * and mip_3dm_device_status_diagnostic_rq1_imu_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: Only the SDK of 2014 has
- * it, which names the values; the descriptions follow from the names.
+ * it, with the names of the values; the descriptions are inferred from the names.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8233,7 +8231,7 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
     uint32_t gnss_read_overruns;
     /** Messages of the receiver that were read. Unit: 1. */
     uint32_t gnss_message_count;
-    /** Messages of the receiver that came late. Unit: 1. */
+    /** Messages of the receiver that arrived late. Unit: 1. */
     uint32_t gnss_delayed_message_count;
     /** State of the IMU's driver; its values are not known. */
     uint16_t imu_driver_state;
@@ -8249,7 +8247,7 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
     uint32_t imu_read_overruns;
     /** Messages of the IMU that were read. Unit: 1. */
     uint32_t imu_message_count;
-    /** Messages of the IMU that came late. Unit: 1. */
+    /** Messages of the IMU that arrived late. Unit: 1. */
     uint32_t imu_delayed_message_count;
 };
 

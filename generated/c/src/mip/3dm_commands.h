@@ -2264,16 +2264,16 @@ static inline mip_error mip_send_3dm_imu_signal_conditioning(
 /**
  * IMU signal conditioning: write. Apply the new setting. See mip_device_call.
  *
- * - orientation_decimation: Divides 1000 Hz to the rate at which the orientation is computed. Unit:
- *   1. Range: 1 to 1000. Required for write.
+ * - orientation_decimation: Divisor of 1000 Hz that sets the rate at which the orientation is
+ *   computed. Unit: 1. Range: 1 to 1000. Required for write.
  * - data_conditioning_flags: Processing steps. Default: 3. Required for write.
- * - inertial_filter_width: Width of the filter of accelerometers and gyroscopes in samples. Unit:
- *   1. Range: 1 to 32. Default: 15. Required for write.
- * - mag_filter_width: Width of the filter of the magnetometer in samples. Unit: 1. Range: 1 to 32.
+ * - inertial_filter_width: Width of the accelerometer and gyroscope filter in samples. Unit: 1.
+ *   Range: 1 to 32. Default: 15. Required for write.
+ * - mag_filter_width: Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32.
  *   Default: 17. Required for write.
- * - up_compensation: Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000.
+ * - up_compensation: Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000.
  *   Default: 10. Required for write.
- * - north_compensation: Time constant of the correction of the heading. Unit: s. Range: 1 to 1000.
+ * - north_compensation: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
  *   Default: 10. Required for write.
  * - mag_bandwidth: Bandwidth of the magnetometer of 3-series devices. A value of enum
  *   mip_3dm_mag_bandwidth. Required for write.
@@ -2478,7 +2478,7 @@ static inline struct mip_result mip_call_3dm_accel_bias_default(struct mip_devic
 }
 
 /**
- * Accelerometer Bias Configuration: apply. Apply the new setting and send no acknowledge (5-series
+ * Accelerometer Bias Configuration: apply. Apply the new setting without sending an ACK (5-series
  * devices). See mip_device_call.
  *
  * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
@@ -2575,7 +2575,7 @@ static inline struct mip_result mip_call_3dm_gyro_bias_default(struct mip_device
 }
 
 /**
- * Gyroscope Bias Configuration: apply. Apply the new setting and send no acknowledge (5-series
+ * Gyroscope Bias Configuration: apply. Apply the new setting without sending an ACK (5-series
  * devices). See mip_device_call.
  *
  * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
@@ -2714,7 +2714,7 @@ mip_call_3dm_mag_hard_iron_offset_default(struct mip_device *device) {
 }
 
 /**
- * Magnetometer Hard Iron Offset: apply. Apply the new setting and send no acknowledge (5-series
+ * Magnetometer Hard Iron Offset: apply. Apply the new setting without sending an ACK (5-series
  * devices). See mip_device_call.
  *
  * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
@@ -2811,7 +2811,7 @@ mip_call_3dm_mag_soft_iron_matrix_default(struct mip_device *device) {
 }
 
 /**
- * Magnetometer Soft Iron Matrix: apply. Apply the new setting and send no acknowledge (5-series
+ * Magnetometer Soft Iron Matrix: apply. Apply the new setting without sending an ACK (5-series
  * devices). See mip_device_call.
  *
  * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
@@ -3179,9 +3179,9 @@ static inline mip_error mip_send_3dm_odometer_config(
  * Odometer Configuration: write. Apply the new setting. See mip_device_call.
  *
  * - mode: Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write.
- * - scaling: Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
- *   Required for write. Pulses on line A per turn of the wheel, divided by the circumference of the
- *   wheel.
+ * - scaling: Pulses per distance travelled; negative if the encoder rotates backwards. Unit:
+ *   pulse/m. Required for write. Pulses on line A per turn of the wheel, divided by the
+ *   circumference of the wheel.
  * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required
  *   for write.
  */
@@ -3393,10 +3393,10 @@ static inline mip_error mip_send_3dm_complementary_filter(
  * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write. On
  *   the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL
  *   does not offer it. On the 3DM-GX5-15: default true.
- * - pitch_roll_time_constant: Time constant of the correction of pitch and roll. Unit: s. Range: 1
- *   to 1000. Default: 10. Required for write.
- * - heading_time_constant: Time constant of the correction of the heading. Unit: s. Range: 1 to
+ * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1 to
  *   1000. Default: 10. Required for write.
+ * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
+ *   Default: 10. Required for write.
  */
 static inline struct mip_result mip_call_3dm_complementary_filter_write(
     struct mip_device *device, mip_bool pitch_roll_enable, mip_bool heading_enable,
@@ -4158,9 +4158,9 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx3_response(
 /**
  * Device Status. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
- * - status_selector: Level of detail of the answer. A value of enum mip_3dm_device_status_selector.
+ * - status_selector: Level of detail of the reply. A value of enum mip_3dm_device_status_selector.
  */
 static inline struct mip_result
 mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
@@ -4174,7 +4174,7 @@ mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_basic_rq1_imu_response(
@@ -4190,7 +4190,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_rq1_imu_res
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
@@ -4206,7 +4206,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_basic_without_state_response(
@@ -4222,7 +4222,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_without_sta
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_basic_gx3_response(
@@ -4238,7 +4238,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_gx3_respons
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_response(
@@ -4254,7 +4254,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_respon
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_response(
@@ -4270,7 +4270,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_r
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45_response(
@@ -4286,7 +4286,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45_response(
@@ -4302,7 +4302,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_response(
@@ -4318,7 +4318,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_re
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_response(
@@ -4334,7 +4334,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_re
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_imu_response(
@@ -4350,7 +4350,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_im
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_imu_response(
@@ -4366,7 +4366,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_im
 /**
  * Device Status. The answer is decoded as this response. See mip_device_call.
  *
- * - model_number: Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
  */
 static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx3_response(

@@ -40,14 +40,14 @@ enum mip_aiding_frame_format MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_frame_format_name(uint8_t value);
 /**
- * Answers of the device to aiding measurements.
+ * Replies of the device to aiding measurements.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  */
 enum mip_aiding_echo_mode MIP_ENUM_8 {
     /** No acknowledge. */
     MIP_AIDING_ECHO_MODE_SUPPRESS_ACK = 0,
-    /** Acknowledge as for any command. */
+    /** ACK, as for any command. */
     MIP_AIDING_ECHO_MODE_STANDARD = 1,
     /** The data is returned in a response. */
     MIP_AIDING_ECHO_MODE_RESPONSE = 2
@@ -59,7 +59,7 @@ MIP_API const char *mip_aiding_echo_mode_name(uint8_t value);
 enum mip_aiding_timebase MIP_ENUM_8 {
     /** Internal reference clock of the device. */
     MIP_AIDING_TIMEBASE_INTERNAL_REFERENCE = 1,
-    /** External clock, with which the PPS synchronizes the device. */
+    /** External clock, to which the PPS synchronizes the device. */
     MIP_AIDING_TIMEBASE_EXTERNAL_TIME = 2,
     /** Latency relative to the arrival of the command. */
     MIP_AIDING_TIMEBASE_TIME_OF_ARRIVAL = 3
@@ -122,10 +122,10 @@ union mip_aiding_frame_config_rotation {
  *
  * `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
  *
- * For GNSS positions and velocities the rotation does not matter. Send one that does not turn:
- * Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0.
+ * For GNSS positions and velocities the rotation does not matter. Send the identity: Euler angles
+ * 0, 0, 0 or the quaternion 1, 0, 0, 0.
  *
- * A read selects the format of the answer.
+ * A read selects the format of the reply.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -315,7 +315,7 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
 /**
  * Echo control: command (0x13,0x1F).
  *
- * Sets how the device answers aiding measurements.
+ * Sets how the device replies to aiding measurements.
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_echo_control_response.
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -873,12 +873,13 @@ static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
  *
  * The device supports up to four sensors of this kind.
  *
- * A wheeled vehicle constraint is a velocity of 0 with only y valid, sent at least once per second.
+ * For a wheeled vehicle constraint, send a velocity of 0 with only y valid, at least once per
+ * second.
  *
  * With z also valid and 0, motion is constrained to a plane (2D mode).
  *
- * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold chosen
- * by the user.
+ * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold that
+ * you choose.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.

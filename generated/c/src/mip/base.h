@@ -60,7 +60,7 @@ MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
 /**
  * Ping: command (0x01,0x01).
  *
- * Checks whether a device is present and answers commands.
+ * Checks whether a device is present and replies to commands.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
@@ -907,7 +907,7 @@ static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
  *
  * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.

@@ -428,7 +428,7 @@ static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_r
 }
 
 /**
- * GPS time update: apply. Apply the new setting and send no acknowledge (5-series devices). See
+ * GPS time update: apply. Apply the new setting without sending an ACK (5-series devices). See
  * mip_device_call.
  *
  * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.

@@ -28,7 +28,8 @@ extern "C" {
 /**
  * Get Analog to Displacement Calibration: command (0x11,0x01).
  *
- * Reads the line by which the device converts the counts of its converter to a displacement.
+ * Reads the linear function by which the device converts the counts of its converter to a
+ * displacement.
  *
  * No device is certain to support it. Also called `get_analog_displacement_calibration`. Answered
  * by mip_displacement_get_calibration_response. Known only from the MicroStrain Communication

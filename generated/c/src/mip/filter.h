@@ -25,9 +25,9 @@ extern "C" {
 #define MIP_FILTER_SET 0x0D
 
 /**
- * Motion that the filter expects, by the way in which the device travels. Uncertain: The SDK names
- * the modes only; the descriptions follow from the names. Uncertain: mip_filter_data_status reports
- * a mode too, but is known to have the values 1 to 3 only.
+ * Motion that the filter expects, depending on the kind of vehicle. Uncertain: The SDK lists only
+ * the names of the modes, from which the descriptions are inferred. Uncertain:
+ * mip_filter_data_status reports a mode too, but is known to have the values 1 to 3 only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -69,7 +69,7 @@ typedef uint16_t mip_filter_estimated_states;
 enum mip_filter_gnss_aiding_source MIP_ENUM_8 {
     /** All internal receivers. */
     MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL = 1,
-    /** GNSS measurements that the user sends. */
+    /** GNSS measurements that your program sends. */
     MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL = 2,
     /** Internal receiver 1 only. */
     MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_1 = 3,
@@ -103,13 +103,13 @@ enum mip_filter_heading_update_source MIP_ENUM_8 {
     MIP_FILTER_HEADING_UPDATE_SOURCE_MAG = 1,
     /** The velocity that the GNSS receiver measures. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY = 2,
-    /** The heading messages that the user sends. */
+    /** The heading messages that your program sends. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL = 3,
     /** The course over ground and the magnetometer. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG = 4,
-    /** GNSS velocity and the messages of the user. */
+    /** GNSS velocity and your program's heading messages. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL = 5,
-    /** Magnetometer and the messages of the user. */
+    /** Magnetometer and your program's heading messages. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL = 6,
     /** All three. */
     MIP_FILTER_HEADING_UPDATE_SOURCE_ALL = 7
@@ -193,13 +193,13 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 #define MIP_FILTER_AIDING_SOURCE_SPEED 3
 /** Built-in magnetometer. */
 #define MIP_FILTER_AIDING_SOURCE_MAG 4
-/** Heading that the user sends. */
+/** Heading that your program sends. */
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING 5
-/** Pressure altitude that the user sends. */
+/** Pressure altitude that your program sends. */
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER 6
-/** Magnetic field that the user sends. */
+/** Magnetic field that your program sends. */
 #define MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG 7
-/** Velocity in the body (vehicle) frame that the user sends. */
+/** Velocity in the body (vehicle) frame that your program sends. */
 #define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY 8
 /** All sources, for save, load and default. */
 #define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
@@ -250,21 +250,21 @@ enum mip_filter_angular_constraint MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
-/** Initial conditions that the user provides instead of the device. */
+/** Initial conditions that your program provides instead of the device. */
 enum mip_filter_initial_condition_source MIP_ENUM_8 {
     /** Position, velocity and attitude are automatic. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_ATTITUDE = 0,
-    /** Position, velocity, pitch and roll are automatic; the user provides the heading. */
+    /** Position, velocity, pitch and roll are automatic; your program provides the heading. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_PITCH_ROLL = 1,
-    /** Position and velocity are automatic; the user provides the attitude. */
+    /** Position and velocity are automatic; your program provides the attitude. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY = 2,
-    /** The user provides position, velocity and attitude. */
+    /** Your program provides position, velocity and attitude. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL = 3
 };
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_initial_condition_source_name(uint8_t value);
-/** Methods by which the device may determine its initial heading. */
+/** Methods that the device may use to determine its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
 /** Bit 0. From the baseline between two GNSS antennas. */
 #define MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA 0x01U
@@ -272,9 +272,9 @@ typedef uint8_t mip_filter_heading_alignment;
 #define MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC 0x02U
 /** Bit 2. From the built-in magnetometer. */
 #define MIP_FILTER_HEADING_ALIGNMENT_MAG 0x04U
-/** Bit 3. From the heading that the user sends. */
+/** Bit 3. From the heading that your program sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
-/** Frame in which a position is given. */
+/** Frame of a position. */
 enum mip_filter_reference_frame MIP_ENUM_8 {
     /** Earth-centred, Earth-fixed coordinates (WGS84). */
     MIP_FILTER_REFERENCE_FRAME_ECEF = 1,
@@ -441,7 +441,7 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
  *
  * 3DM-GX5: accepted only in the initialization state.
  *
- * 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
+ * 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the value of this command is
  * ignored.
  *
  * - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
@@ -589,7 +589,7 @@ MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filte
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
  *
- * Adapts the filter to the motion that it has to expect.
+ * Adapts the filter to the expected motion.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_vehicle_dynamics_mode_response. Probably changes MIP_FILTER_DATA_SET. Supported by
@@ -1407,11 +1407,11 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
 /**
  * External GNSS update: command (0x0D,0x16).
  *
- * Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
+ * Sends one position and velocity measurement from your own GNSS receiver to the filter.
  *
  * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
- * Refused unless mip_filter_gnss_source selects the external source.
+ * Rejected unless mip_filter_gnss_source selects the external source.
  *
  * The highest rate depends on the device.
  *
@@ -1502,7 +1502,7 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
- * Refused unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
+ * Rejected unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
  * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
  *
  * The 3DM-GX5-15 accepts at most 20 updates per second.
@@ -2513,7 +2513,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode(
  * Better than mip_filter_external_heading_update if the heading changes quickly; the time must be
  * accurate.
  *
- * Refused unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
+ * Rejected unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
  * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
  *
  * The 3DM-GX5-15 accepts at most 20 updates per second.
@@ -2736,7 +2736,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode
  * Supported by 3DM-GX5-15 and 3DM-GX5-45. On the 3DM-GX5-15: write, save, load and default only. On
  * the 3DM-GX5-45: write, save, load and default only.
  *
- * Refused while the filter has no valid attitude.
+ * Rejected while the filter has no valid attitude.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -2854,7 +2854,7 @@ MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode(
 /**
  * Commanded zero velocity update: command (0x0D,0x22).
  *
- * Tells the filter once that the device is at rest.
+ * Informs the filter once that the device is at rest.
  *
  * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
  * mip_filter_data_ned_velocity_uncertainty and mip_filter_data_ecef_velocity_uncertainty. Supported
@@ -2893,7 +2893,7 @@ MIP_CHECKED static inline mip_error mip_filter_commanded_zupt_encode(
 /**
  * Commanded zero angular rate update: command (0x0D,0x23).
  *
- * Tells the filter once that the device is not rotating.
+ * Informs the filter once that the device is not rotating.
  *
  * Probably changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
  * mip_filter_data_euler_angles, mip_filter_data_gyro_bias and
@@ -3936,7 +3936,7 @@ struct mip_filter_magnetic_declination_source {
     uint8_t source;
     /**
      * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
-     * 3.141592653589793. Required for write. Uncertain: Whether it may be left out if `source` is
+     * 3.141592653589793. Required for write. Uncertain: Whether it may be omitted if `source` is
      * not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state
      * one length, with the value. Sending it always fits both.
      */
@@ -3973,9 +3973,9 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_encod
    *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
    *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
    * - declination: Declination; used only if `source` is manual. Unit: rad. Range:
-   * -3.141592653589793 to 3.141592653589793. Required for write. Uncertain: Whether it may be left
-   * out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
-   * is, but state one length, with the value. Sending it always fits both.
+   * -3.141592653589793 to 3.141592653589793. Required for write. Uncertain: Whether it may be
+   * omitted if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only
+   * if it is, but state one length, with the value. Sending it always fits both.
    */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
@@ -4034,7 +4034,7 @@ struct mip_filter_magnetic_declination_source_response {
     uint8_t source;
     /**
      * Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to
-     * 3.141592653589793. Uncertain: Whether it may be left out if `source` is not manual. The
+     * 3.141592653589793. Uncertain: Whether it may be omitted if `source` is not manual. The
      * manuals, that of the 3DM-GQ7 included, require it only if it is, but state one length, with
      * the value. Sending it always fits both.
      */
@@ -4080,7 +4080,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
- * All parameters after the selector keep their values if they are left out.
+ * All parameters after the selector keep their values if they are omitted.
  *
  * Filter and limits take effect only with `fixed`.
  *
@@ -4106,7 +4106,7 @@ struct mip_filter_accel_magnitude_adaptive {
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
     uint8_t adaptive_measurement;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional. */
     float frequency;
     /** Lower limit of the error. Unit: m/s^2. Optional. */
     float low_limit;
@@ -4211,7 +4211,7 @@ mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_ad
 struct mip_filter_accel_magnitude_adaptive_response {
     /** Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. */
     uint8_t adaptive_measurement;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /** Lower limit of the error. Unit: m/s^2. */
     float low_limit;
@@ -4260,7 +4260,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response
  * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
  * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether the
- * parameters after the selector may be left out on write, as those of
+ * parameters after the selector may be omitted on write, as those of
  * mip_filter_accel_magnitude_adaptive may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
@@ -4286,9 +4286,7 @@ struct mip_filter_mag_magnitude_adaptive {
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
     uint8_t adaptive_measurement;
-    /**
-     * Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write.
-     */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write. */
     float frequency;
     /**
      * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
@@ -4351,8 +4349,8 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
    *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
    *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
    *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
-   * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required
-   * for write.
+   * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+   *   write.
    * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit.
    * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
    *   response.
@@ -4427,7 +4425,7 @@ mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adapti
 struct mip_filter_mag_magnitude_adaptive_response {
     /** Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. */
     uint8_t adaptive_measurement;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
      * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
@@ -4513,9 +4511,7 @@ struct mip_filter_mag_dip_angle_adaptive {
     uint8_t function;
     /** True if the adaptation is on. Required for write. */
     mip_bool enable;
-    /**
-     * Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write.
-     */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write. */
     float frequency;
     /**
      * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK states
@@ -4559,8 +4555,8 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
    * Apply the new setting. Fills the structure and returns its address.
    *
    * - enable: True if the adaptation is on. Required for write.
-   * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required
-   * for write.
+   * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+   *   write.
    * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
    *   SDK states m/s^2; rad is inferred from the quantity.
    * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
@@ -4623,7 +4619,7 @@ mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adapti
 struct mip_filter_mag_dip_angle_adaptive_response {
     /** True if the adaptation is on. */
     mip_bool enable;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
+    /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
      * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is
@@ -5935,34 +5931,34 @@ struct mip_filter_initialization_config {
      */
     uint8_t wait_for_run_command;
     /**
-     * Initial conditions that the user provides instead of the device. A value of enum
+     * Initial conditions that your program provides instead of the device. A value of enum
      * mip_filter_initial_condition_source. Required for write.
      */
     uint8_t initial_condition_source;
     /**
-     * Methods by which the initial heading may be determined. Required for write. On the
+     * Methods that may be used to determine the initial heading. Required for write. On the
      * 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC,
      * MIP_FILTER_HEADING_ALIGNMENT_MAG and MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the
      * 3DM-GQ7-GNSS/INS: only MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA,
      * MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and MIP_FILTER_HEADING_ALIGNMENT_MAG.
      */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Initial heading that the user provides. Unit: deg. Required for write. */
+    /** Initial heading that your program provides. Unit: deg. Required for write. */
     float initial_heading;
-    /** Initial pitch that the user provides. Unit: deg. Required for write. */
+    /** Initial pitch that your program provides. Unit: deg. Required for write. */
     float initial_pitch;
-    /** Initial roll that the user provides. Unit: deg. Required for write. */
+    /** Initial roll that your program provides. Unit: deg. Required for write. */
     float initial_roll;
     /**
-     * Initial position that the user provides. Elements: x, y, z. Required for write. If
+     * Initial position that your program provides. Elements: x, y, z. Required for write. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
      * height; unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for write. If
-     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
+     * Initial velocity that your program provides. Elements: x, y, z. Unit: m/s. Required for
+     * write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down; frame
      * ned.
      */
@@ -6000,22 +5996,22 @@ MIP_CHECKED static inline mip_error mip_filter_initialization_config_encode(
    *
    * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
    *   it can. Range: 0 to 1. Required for write.
-   * - initial_condition_source: Initial conditions that the user provides instead of the device. A
-   *   value of enum mip_filter_initial_condition_source. Required for write.
-   * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
+   * - initial_condition_source: Initial conditions that your program provides instead of the
+   * device. A value of enum mip_filter_initial_condition_source. Required for write.
+   * - auto_heading_alignment_selector: Methods that may be used to determine the initial heading.
    *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
    *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
    *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
    *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
    *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
-   * - initial_heading: Initial heading that the user provides. Unit: deg. Required for write.
-   * - initial_pitch: Initial pitch that the user provides. Unit: deg. Required for write.
-   * - initial_roll: Initial roll that the user provides. Unit: deg. Required for write.
-   * - initial_position: Initial position that the user provides. Elements: x, y, z. Required for
-   *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
-   *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+   * - initial_heading: Initial heading that your program provides. Unit: deg. Required for write.
+   * - initial_pitch: Initial pitch that your program provides. Unit: deg. Required for write.
+   * - initial_roll: Initial roll that your program provides. Unit: deg. Required for write.
+   * - initial_position: Initial position that your program provides. Elements: x, y, z. Required
+   * for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef.
+   * If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
    *   height; unit deg, deg, m; frame llh.
-   * - initial_velocity: Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
+   * - initial_velocity: Initial velocity that your program provides. Elements: x, y, z. Unit: m/s.
    *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame
    * ecef. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east,
    * down; frame ned.
@@ -6085,27 +6081,27 @@ struct mip_filter_initialization_config_response {
      */
     uint8_t wait_for_run_command;
     /**
-     * Initial conditions that the user provides instead of the device. A value of enum
+     * Initial conditions that your program provides instead of the device. A value of enum
      * mip_filter_initial_condition_source.
      */
     uint8_t initial_condition_source;
-    /** Methods by which the initial heading may be determined. */
+    /** Methods that may be used to determine the initial heading. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Initial heading that the user provides. Unit: deg. */
+    /** Initial heading that your program provides. Unit: deg. */
     float initial_heading;
-    /** Initial pitch that the user provides. Unit: deg. */
+    /** Initial pitch that your program provides. Unit: deg. */
     float initial_pitch;
-    /** Initial roll that the user provides. Unit: deg. */
+    /** Initial roll that your program provides. Unit: deg. */
     float initial_roll;
     /**
-     * Initial position that the user provides. Elements: x, y, z. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * Initial position that your program provides. Elements: x, y, z. If reference_frame_selector
+     * is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude, height; unit deg, deg, m; frame
      * llh.
      */
     float initial_position[3];
     /**
-     * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. If
+     * Initial velocity that your program provides. Elements: x, y, z. Unit: m/s. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
      * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down; frame
      * ned.

@@ -2242,7 +2242,7 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
  *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
  *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
  * - declination: Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793
- *   to 3.141592653589793. Required for write. Uncertain: Whether it may be left out if `source` is
+ *   to 3.141592653589793. Required for write. Uncertain: Whether it may be omitted if `source` is
  *   not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state one
  *   length, with the value. Sending it always fits both.
  */
@@ -2423,7 +2423,7 @@ static inline mip_error mip_send_filter_mag_magnitude_adaptive(
  *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
- * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+ * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
  * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
  *   SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
@@ -2537,7 +2537,7 @@ static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
  * mip_device_call.
  *
  * - enable: True if the adaptation is on. Required for write.
- * - frequency: Cut-off frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+ * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
  * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
  *   SDK states m/s^2; rad is inferred from the quantity.
@@ -3390,22 +3390,22 @@ static inline mip_error mip_send_filter_initialization_config(
  *
  * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
  *   it can. Range: 0 to 1. Required for write.
- * - initial_condition_source: Initial conditions that the user provides instead of the device. A
- *   value of enum mip_filter_initial_condition_source. Required for write.
- * - auto_heading_alignment_selector: Methods by which the initial heading may be determined.
+ * - initial_condition_source: Initial conditions that your program provides instead of the device.
+ *   A value of enum mip_filter_initial_condition_source. Required for write.
+ * - auto_heading_alignment_selector: Methods that may be used to determine the initial heading.
  *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
  *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
  *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
  *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
  *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
- * - initial_heading: Initial heading that the user provides. Unit: deg. Required for write.
- * - initial_pitch: Initial pitch that the user provides. Unit: deg. Required for write.
- * - initial_roll: Initial roll that the user provides. Unit: deg. Required for write.
- * - initial_position: Initial position that the user provides. Elements: x, y, z. Required for
+ * - initial_heading: Initial heading that your program provides. Unit: deg. Required for write.
+ * - initial_pitch: Initial pitch that your program provides. Unit: deg. Required for write.
+ * - initial_roll: Initial roll that your program provides. Unit: deg. Required for write.
+ * - initial_position: Initial position that your program provides. Elements: x, y, z. Required for
  *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
  *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
  *   height; unit deg, deg, m; frame llh.
- * - initial_velocity: Initial velocity that the user provides. Elements: x, y, z. Unit: m/s.
+ * - initial_velocity: Initial velocity that your program provides. Elements: x, y, z. Unit: m/s.
  *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef.
  *   If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down;
  *   frame ned.

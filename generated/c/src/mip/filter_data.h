@@ -39,7 +39,7 @@ typedef uint16_t mip_filter_data_heading_source_flags;
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_MAG 0x0001U
 /** Bit 1. The velocity that the GNSS receiver measures. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_GNSS_VELOCITY 0x0002U
-/** Bit 2. Heading messages that the user sends. */
+/** Bit 2. Heading messages that your program sends. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
 /** Use of one GNSS receiver by the filter. */
 typedef uint16_t mip_filter_data_gnss_aiding_status;
@@ -83,7 +83,7 @@ typedef uint16_t mip_filter_data_gnss_aiding_status;
 enum mip_filter_data_heading_aiding_type MIP_ENUM_8 {
     /** Two GNSS antennas. */
     MIP_FILTER_DATA_HEADING_AIDING_TYPE_DUAL_ANTENNA = 1,
-    /** A heading message of the user. */
+    /** A heading message from your program. */
     MIP_FILTER_DATA_HEADING_AIDING_TYPE_EXTERNAL_MESSAGE = 2
 };
 
@@ -252,7 +252,7 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
  * and mip_filter_data_euler_angles_uncertainty.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE_WARNING 0x0040U
-/** Bit 7. The solution contains values that are not numbers. Concerns mip_filter_reset. */
+/** Bit 7. The solution contains NaN values. Concerns mip_filter_reset. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION_WARNING 0x0080U
 /** Bit 8. The estimated gyroscope bias is high. Concerns mip_filter_data_gyro_bias. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_EST_HIGH_WARNING 0x0100U
@@ -365,8 +365,8 @@ typedef uint16_t mip_filter_data_cv7_status_flags;
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_TIME_SYNC_WARNING 0x0400U
 /**
- * Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter.
- * Concerns mip_filter_reset.
+ * Bits 12 to 15. Not 0 if the solution contains NaN values; reset the filter. Concerns
+ * mip_filter_reset.
  */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
 
@@ -385,8 +385,8 @@ static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
 }
 
 /**
- * Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter.
- * Concerns mip_filter_reset.
+ * Bits 12 to 15. Not 0 if the solution contains NaN values; reset the filter. Concerns
+ * mip_filter_reset.
  */
 static inline uint8_t
 mip_filter_data_cv7_status_flags_get_solution_error(mip_filter_data_cv7_status_flags flags) {
@@ -1320,7 +1320,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode(
  *
  * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
- * The valid bit means that the source gave data within the last 2 seconds.
+ * The valid bit means that the source provided data within the last 2 seconds.
  *
  * - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
  */
@@ -1748,7 +1748,7 @@ struct mip_filter_data_standard_atmosphere {
      */
     float standard_temperature;
     /**
-     * Pressure that the model has at this altitude. Unit: mbar. Range: at least 0. Valid if
+     * Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float standard_pressure;
@@ -1797,7 +1797,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode(
  */
 struct mip_filter_data_pressure_altitude {
     /**
-     * Altitude in the standard atmosphere that has the measured pressure. Unit: m. Range: at most
+     * Altitude at which the standard atmosphere has the measured pressure. Unit: m. Range: at most
      * 84852. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float pressure_altitude;
@@ -1830,16 +1830,17 @@ MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode(
 /**
  * Density altitude: data (0x82,0x22).
  *
- * The density of the surrounding air, as the altitude at which the standard atmosphere is as dense.
+ * Density of the surrounding air, expressed as the altitude with the same density in the standard
+ * atmosphere.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK has
- * the name only; the description is the usual meaning of the term.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+ * lists only the name; the description is the usual meaning of the term.
  *
  * - mip-sdk-4: Density altitude (0x82,0x22)
  */
 struct mip_filter_data_density_altitude {
     /**
-     * Altitude in the standard atmosphere that has the present air density. Unit: m. Valid if
+     * Altitude at which the standard atmosphere has the present air density. Unit: m. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float density_altitude;
@@ -2139,7 +2140,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode(
  */
 struct mip_filter_data_antenna_offset_correction {
     /**
-     * Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame:
+     * Estimated correction of the configured antenna offset. Elements: x, y, z. Unit: m. Frame:
      * vehicle. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
@@ -2323,7 +2324,7 @@ struct mip_filter_data_multi_antenna_offset_correction {
     /** Receiver that the antenna belongs to. */
     uint8_t receiver_id;
     /**
-     * Estimated correction of the antenna offset that was set. Elements: x, y, z. Unit: m. Frame:
+     * Estimated correction of the configured antenna offset. Elements: x, y, z. Unit: m. Frame:
      * vehicle. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float offset[3];
@@ -2934,7 +2935,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_enc
 /**
  * Aiding frame configuration error: data (0x82,0x50).
  *
- * Estimated error of a frame that mip_aiding_frame_config defines. It is corrected for.
+ * Estimated error of a frame that mip_aiding_frame_config defines. The filter corrects for it.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *

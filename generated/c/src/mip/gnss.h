@@ -119,7 +119,7 @@ enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
 MIP_API const char *mip_gnss_receiver_reset_type_name(uint8_t value);
 /**
  * Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The
- * descriptions of `conservative` and `moderate`, which follow from the names.
+ * descriptions of `conservative` and `moderate`, which are inferred from the names.
  *
  * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
  */

@@ -1574,7 +1574,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
 /**
  * SBAS info: data 0x12.
  *
- * Status of the satellite based augmentation.
+ * Status of the satellite-based augmentation (SBAS).
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and

@@ -38,7 +38,7 @@ static const struct mip_profile_field cl5_10_fields[] = {
 
 static const struct mip_profile_note cl5_10_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
@@ -138,7 +138,7 @@ static const struct mip_profile_field cl5_15_fields[] = {
 
 static const struct mip_profile_note cl5_15_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -249,7 +249,7 @@ static const struct mip_profile_field cl5_25_fields[] = {
 
 static const struct mip_profile_note cl5_25_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -334,7 +334,7 @@ static const struct mip_profile_field cv5_10_refuses[] = {
 
 static const struct mip_profile_note cv5_10_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
@@ -438,7 +438,7 @@ static const struct mip_profile_field cv5_15_fields[] = {
 
 static const struct mip_profile_note cv5_15_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -553,7 +553,7 @@ static const struct mip_profile_field cv5_25_fields[] = {
 
 static const struct mip_profile_note cv5_25_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -678,7 +678,7 @@ static const struct mip_profile_field cv5_45_fields[] = {
 
 static const struct mip_profile_note cv5_45_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -1366,7 +1366,7 @@ static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
     {"gpio_timestamp_accuracy", 1, "us",
      "Upper bound of the error of GPIO timestamps; the error is far smaller.", ""},
     {"antenna_offset_error", 0.5, "m",
-     "Highest value of the maximum offset of the antenna lever arm calibration.", ""},
+     "Upper limit of the maximum offset in the antenna lever arm calibration.", ""},
 };
 
 static const char *const cv7_gnss_ins_ports_cells[] = {
@@ -1843,8 +1843,8 @@ static const char *const cx5_10_also[] = {
 };
 
 static const char *const cx5_10_incomplete[] = {
-    "Of the manual the table of contents is known, up to the set `3dm`. It has the sets `base`, "
-    "`3dm` and `sensor` only.",
+    "Of the manual, only the table of contents is known, up to the set `3dm`. It lists only the "
+    "sets `base`, `3dm` and `sensor`.",
 };
 
 static const struct mip_profile_evidence cx5_10_evidence[] = {
@@ -1873,7 +1873,7 @@ static const struct mip_profile_field cx5_10_fields[] = {
 
 static const struct mip_profile_note cx5_10_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
@@ -1977,7 +1977,7 @@ static const struct mip_profile_field cx5_15_fields[] = {
 
 static const struct mip_profile_note cx5_15_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -2092,7 +2092,7 @@ static const struct mip_profile_field cx5_25_fields[] = {
 
 static const struct mip_profile_note cx5_25_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -2187,7 +2187,7 @@ static const struct mip_profile_field cx5_35_fields[] = {
 
 static const struct mip_profile_note cx5_35_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -2235,7 +2235,8 @@ static const char *const cx5_45_also[] = {
 };
 
 static const char *const cx5_45_incomplete[] = {
-    "Of the manual the title is known: 196 pages, of which those from 131 describe the data.",
+    "Of the manual, only the title is known. It has 196 pages, and describes the data from page "
+    "131.",
 };
 
 static const struct mip_profile_evidence cx5_45_evidence[] = {
@@ -2319,7 +2320,7 @@ static const struct mip_profile_field cx5_45_fields[] = {
 
 static const struct mip_profile_note cx5_45_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -2867,9 +2868,9 @@ const struct mip_profile mip_profile_dh3 = {
 /* 3DM-GQ4-45. */
 
 static const char *const gq4_45_incomplete[] = {
-    "The table of contents of the manual is known up to the commands of the set `3dm`. The sets "
-    "`filter` and `system` follow.",
-    "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
+    "The manual's table of contents is known only up to the commands of the set `3dm`. The unknown "
+    "part covers the sets `filter` and `system`.",
+    "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
 };
 
 static const struct mip_profile_evidence gq4_45_evidence[] = {
@@ -2918,11 +2919,11 @@ static const struct mip_profile_field gq4_45_fields[] = {
 static const struct mip_profile_note gq4_45_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gq4_45_response`.",
      NULL, 0, 0},
 };
@@ -3139,7 +3140,8 @@ static const struct mip_profile_note gq7_notes[] = {
      "Signals that can be enabled together by `gnss.signal_config`, according to MSCL.",
      gq7_gnss_signals_cells, 5, 2},
     {"receivers", "GNSS sets",
-     "The set 0x91 is of the first receiver, 0x92 of the second, 0x93 has the RTK corrections.",
+     "The set 0x91 is that of the first receiver and 0x92 that of the second; 0x93 contains the "
+     "RTK corrections.",
      NULL, 0, 0},
 };
 
@@ -3822,7 +3824,7 @@ static const struct mip_profile_field gx3_35_fields[] = {
 };
 
 static const struct mip_profile_note gx3_35_notes[] = {
-    {"receiver", "Receiver", "The GNSS receiver is of u-blox.", NULL, 0, 0},
+    {"receiver", "Receiver", "The GNSS receiver is made by u-blox.", NULL, 0, 0},
 };
 
 static const struct mip_profile_reading gx3_35_readings[] = {
@@ -3989,11 +3991,11 @@ static const struct mip_profile_field gx4_15_fields[] = {
 static const struct mip_profile_note gx4_15_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_gx4_response`.",
      NULL, 0, 0},
 };
@@ -4105,11 +4107,11 @@ static const struct mip_profile_rate gx4_25_rates[] = {
 static const struct mip_profile_note gx4_25_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_gx4_response`.",
      NULL, 0, 0},
 };
@@ -4216,11 +4218,11 @@ static const struct mip_profile_field gx4_45_fields[] = {
 static const struct mip_profile_note gx4_45_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -4293,7 +4295,7 @@ const struct mip_profile mip_profile_gx4_imu = {
     "3dm-gx4-imu",
     "3DM-GX4-IMU",
     "",
-    "Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.",
+    "Inertial sensor inside the 3DM-GX4-45, which replies in the direct mode.",
     6237, /* model number */
     4,    /* generation */
     0,    /* other names */
@@ -4355,7 +4357,7 @@ static const struct mip_profile_field gx5_10_fields[] = {
 
 static const struct mip_profile_note gx5_10_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
@@ -4471,7 +4473,7 @@ static const struct mip_profile_limit gx5_15_limits[] = {
     {"zero_angular_rate_update_rate", 10, "Hz",
      "Highest rate of commanded zero angular rate updates.", ""},
     {"baud_rate_delay", 250, "ms",
-     "Time from the acknowledge of a new baud rate until commands are answered at that rate.", ""},
+     "Time from the ACK of a new baud rate until the device replies to commands at that rate.", ""},
 };
 
 static const char *const gx5_15_low_pass_filter_cells[] = {
@@ -4643,7 +4645,7 @@ static const struct mip_profile_field gx5_25_refuses[] = {
 
 static const struct mip_profile_note gx5_25_notes[] = {
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
@@ -4754,7 +4756,7 @@ static const struct mip_profile_note gx5_35_notes[] = {
      "filter.",
      NULL, 0, 0},
     {"device_status", "Device status",
-     "It answers with `3dm.device_status_basic_response` and "
+     "It replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -4912,7 +4914,7 @@ static const struct mip_profile_port gx5_45_ports[] = {
 
 static const struct mip_profile_limit gx5_45_limits[] = {
     {"baud_rate_delay", 250, "ms",
-     "Time from the acknowledge of a new baud rate until commands are answered at that rate.", ""},
+     "Time from the ACK of a new baud rate until the device replies to commands at that rate.", ""},
     {"rtcm_chunk", 253, "byte", "Maximum number of RTCM bytes in one field.", ""},
 };
 
@@ -4922,11 +4924,11 @@ static const struct mip_profile_note gx5_45_notes[] = {
      "known. The receiver uses the messages 1, 2, 3 and 9.",
      NULL, 0, 0},
     {"functions", "Functions that the specification does not define",
-     "The manual has a read of `3dm.device_settings`, which is answered with the settings of all "
+     "According to the manual, a read of `3dm.device_settings` returns the settings of all "
      "commands.",
      NULL, 0, 0},
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
@@ -5004,8 +5006,9 @@ static const char *const mv5_ar_j1939_cells[] = {
 
 static const struct mip_profile_note mv5_ar_notes[] = {
     {"j1939", "J1939",
-     "Besides MIP it sends J1939 messages on CAN, from the address 0xE2, according to a driver by "
-     "others. Angles have 1/32768 deg, rates 1/128 deg/s, accelerations 0.01 m/s^2 for each step.",
+     "Besides MIP it sends J1939 messages on CAN, from the address 0xE2, according to a "
+     "third-party driver. The resolution is 1/32768 deg for angles, 1/128 deg/s for rates and 0.01 "
+     "m/s^2 for accelerations.",
      mv5_ar_j1939_cells, 4, 4},
 };
 
@@ -5052,9 +5055,9 @@ static const char *const rq1_45_lt_also[] = {
 };
 
 static const char *const rq1_45_lt_incomplete[] = {
-    "The table of contents of the manual is known up to `filter.set_initial_heading`. The set "
-    "`system` follows.",
-    "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
+    "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown "
+    "part covers the set `system`.",
+    "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
 };
 
 static const struct mip_profile_evidence rq1_45_lt_evidence[] = {
@@ -5102,11 +5105,11 @@ static const struct mip_profile_field rq1_45_lt_fields[] = {
 static const struct mip_profile_note rq1_45_lt_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_rq1_45_response`.",
      NULL, 0, 0},
     {"absent", "What it lacks",
@@ -5159,9 +5162,9 @@ static const char *const rq1_45_st_also[] = {
 };
 
 static const char *const rq1_45_st_incomplete[] = {
-    "The table of contents of the manual is known up to `filter.set_initial_heading`. The set "
-    "`system` follows.",
-    "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
+    "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown "
+    "part covers the set `system`.",
+    "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
 };
 
 static const struct mip_profile_evidence rq1_45_st_evidence[] = {
@@ -5208,11 +5211,11 @@ static const struct mip_profile_field rq1_45_st_fields[] = {
 static const struct mip_profile_note rq1_45_st_notes[] = {
     {"direct_mode", "Direct modes",
      "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
-     "According to MSCL, it answers with `3dm.device_status_basic_response` and "
+     "According to MSCL, it replies with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_rq1_45_response`.",
      NULL, 0, 0},
     {"absent", "What it lacks",
@@ -5285,7 +5288,7 @@ const struct mip_profile mip_profile_rq1_imu = {
     "3dm-rq1-imu",
     "3DM-RQ1-IMU",
     "",
-    "Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.",
+    "Inertial sensor inside the 3DM-RQ1-45, which replies in the direct mode.",
     6238, /* model number */
     4,    /* generation */
     0,    /* other names */
@@ -5370,7 +5373,7 @@ static const char *const demod_dc_also[] = {
 };
 
 static const char *const demod_dc_incomplete[] = {
-    "No manual is known; all is from MSCL.",
+    "No manual is known; everything here is from MSCL.",
 };
 
 static const struct mip_profile_evidence demod_dc_evidence[] = {

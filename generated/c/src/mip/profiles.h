@@ -20,7 +20,7 @@ extern "C" {
  * 3DM-CL5-10: Inertial measurement unit.
  *
  * Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is known. This profile is
- * incomplete: No manual is known. Uncertain: MSCL does not know it.
+ * incomplete: No manual is known. Uncertain: MSCL does not list it.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -86,7 +86,7 @@ extern MIP_API const struct mip_profile mip_profile_cv5_25;
  * 3DM-CV5-45: Inertial navigation system with GNSS.
  *
  * Generation 5. Model number 6256. No manual is known. This profile is incomplete: No manual is
- * known. Uncertain: Only MSCL knows it; the SDK does not.
+ * known. Uncertain: Only MSCL lists it; the SDK does not.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -149,8 +149,8 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ins;
  *
  * Also called 3DM-CX5-IMU. Generation 5. Model number 6275. Manual: 3DM-CX5-10 Data Communications
  * Protocol Manual, 8500-0087 revision A, 2017, known from its contents. This profile is incomplete:
- * Of the manual the table of contents is known, up to the set `3dm`. It has the sets `base`, `3dm`
- * and `sensor` only.
+ * Of the manual, only the table of contents is known, up to the set `3dm`. It lists only the sets
+ * `base`, `3dm` and `sensor`.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -195,8 +195,8 @@ extern MIP_API const struct mip_profile mip_profile_cx5_35;
  *
  * Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. Manual: 3DM-CX5-45 Data
  * Communications Protocol Manual, 8500-0089 revision A, 2017, known from its title. This profile is
- * incomplete: Of the manual the title is known: 196 pages, of which those from 131 describe the
- * data.
+ * incomplete: Of the manual, only the title is known. It has 196 pages, and describes the data from
+ * page 131.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -207,7 +207,7 @@ extern MIP_API const struct mip_profile mip_profile_cx5_45;
  * 3DM-CX7-AHRS: Attitude and heading reference system.
  *
  * Generation 7. Model number 6701. No manual is known. This profile is incomplete: No manual is
- * known. Uncertain: Only MSCL knows it; the SDK does not.
+ * known. Uncertain: Only MSCL lists it; the SDK does not.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -218,7 +218,7 @@ extern MIP_API const struct mip_profile mip_profile_cx7_ahrs;
  * 3DM-CX7-AR: Attitude reference.
  *
  * Generation 7. Model number 6700. No manual is known. This profile is incomplete: No manual is
- * known. Uncertain: Only MSCL knows it; the SDK does not.
+ * known. Uncertain: Only MSCL lists it; the SDK does not.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -229,7 +229,7 @@ extern MIP_API const struct mip_profile mip_profile_cx7_ar;
  * 3DM-CX7-INS: Inertial navigation system.
  *
  * Generation 7. Model number 6702. No manual is known. This profile is incomplete: No manual is
- * known. Uncertain: Only MSCL knows it; the SDK does not.
+ * known. Uncertain: Only MSCL lists it; the SDK does not.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -251,10 +251,11 @@ extern MIP_API const struct mip_profile mip_profile_dh3;
  * 3DM-GQ4-45: Tactical grade inertial navigation system with GNSS.
  *
  * Generation 4. Model number 6250. Manual: LORD 3DM-GQ4-45 Data Communications Protocol, of
- * September 26, 2015, known from its table of contents. This profile is incomplete: The table of
- * contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and
- * `system` follow. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, none of
- * whose fields is known. Uncertain: It may accept raw RTCM by a command whose layout is not known.
+ * September 26, 2015, known from its table of contents. This profile is incomplete: The manual's
+ * table of contents is known only up to the commands of the set `3dm`. The unknown part covers the
+ * sets `filter` and `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82,
+ * but none of their fields are known. Uncertain: It may accept raw RTCM by a command whose layout
+ * is not known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -371,7 +372,7 @@ extern MIP_API const struct mip_profile mip_profile_gx4_15;
  * 3DM-GX4-25: Device of generation 4.
  *
  * Generation 4. Model number 6234. No manual is known. This profile is incomplete: Its manual (of
- * 2014-12-23) is not known. Uncertain: A ROS driver by others uses the model number 6253 for it,
+ * 2014-12-23) is not known. Uncertain: A third-party ROS driver uses the model number 6253 for it,
  * which is that of the 3DM-GX5-25.
  *
  * - mip-sdk-4: Device models
@@ -391,7 +392,7 @@ extern MIP_API const struct mip_profile mip_profile_gx4_25;
 extern MIP_API const struct mip_profile mip_profile_gx4_45;
 
 /**
- * 3DM-GX4-IMU: Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.
+ * 3DM-GX4-IMU: Inertial sensor inside the 3DM-GX4-45, which replies in the direct mode.
  *
  * Generation 4. Model number 6237. No manual is known. This profile is incomplete: No manual is
  * known.
@@ -481,10 +482,10 @@ extern MIP_API const struct mip_profile mip_profile_mv5_ar;
  *
  * Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data
  * Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
- * incomplete: The table of contents of the manual is known up to mip_filter_set_initial_heading.
- * The set `system` follows. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82,
- * none of whose fields is known. Uncertain: The SDK writes the name with an underscore before LT
- * and ST.
+ * incomplete: The manual's table of contents is known only up to mip_filter_set_initial_heading.
+ * The unknown part covers the set `system`. This profile is incomplete: It has the data sets 0x80,
+ * 0x81 and 0x82, but none of their fields are known. Uncertain: The SDK writes the name with an
+ * underscore before LT and ST.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -496,10 +497,10 @@ extern MIP_API const struct mip_profile mip_profile_rq1_45_lt;
  *
  * Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data
  * Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
- * incomplete: The table of contents of the manual is known up to mip_filter_set_initial_heading.
- * The set `system` follows. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82,
- * none of whose fields is known. Uncertain: The SDK writes the name with an underscore before LT
- * and ST.
+ * incomplete: The manual's table of contents is known only up to mip_filter_set_initial_heading.
+ * The unknown part covers the set `system`. This profile is incomplete: It has the data sets 0x80,
+ * 0x81 and 0x82, but none of their fields are known. Uncertain: The SDK writes the name with an
+ * underscore before LT and ST.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -507,7 +508,7 @@ extern MIP_API const struct mip_profile mip_profile_rq1_45_lt;
 extern MIP_API const struct mip_profile mip_profile_rq1_45_st;
 
 /**
- * 3DM-RQ1-IMU: Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.
+ * 3DM-RQ1-IMU: Inertial sensor inside the 3DM-RQ1-45, which replies in the direct mode.
  *
  * Generation 4. Model number 6238. No manual is known. This profile is incomplete: No manual is
  * known.
@@ -531,7 +532,7 @@ extern MIP_API const struct mip_profile mip_profile_rtk;
  * DEMOD-DC: Digital demodulator for displacement sensors.
  *
  * Also called Digital Demod. Model number 6130. No manual is known. This profile is incomplete: No
- * manual is known; all is from MSCL.
+ * manual is known; everything here is from MSCL.
  *
  * - mscl: Displacement node
  */

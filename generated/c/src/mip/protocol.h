@@ -27,7 +27,7 @@ enum mip_function_selector MIP_ENUM_8 {
     MIP_FUNCTION_SELECTOR_LOAD = 4,
     /** Load the factory default setting. */
     MIP_FUNCTION_SELECTOR_DEFAULT = 5,
-    /** Apply the new setting and send no acknowledge (5-series devices). */
+    /** Apply the new setting without sending an ACK (5-series devices). */
     MIP_FUNCTION_SELECTOR_APPLY = 6
 };
 
@@ -45,13 +45,13 @@ MIP_API const char *mip_function_selector_name(uint8_t value);
 /**
  * Acknowledge: response 0xF1.
  *
- * Answers one command field. A response, if there is one, follows it in the same packet.
+ * Replies to one command field. A response, if there is one, follows it in the same packet.
  *
  * - 3dm-gx5-15: 2.2.2 Example “Ping” Reply Packet
  * - 3dm-cv7-gnss-ins: Ack/Nack Field Specification
  */
 struct mip_protocol_acknowledge {
-    /** Descriptor of the command that is answered. */
+    /** Descriptor of the command that this replies to. */
     uint8_t command;
     /**
      * 0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK). A

@@ -2,7 +2,7 @@
  * @file
  *
  * RTK commands (0x0F). Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
- * Uncertain: The SDK describes hardly anything of this set; most descriptions follow from the
+ * Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the
  * names. Uncertain: How the strings are padded or ended.
  *
  * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
@@ -27,7 +27,7 @@ extern "C" {
 #define MIP_RTK_SET 0x0F
 
 /**
- * A device that a corrections modem serves.
+ * Type of device connected to a corrections modem.
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
@@ -561,7 +561,7 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encod
 /**
  * Get activation code: command (0x0F,0x07).
  *
- * Reads the code with which the modem is activated for its service.
+ * Reads the code that activates the modem for its service.
  *
  * No device is certain to support it. Also called `get_act_code`. Answered by
  * mip_rtk_get_activation_code_response. Known only from the MicroStrain MIP SDK.
@@ -603,7 +603,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
 struct mip_rtk_get_activation_code_response {
-    /** Code with which the modem is activated for its service. */
+    /** Code that activates the modem for its service. */
     char activation_code[33];
 };
 
@@ -708,7 +708,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_
  * Answered by mip_rtk_service_status_response. Sent by the device; the host answers. Not listed in
  * any device profile. Known only from the MicroStrain MIP SDK.
  *
- * The modem sends it as a host would, and the server answers as a device would.
+ * The modem sends it as a host would, and the server replies as a device would.
  *
  * - mip-sdk-4: Service status (0x0F,0x0A)
  */

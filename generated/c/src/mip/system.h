@@ -63,13 +63,13 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions.
  *
- * The change comes before the acknowledge, which is sent on the main port; bytes that arrive during
+ * The change takes effect before the ACK, which is sent on the main port. Bytes that arrive during
  * the change may be lost.
  *
  * The device rejects protocols that it or the port does not have, and more parsers than it has;
  * then nothing is changed.
  *
- * Answers to an incoming protocol are sent on the same port, even if the protocol is not an
+ * Replies to an incoming protocol are sent on the same port, even if the protocol is not an
  * outgoing one.
  *
  * Devices differ in how many protocols they receive and send at a time.
@@ -237,9 +237,9 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode
  * For advanced use. Functions: write, read, save, load and default. Answered by
  * mip_system_comm_mode_response. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
- * The acknowledge is sent in the old mode, just before the switch.
+ * The ACK is sent in the old mode, just before the switch.
  *
- * In a direct mode only this command and mip_3dm_device_status of the device itself are answered.
+ * In a direct mode, the device itself replies only to this command and mip_3dm_device_status.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */

@@ -296,7 +296,7 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_timing_overrun(
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Fault of the accelerometer calibration. Concerns mip_sensor_scaled_accel. */
+/** Bit 36. Accelerometer calibration fault. Concerns mip_sensor_scaled_accel. */
 static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_accel(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
@@ -307,7 +307,7 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_ac
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Fault of the gyroscope calibration. Concerns mip_sensor_scaled_gyro. */
+/** Bit 37. Gyroscope calibration fault. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_gyro(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
@@ -318,7 +318,7 @@ static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_gy
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Fault of the magnetometer calibration. Concerns mip_sensor_scaled_mag. */
+/** Bit 38. Magnetometer calibration fault. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_mag(
     const struct mip_cv7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
@@ -568,8 +568,9 @@ static inline void mip_cv7_continuous_built_in_test_set_receiver_2_no_solution(
 /**
  * Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits
  * 0-31 system, 32-63 inertial sensors, 64-95 navigation. Full name:
- * cv7_inertial_continuous_built_in_test. Uncertain: What the bits mean. The sources have numbers
- * and names only; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
+ * cv7_inertial_continuous_built_in_test. Uncertain: The meaning of the bits. The sources list only
+ * numbers and names; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the
+ * same.
  *
  * - ros-driver: Built-in test of the CV7
  * - mscl: Continuous built-in test
@@ -752,7 +753,7 @@ static inline void mip_cv7_inertial_bit_set_imu_timing_overrun(struct mip_cv7_in
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Fault of the accelerometer calibration. Concerns mip_sensor_scaled_accel. */
+/** Bit 36. Accelerometer calibration fault. Concerns mip_sensor_scaled_accel. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_accel(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
@@ -763,7 +764,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_accel(
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Fault of the gyroscope calibration. Concerns mip_sensor_scaled_gyro. */
+/** Bit 37. Gyroscope calibration fault. Concerns mip_sensor_scaled_gyro. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_gyro(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
@@ -774,7 +775,7 @@ static inline void mip_cv7_inertial_bit_set_imu_calibration_error_gyro(
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Fault of the magnetometer calibration. Concerns mip_sensor_scaled_mag. */
+/** Bit 38. Magnetometer calibration fault. Concerns mip_sensor_scaled_mag. */
 static inline bool
 mip_cv7_inertial_bit_get_imu_calibration_error_mag(const struct mip_cv7_inertial_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
@@ -983,8 +984,8 @@ mip_cv7_inertial_bit_set_filter_timing_underrun(struct mip_cv7_inertial_bit *fla
 
 /**
  * Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors,
- * 64-95 navigation, 96-127 GNSS. Uncertain: What the bits mean. The sources have numbers and names
- * only; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
+ * 64-95 navigation, 96-127 GNSS. Uncertain: The meaning of the bits. The sources list only numbers
+ * and names; the descriptions are those of the 3DM-CV7-GNSS/INS where the names are the same.
  *
  * - ros-driver: Built-in test of the GQ7
  * - mscl: Continuous built-in test
@@ -1115,7 +1116,7 @@ static inline void mip_gq7_continuous_built_in_test_set_imu_timing_overrun(
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
-/** Bit 36. Fault of the accelerometer calibration. Concerns mip_sensor_scaled_accel. */
+/** Bit 36. Accelerometer calibration fault. Concerns mip_sensor_scaled_accel. */
 static inline bool mip_gq7_continuous_built_in_test_get_imu_calibration_error_accel(
     const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
@@ -1126,7 +1127,7 @@ static inline void mip_gq7_continuous_built_in_test_set_imu_calibration_error_ac
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
-/** Bit 37. Fault of the gyroscope calibration. Concerns mip_sensor_scaled_gyro. */
+/** Bit 37. Gyroscope calibration fault. Concerns mip_sensor_scaled_gyro. */
 static inline bool mip_gq7_continuous_built_in_test_get_imu_calibration_error_gyro(
     const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
@@ -1137,7 +1138,7 @@ static inline void mip_gq7_continuous_built_in_test_set_imu_calibration_error_gy
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
-/** Bit 38. Fault of the magnetometer calibration. Concerns mip_sensor_scaled_mag. */
+/** Bit 38. Magnetometer calibration fault. Concerns mip_sensor_scaled_mag. */
 static inline bool mip_gq7_continuous_built_in_test_get_imu_calibration_error_mag(
     const struct mip_gq7_continuous_built_in_test *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
@@ -1556,7 +1557,7 @@ enum mip_event_trigger_type MIP_ENUM_8 {
     MIP_EVENT_TRIGGER_TYPE_GPIO = 1,
     /** Compares one value of a data field with thresholds. */
     MIP_EVENT_TRIGGER_TYPE_THRESHOLD = 2,
-    /** Combines up to four other triggers by a truth table. */
+    /** Combines up to four other triggers in a truth table. */
     MIP_EVENT_TRIGGER_TYPE_COMBINATION = 3
 };
 
@@ -1588,7 +1589,7 @@ MIP_API const char *mip_event_action_type_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
  */
 enum mip_event_trigger_mode MIP_ENUM_8 {
-    /** The trigger is never active. This is its mode after configuration. */
+    /** The trigger is never active. Configuring a trigger sets this mode. */
     MIP_EVENT_TRIGGER_MODE_DISABLED = 0,
     /** The trigger works as configured. */
     MIP_EVENT_TRIGGER_MODE_ENABLED = 1,
@@ -1862,7 +1863,7 @@ enum mip_gnss_fix_type MIP_ENUM_8 {
     MIP_GNSS_FIX_TYPE_FIX_TIME_ONLY = 2,
     /** No fix. */
     MIP_GNSS_FIX_TYPE_FIX_NONE = 3,
-    /** Fix that is not valid. */
+    /** The fix is not valid. */
     MIP_GNSS_FIX_TYPE_FIX_INVALID = 4,
     /** RTK fix with float ambiguities. */
     MIP_GNSS_FIX_TYPE_FIX_RTK_FLOAT = 5,
@@ -2139,21 +2140,21 @@ typedef uint8_t mip_gpio_pin_mode;
  * - 3dm-cv7-gnss-ins: PMSRR - Angular Rate and Acceleration
  */
 enum mip_nmea_message_id MIP_ENUM_8 {
-    /** GNSS fix. From a GNSS or the filter data set. */
+    /** GNSS fix, from a GNSS data set or the filter data set. */
     MIP_NMEA_MESSAGE_ID_GGA = 1,
-    /** Latitude and longitude. From a GNSS or the filter data set. */
+    /** Latitude and longitude, from a GNSS data set or the filter data set. */
     MIP_NMEA_MESSAGE_ID_GLL = 2,
-    /** Satellites in view. From a GNSS data set; the talker follows the constellation. */
+    /** Satellites in view, from a GNSS data set. The constellation determines the talker. */
     MIP_NMEA_MESSAGE_ID_GSV = 3,
-    /** Recommended minimum GNSS data. From a GNSS or the filter data set. */
+    /** Recommended minimum GNSS data, from a GNSS data set or the filter data set. */
     MIP_NMEA_MESSAGE_ID_RMC = 4,
-    /** Course and speed over ground. From a GNSS or the filter data set. */
+    /** Course and speed over ground, from a GNSS data set or the filter data set. */
     MIP_NMEA_MESSAGE_ID_VTG = 5,
-    /** True heading. From a GNSS or the filter data set. */
+    /** True heading, from a GNSS data set or the filter data set. */
     MIP_NMEA_MESSAGE_ID_HDT = 6,
-    /** Time and date. From a GNSS data set. */
+    /** Time and date, from a GNSS data set. */
     MIP_NMEA_MESSAGE_ID_ZDA = 7,
-    /** GNSS error statistics. From a GNSS or the filter data set. */
+    /** GNSS error statistics, from a GNSS data set or the filter data set. */
     MIP_NMEA_MESSAGE_ID_GST = 8,
     /**
      * Proprietary sentence `$PMSRA,hhmmss.ss,roll,pitch,yaw*hh`: UTC time and Euler angles in
@@ -2238,8 +2239,8 @@ MIP_API const char *mip_comm_interface_name(uint8_t value);
  * mip_rtk_status_flags_legacy. Uncertain: Which model sends which of the two forms. The SDK states
  * only that it depends on the model number. Uncertain: Other software of the vendor evaluates
  * `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits
- * are `sinr`. Uncertain: The SDK has the names only; the descriptions follow from them. The meaning
- * of the values is not known.
+ * are `sinr`. Uncertain: The SDK lists only the names, from which the descriptions are inferred.
+ * The meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -2352,8 +2353,8 @@ static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags,
 /**
  * State of the modem and of the corrections, in its older form. Uncertain: Which model sends which
  * of the two forms; see mip_rtk_status_flags. Uncertain: The SDK calls bits 20-31 reserved, but
- * also puts the last four numbers there. Uncertain: The SDK has the names only; the descriptions
- * follow from them. The meaning of the values is not known.
+ * also puts the last four numbers there. Uncertain: The SDK lists only the names, from which the
+ * descriptions are inferred. The meaning of the values is not known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */

@@ -66,13 +66,13 @@ const CL5_10_2: &Evidence =
 /// Inertial measurement unit.
 ///
 /// Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is known. This profile is
-/// incomplete: No manual is known. Uncertain: MSCL does not know it.
+/// incomplete: No manual is known. Uncertain: MSCL does not list it.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
@@ -171,7 +171,7 @@ const CL5_15_2: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -340,7 +340,7 @@ const CL5_25_2: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -524,7 +524,7 @@ const CV5_10_3: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
@@ -630,7 +630,7 @@ const CV5_15_4: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -805,7 +805,7 @@ const CV5_25_4: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -983,13 +983,13 @@ const CV5_45_3: &Evidence =
 /// Inertial navigation system with GNSS.
 ///
 /// Generation 5. Model number 6256. No manual is known. This profile is incomplete: No manual is
-/// known. Uncertain: Only MSCL knows it; the SDK does not.
+/// known. Uncertain: Only MSCL lists it; the SDK does not.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
@@ -2427,7 +2427,7 @@ pub static CV7_GNSS_INS: Profile = Profile {
             name: "antenna_offset_error",
             value: 0.5,
             unit: Some("m"),
-            description: "Highest value of the maximum offset of the antenna lever arm calibration.",
+            description: "Upper limit of the maximum offset in the antenna lever arm calibration.",
             firmware: None,
         },
     ],
@@ -2864,14 +2864,14 @@ const CX5_10_3: &Evidence =
 ///
 /// Also called 3DM-CX5-IMU. Generation 5. Model number 6275. Manual: 3DM-CX5-10 Data Communications
 /// Protocol Manual, 8500-0087 revision A, 2017, known from its contents. This profile is
-/// incomplete: Of the manual the table of contents is known, up to the set `3dm`. It has the sets
-/// `base`, `3dm` and `sensor` only.
+/// incomplete: Of the manual, only the table of contents is known, up to the set `3dm`. It lists
+/// only the sets `base`, `3dm` and `sensor`.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
@@ -2885,7 +2885,7 @@ pub static CX5_10: Profile = Profile {
     generation: Some(5),
     manual: Some("3dm-cx5-10"),
     incomplete: &[
-        "Of the manual the table of contents is known, up to the set `3dm`. It has the sets `base`, `3dm` and `sensor` only.",
+        "Of the manual, only the table of contents is known, up to the set `3dm`. It lists only the sets `base`, `3dm` and `sensor`.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] CX5_10_1;
@@ -2976,7 +2976,7 @@ const CX5_15_4: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -3151,7 +3151,7 @@ const CX5_25_4: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -3332,7 +3332,7 @@ const CX5_35_2: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
@@ -3465,14 +3465,14 @@ const CX5_45_7: &Evidence =
 ///
 /// Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. Manual: 3DM-CX5-45 Data
 /// Communications Protocol Manual, 8500-0089 revision A, 2017, known from its title. This profile
-/// is incomplete: Of the manual the title is known: 196 pages, of which those from 131 describe the
-/// data.
+/// is incomplete: Of the manual, only the title is known. It has 196 pages, and describes the data
+/// from page 131.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
@@ -3485,7 +3485,7 @@ pub static CX5_45: Profile = Profile {
     generation: Some(5),
     manual: Some("3dm-cx5-45"),
     incomplete: &[
-        "Of the manual the title is known: 196 pages, of which those from 131 describe the data.",
+        "Of the manual, only the title is known. It has 196 pages, and describes the data from page 131.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] CX5_45_2;
@@ -3677,7 +3677,7 @@ const CX7_AHRS_4: &Evidence =
 /// Attitude and heading reference system.
 ///
 /// Generation 7. Model number 6701. No manual is known. This profile is incomplete: No manual is
-/// known. Uncertain: Only MSCL knows it; the SDK does not.
+/// known. Uncertain: Only MSCL lists it; the SDK does not.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -3929,7 +3929,7 @@ const CX7_AR_4: &Evidence =
 /// Attitude reference.
 ///
 /// Generation 7. Model number 6700. No manual is known. This profile is incomplete: No manual is
-/// known. Uncertain: Only MSCL knows it; the SDK does not.
+/// known. Uncertain: Only MSCL lists it; the SDK does not.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -4181,7 +4181,7 @@ const CX7_INS_4: &Evidence =
 /// Inertial navigation system.
 ///
 /// Generation 7. Model number 6702. No manual is known. This profile is incomplete: No manual is
-/// known. Uncertain: Only MSCL knows it; the SDK does not.
+/// known. Uncertain: Only MSCL lists it; the SDK does not.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -4539,22 +4539,23 @@ const GQ4_45_2: &Evidence =
 /// Tactical grade inertial navigation system with GNSS.
 ///
 /// Generation 4. Model number 6250. Manual: LORD 3DM-GQ4-45 Data Communications Protocol, of
-/// September 26, 2015, known from its table of contents. This profile is incomplete: The table of
-/// contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and
-/// `system` follow. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, none of
-/// whose fields is known. Uncertain: It may accept raw RTCM by a command whose layout is not known.
+/// September 26, 2015, known from its table of contents. This profile is incomplete: The manual's
+/// table of contents is known only up to the commands of the set `3dm`. The unknown part covers the
+/// sets `filter` and `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and
+/// 0x82, but none of their fields are known. Uncertain: It may accept raw RTCM by a command whose
+/// layout is not known.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
 /// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGq4_45Response`](crate::mip_3dm::DeviceStatusDiagnosticGq4_45Response).
 #[rustfmt::skip]
@@ -4567,8 +4568,8 @@ pub static GQ4_45: Profile = Profile {
     generation: Some(4),
     manual: Some("3dm-gq4-45"),
     incomplete: &[
-        "The table of contents of the manual is known up to the commands of the set `3dm`. The sets `filter` and `system` follow.",
-        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
+        "The manual's table of contents is known only up to the commands of the set `3dm`. The unknown part covers the sets `filter` and `system`.",
+        "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] GQ4_45_1;
@@ -4777,7 +4778,8 @@ const GQ7_8: &Evidence =
 ///
 /// # GNSS sets
 ///
-/// The set 0x91 is of the first receiver, 0x92 of the second, 0x93 has the RTK corrections.
+/// The set 0x91 is that of the first receiver and 0x92 that of the second; 0x93 contains the RTK
+/// corrections.
 #[rustfmt::skip]
 pub static GQ7: Profile = Profile {
     id: "3dm-gq7",
@@ -6118,7 +6120,7 @@ const GX3_35_2: &Evidence =
 ///
 /// # Receiver
 ///
-/// The GNSS receiver is of u-blox.
+/// The GNSS receiver is made by u-blox.
 #[rustfmt::skip]
 pub static GX3_35: Profile = Profile {
     id: "3dm-gx3-35",
@@ -6347,12 +6349,12 @@ const GX4_15_3: &Evidence =
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
 /// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response).
@@ -6512,7 +6514,7 @@ const GX4_25_4: &Evidence =
 /// Device of generation 4.
 ///
 /// Generation 4. Model number 6234. No manual is known. This profile is incomplete: Its manual (of
-/// 2014-12-23) is not known. Uncertain: A ROS driver by others uses the model number 6253 for it,
+/// 2014-12-23) is not known. Uncertain: A third-party ROS driver uses the model number 6253 for it,
 /// which is that of the 3DM-GX5-25.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
@@ -6520,12 +6522,12 @@ const GX4_25_4: &Evidence =
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
 /// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticGx4Response`](crate::mip_3dm::DeviceStatusDiagnosticGx4Response).
@@ -6706,12 +6708,12 @@ const GX4_45_2: &Evidence =
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
 /// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
@@ -6897,7 +6899,7 @@ const GX4_IMU_2: &Evidence =
 
 /// 3DM-GX4-IMU
 ///
-/// Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.
+/// Inertial sensor inside the 3DM-GX4-45, which replies in the direct mode.
 ///
 /// Generation 4. Model number 6237. No manual is known. This profile is incomplete: No manual is
 /// known.
@@ -6907,7 +6909,7 @@ const GX4_IMU_2: &Evidence =
 pub static GX4_IMU: Profile = Profile {
     id: "3dm-gx4-imu",
     title: "3DM-GX4-IMU",
-    description: "Inertial sensor inside the 3DM-GX4-45, which answers in its direct mode.",
+    description: "Inertial sensor inside the 3DM-GX4-45, which replies in the direct mode.",
     also: &[],
     model_number: Some(6237),
     generation: Some(4),
@@ -6973,7 +6975,7 @@ const GX5_10_2: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicWithoutStateResponse`](crate::mip_3dm::DeviceStatusBasicWithoutStateResponse)
 /// and
 /// [`mip_3dm::DeviceStatusDiagnosticImuResponse`](crate::mip_3dm::DeviceStatusDiagnosticImuResponse).
@@ -7245,7 +7247,7 @@ pub static GX5_15: Profile = Profile {
             name: "baud_rate_delay",
             value: 250.0,
             unit: Some("ms"),
-            description: "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
+            description: "Time from the ACK of a new baud rate until the device replies to commands at that rate.",
             firmware: None,
         },
     ],
@@ -7403,7 +7405,7 @@ const GX5_25_10: &Evidence =
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticResponse`](crate::mip_3dm::DeviceStatusDiagnosticResponse).
 #[rustfmt::skip]
@@ -7614,7 +7616,7 @@ const GX5_35_3: &Evidence =
 ///
 /// # Device status
 ///
-/// It answers with
+/// It replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
@@ -7833,12 +7835,12 @@ const GX5_45_11: &Evidence =
 ///
 /// # Functions that the specification does not define
 ///
-/// The manual has a read of [`mip_3dm::DeviceSettings`](crate::mip_3dm::DeviceSettings), which is
-/// answered with the settings of all commands.
+/// According to the manual, a read of [`mip_3dm::DeviceSettings`](crate::mip_3dm::DeviceSettings)
+/// returns the settings of all commands.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticGnssResponse`](crate::mip_3dm::DeviceStatusDiagnosticGnssResponse).
 #[rustfmt::skip]
@@ -8013,7 +8015,7 @@ pub static GX5_45: Profile = Profile {
             name: "baud_rate_delay",
             value: 250.0,
             unit: Some("ms"),
-            description: "Time from the acknowledge of a new baud rate until commands are answered at that rate.",
+            description: "Time from the ACK of a new baud rate until the device replies to commands at that rate.",
             firmware: None,
         },
         Limit {
@@ -8110,8 +8112,9 @@ const MV5_AR_1: &Evidence =
 ///
 /// # J1939
 ///
-/// Besides MIP it sends J1939 messages on CAN, from the address 0xE2, according to a driver by
-/// others. Angles have 1/32768 deg, rates 1/128 deg/s, accelerations 0.01 m/s^2 for each step.
+/// Besides MIP it sends J1939 messages on CAN, from the address 0xE2, according to a third-party
+/// driver. The resolution is 1/32768 deg for angles, 1/128 deg/s for rates and 0.01 m/s^2 for
+/// accelerations.
 ///
 /// | Message | PGN | Signals | Offset |
 /// | --- | --- | --- | --- |
@@ -8177,22 +8180,22 @@ const RQ1_45_LT_2: &Evidence =
 ///
 /// Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data
 /// Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
-/// incomplete: The table of contents of the manual is known up to
-/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The set `system` follows. This
-/// profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.
-/// Uncertain: The SDK writes the name with an underscore before LT and ST.
+/// incomplete: The manual's table of contents is known only up to
+/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The unknown part covers the set
+/// `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of
+/// their fields are known. Uncertain: The SDK writes the name with an underscore before LT and ST.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
 /// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticRq1_45Response`](crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response).
 ///
@@ -8211,8 +8214,8 @@ pub static RQ1_45_LT: Profile = Profile {
     generation: Some(4),
     manual: Some("3dm-rq1-45"),
     incomplete: &[
-        "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
-        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
+        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part covers the set `system`.",
+        "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] RQ1_45_LT_1;
@@ -8351,22 +8354,22 @@ const RQ1_45_ST_2: &Evidence =
 ///
 /// Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data
 /// Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
-/// incomplete: The table of contents of the manual is known up to
-/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The set `system` follows. This
-/// profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.
-/// Uncertain: The SDK writes the name with an underscore before LT and ST.
+/// incomplete: The manual's table of contents is known only up to
+/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The unknown part covers the set
+/// `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of
+/// their fields are known. Uncertain: The SDK writes the name with an underscore before LT and ST.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
 /// # Direct modes
 ///
 /// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor answers as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
+/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
 /// 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
-/// According to MSCL, it answers with
+/// According to MSCL, it replies with
 /// [`mip_3dm::DeviceStatusBasicResponse`](crate::mip_3dm::DeviceStatusBasicResponse) and
 /// [`mip_3dm::DeviceStatusDiagnosticRq1_45Response`](crate::mip_3dm::DeviceStatusDiagnosticRq1_45Response).
 ///
@@ -8385,8 +8388,8 @@ pub static RQ1_45_ST: Profile = Profile {
     generation: Some(4),
     manual: Some("3dm-rq1-45"),
     incomplete: &[
-        "The table of contents of the manual is known up to `filter.set_initial_heading`. The set `system` follows.",
-        "It has the data sets 0x80, 0x81 and 0x82, none of whose fields is known.",
+        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part covers the set `system`.",
+        "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] RQ1_45_ST_1;
@@ -8521,7 +8524,7 @@ const RQ1_IMU_2: &Evidence =
 
 /// 3DM-RQ1-IMU
 ///
-/// Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.
+/// Inertial sensor inside the 3DM-RQ1-45, which replies in the direct mode.
 ///
 /// Generation 4. Model number 6238. No manual is known. This profile is incomplete: No manual is
 /// known.
@@ -8531,7 +8534,7 @@ const RQ1_IMU_2: &Evidence =
 pub static RQ1_IMU: Profile = Profile {
     id: "3dm-rq1-imu",
     title: "3DM-RQ1-IMU",
-    description: "Inertial sensor inside the 3DM-RQ1-45, which answers in its direct mode.",
+    description: "Inertial sensor inside the 3DM-RQ1-45, which replies in the direct mode.",
     also: &[],
     model_number: Some(6238),
     generation: Some(4),
@@ -8660,7 +8663,7 @@ const DEMOD_DC_1: &Evidence =
 /// Digital demodulator for displacement sensors.
 ///
 /// Also called Digital Demod. Model number 6130. No manual is known. This profile is incomplete: No
-/// manual is known; all is from MSCL.
+/// manual is known; everything here is from MSCL.
 ///
 /// Source: mscl: Displacement node.
 #[rustfmt::skip]
@@ -8673,7 +8676,7 @@ pub static DEMOD_DC: Profile = Profile {
     generation: None,
     manual: None,
     incomplete: &[
-        "No manual is known; all is from MSCL.",
+        "No manual is known; everything here is from MSCL.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] DEMOD_DC_1;

@@ -27,13 +27,13 @@ open_enum! {
 }
 
 open_enum! {
-    /// Answers of the device to aiding measurements.
+    /// Replies of the device to aiding measurements.
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F).
     AidingEchoMode: u8 {
         /// No acknowledge.
         SUPPRESS_ACK = 0, "suppress_ack";
-        /// Acknowledge as for any command.
+        /// ACK, as for any command.
         STANDARD = 1, "standard";
         /// The data is returned in a response.
         RESPONSE = 2, "response";
@@ -45,7 +45,7 @@ open_enum! {
     Timebase: u8 {
         /// Internal reference clock of the device.
         INTERNAL_REFERENCE = 1, "internal_reference";
-        /// External clock, with which the PPS synchronizes the device.
+        /// External clock, to which the PPS synchronizes the device.
         EXTERNAL_TIME = 2, "external_time";
         /// Latency relative to the arrival of the command.
         TIME_OF_ARRIVAL = 3, "time_of_arrival";
@@ -139,9 +139,9 @@ record! {
     ///
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
-    /// - For GNSS positions and velocities the rotation does not matter. Send one that does not
-    ///   turn: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0.
-    /// - A read selects the format of the answer.
+    /// - For GNSS positions and velocities the rotation does not matter. Send the identity: Euler
+    ///   angles 0, 0, 0 or the quaternion 1, 0, 0, 0.
+    /// - A read selects the format of the reply.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy)]
@@ -241,7 +241,7 @@ command! {
 record! {
     /// Echo control (0x13,0x1F).
     ///
-    /// Sets how the device answers aiding measurements.
+    /// Sets how the device replies to aiding measurements.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -635,11 +635,11 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The device supports up to four sensors of this kind.
-    /// - A wheeled vehicle constraint is a velocity of 0 with only y valid, sent at least once per
-    ///   second.
+    /// - For a wheeled vehicle constraint, send a velocity of 0 with only y valid, at least once
+    ///   per second.
     /// - With z also valid and 0, motion is constrained to a plane (2D mode).
     /// - A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold
-    ///   chosen by the user.
+    ///   that you choose.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///

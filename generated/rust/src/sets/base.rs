@@ -74,7 +74,7 @@ open_enum! {
 record! {
     /// Ping (0x01,0x01).
     ///
-    /// Checks whether a device is present and answers commands.
+    /// Checks whether a device is present and replies to commands.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -526,7 +526,7 @@ constructors! {
     /// Return the current setting in a response.
     fn read(field_id: GpsTimeField) -> Read;
 
-    /// Apply the new setting and send no acknowledge (5-series devices).
+    /// Apply the new setting without sending an ACK (5-series devices).
     fn apply(field_id: GpsTimeField, value: u32) -> Apply;
 }
 

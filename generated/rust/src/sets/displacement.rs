@@ -17,7 +17,8 @@ pub const DISPLACEMENT_SET: u8 = 0x11;
 record! {
     /// Get Analog to Displacement Calibration (0x11,0x01).
     ///
-    /// Reads the line by which the device converts the counts of its converter to a displacement.
+    /// Reads the linear function by which the device converts the counts of its converter to a
+    /// displacement.
     ///
     /// No device is certain to support it. Also called `get_analog_displacement_calibration`.
     /// Answered by [`GetCalibrationResponse`]. Known only from the MicroStrain Communication

@@ -14,11 +14,11 @@ use crate::types;
 pub const FILTER_SET: u8 = 0x0D;
 
 open_enum! {
-    /// Motion that the filter expects, by the way in which the device travels.
+    /// Motion that the filter expects, depending on the kind of vehicle.
     ///
-    /// Uncertain: The SDK names the modes only; the descriptions follow from the names. Uncertain:
-    /// [`filter_data::Status`](crate::filter_data::Status) reports a mode too, but is known to have
-    /// the values 1 to 3 only.
+    /// Uncertain: The SDK lists only the names of the modes, from which the descriptions are
+    /// inferred. Uncertain: [`filter_data::Status`](crate::filter_data::Status) reports a mode too,
+    /// but is known to have the values 1 to 3 only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     DynamicsMode: u8 {
@@ -68,7 +68,7 @@ open_enum! {
     GnssAidingSource: u8 {
         /// All internal receivers.
         ALL_INTERNAL = 1, "all_internal";
-        /// GNSS measurements that the user sends.
+        /// GNSS measurements that your program sends.
         EXTERNAL = 2, "external";
         /// Internal receiver 1 only.
         INTERNAL_1 = 3, "internal_1";
@@ -99,13 +99,13 @@ open_enum! {
         MAG = 1, "mag";
         /// The velocity that the GNSS receiver measures.
         GNSS_VELOCITY = 2, "gnss_velocity";
-        /// The heading messages that the user sends.
+        /// The heading messages that your program sends.
         EXTERNAL = 3, "external";
         /// The course over ground and the magnetometer.
         GNSS_VELOCITY_AND_MAG = 4, "gnss_velocity_and_mag";
-        /// GNSS velocity and the messages of the user.
+        /// GNSS velocity and your program's heading messages.
         GNSS_VELOCITY_AND_EXTERNAL = 5, "gnss_velocity_and_external";
-        /// Magnetometer and the messages of the user.
+        /// Magnetometer and your program's heading messages.
         MAG_AND_EXTERNAL = 6, "mag_and_external";
         /// All three.
         ALL = 7, "all";
@@ -198,13 +198,13 @@ open_enum! {
         SPEED = 3, "speed";
         /// Built-in magnetometer.
         MAG = 4, "mag";
-        /// Heading that the user sends.
+        /// Heading that your program sends.
         EXTERNAL_HEADING = 5, "external_heading";
-        /// Pressure altitude that the user sends.
+        /// Pressure altitude that your program sends.
         EXTERNAL_ALTIMETER = 6, "external_altimeter";
-        /// Magnetic field that the user sends.
+        /// Magnetic field that your program sends.
         EXTERNAL_MAG = 7, "external_mag";
-        /// Velocity in the body (vehicle) frame that the user sends.
+        /// Velocity in the body (vehicle) frame that your program sends.
         BODY_FRAME_VELOCITY = 8, "body_frame_velocity";
         /// All sources, for save, load and default.
         ALL = 65535, "all";
@@ -250,21 +250,21 @@ open_enum! {
 }
 
 open_enum! {
-    /// Initial conditions that the user provides instead of the device.
+    /// Initial conditions that your program provides instead of the device.
     InitialConditionSource: u8 {
         /// Position, velocity and attitude are automatic.
         AUTO_POSITION_VELOCITY_ATTITUDE = 0, "auto_position_velocity_attitude";
-        /// Position, velocity, pitch and roll are automatic; the user provides the heading.
+        /// Position, velocity, pitch and roll are automatic; your program provides the heading.
         AUTO_POSITION_VELOCITY_PITCH_ROLL = 1, "auto_position_velocity_pitch_roll";
-        /// Position and velocity are automatic; the user provides the attitude.
+        /// Position and velocity are automatic; your program provides the attitude.
         AUTO_POSITION_VELOCITY = 2, "auto_position_velocity";
-        /// The user provides position, velocity and attitude.
+        /// Your program provides position, velocity and attitude.
         MANUAL = 3, "manual";
     }
 }
 
 bitfield! {
-    /// Methods by which the device may determine its initial heading.
+    /// Methods that the device may use to determine its initial heading.
     HeadingAlignment: u8 {
         /// From the baseline between two GNSS antennas. Bit 0.
         DUAL_ANTENNA: bool = 0,
@@ -275,14 +275,14 @@ bitfield! {
         /// From the built-in magnetometer. Bit 2.
         MAG: bool = 2,
             mag, set_mag, with_mag;
-        /// From the heading that the user sends. Bit 3.
+        /// From the heading that your program sends. Bit 3.
         EXTERNAL: bool = 3,
             external, set_external, with_external;
     }
 }
 
 open_enum! {
-    /// Frame in which a position is given.
+    /// Frame of a position.
     ReferenceFrame: u8 {
         /// Earth-centred, Earth-fixed coordinates (WGS84).
         ECEF = 1, "ecef";
@@ -432,8 +432,8 @@ record! {
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - 3DM-GX5: accepted only in the initialization state.
-    /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
-    ///   ignored.
+    /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the value of this
+    ///   command is ignored.
     ///
     /// Source: 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03); 3dm-gx5-15: 4.3.3 Set
     /// Initial Heading (0x0D, 0x03).
@@ -541,7 +541,7 @@ command! {
 record! {
     /// Vehicle dynamics mode (0x0D,0x10).
     ///
-    /// Adapts the filter to the motion that it has to expect.
+    /// Adapts the filter to the expected motion.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -989,11 +989,11 @@ command! {
 record! {
     /// External GNSS update (0x0D,0x16).
     ///
-    /// Sends one measurement of position and velocity by a GNSS receiver of the user to the filter.
+    /// Sends one position and velocity measurement from your own GNSS receiver to the filter.
     ///
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
-    /// - Refused unless [`GnssSource`] selects the external source.
+    /// - Rejected unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
     ///
     /// Source: mip-sdk-4: External GNSS update (0x0D,0x16).
@@ -1071,7 +1071,7 @@ record! {
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
+    /// - Rejected unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
     /// - The 3DM-GX5-15 accepts at most 20 updates per second.
     /// - If the declination source is not valid, -25 models reject true headings and -45 models
@@ -1609,7 +1609,7 @@ record! {
     ///
     /// - Better than [`ExternalHeadingUpdate`] if the heading changes quickly; the time must be
     ///   accurate.
-    /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
+    /// - Rejected unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
     /// - The 3DM-GX5-15 accepts at most 20 updates per second.
     /// - If the declination source is not valid, -25 models reject true headings and -45 models
@@ -1777,7 +1777,7 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT) only.
     ///
-    /// - Refused while the filter has no valid attitude.
+    /// - Rejected while the filter has no valid attitude.
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare orientation
     /// (0x0D,0x21).
@@ -1830,7 +1830,7 @@ command! {
 record! {
     /// Commanded zero velocity update (0x0D,0x22).
     ///
-    /// Tells the filter once that the device is at rest.
+    /// Informs the filter once that the device is at rest.
     ///
     /// Probably changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
@@ -1864,7 +1864,7 @@ command! {
 record! {
     /// Commanded zero angular rate update (0x0D,0x23).
     ///
-    /// Tells the filter once that the device is not rotating.
+    /// Informs the filter once that the device is not rotating.
     ///
     /// Probably changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
@@ -2443,7 +2443,7 @@ record! {
         /// Declination; used only if `source` is manual.
         ///
         /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Required for
-        /// [write](types::FunctionSelector::WRITE). Uncertain: Whether it may be left out if
+        /// [write](types::FunctionSelector::WRITE). Uncertain: Whether it may be omitted if
         /// `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only if it
         /// is, but state one length, with the value. Sending it always fits both.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
@@ -2504,7 +2504,7 @@ record! {
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
-    /// - All parameters after the selector keep their values if they are left out.
+    /// - All parameters after the selector keep their values if they are omitted.
     /// - Filter and limits take effect only with `fixed`.
     /// - Raise the limits where vibration is strong, lower them where it is weak. High limits
     ///   reduce the accuracy of pitch and roll under linear acceleration, low limits reduce the
@@ -2524,7 +2524,7 @@ record! {
         /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
         /// [`AdaptiveMeasurementSelector::DISABLED`] and [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
-        /// Cut-off frequency of the low-pass filter.
+        /// Cutoff frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0. Optional.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
@@ -2623,7 +2623,7 @@ record! {
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
-    /// Uncertain: Whether the parameters after the selector may be left out on write, as those of
+    /// Uncertain: Whether the parameters after the selector may be omitted on write, as those of
     /// [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
     ///
     /// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
@@ -2645,7 +2645,7 @@ record! {
         /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
         /// [`AdaptiveMeasurementSelector::DISABLED`] and [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
-        /// Cut-off frequency of the low-pass filter.
+        /// Cutoff frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
@@ -2767,7 +2767,7 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
-        /// Cut-off frequency of the low-pass filter.
+        /// Cutoff frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
@@ -3455,11 +3455,11 @@ record! {
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub wait_for_run_command: Option<u8>,
-        /// Initial conditions that the user provides instead of the device.
+        /// Initial conditions that your program provides instead of the device.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub initial_condition_source: Option<InitialConditionSource>,
-        /// Methods by which the initial heading may be determined.
+        /// Methods that may be used to determine the initial heading.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX7-INS](crate::devices::CX7_INS) and
@@ -3469,22 +3469,22 @@ record! {
         /// [`dual_antenna`](HeadingAlignment::dual_antenna),
         /// [`kinematic`](HeadingAlignment::kinematic) and [`mag`](HeadingAlignment::mag).
         pub auto_heading_alignment_selector: Option<HeadingAlignment>,
-        /// Initial heading that the user provides.
+        /// Initial heading that your program provides.
         ///
         /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub initial_heading: Option<f32>,
-        /// Initial pitch that the user provides.
+        /// Initial pitch that your program provides.
         ///
         /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub initial_pitch: Option<f32>,
-        /// Initial roll that the user provides.
+        /// Initial roll that your program provides.
         ///
         /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub initial_roll: Option<f32>,
-        /// Initial position that the user provides.
+        /// Initial position that your program provides.
         ///
         /// Elements: x, y, z. Required for [write](types::FunctionSelector::WRITE). If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
@@ -3493,7 +3493,7 @@ record! {
         /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
         /// llh.
         pub initial_position: Option<types::Vector3f>,
-        /// Initial velocity that the user provides.
+        /// Initial velocity that your program provides.
         ///
         /// Elements: x, y, z. Unit: m/s. Required for [write](types::FunctionSelector::WRITE). If
         /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
@@ -5008,8 +5008,8 @@ record! {
         /// Declination; used only if `source` is manual.
         ///
         /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Uncertain: Whether it may be
-        /// left out if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require
-        /// it only if it is, but state one length, with the value. Sending it always fits both.
+        /// omitted if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it
+        /// only if it is, but state one length, with the value. Sending it always fits both.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub declination: f32,
     }
@@ -5045,7 +5045,7 @@ record! {
     pub struct AccelMagnitudeErrorAdaptiveMeasurementResponse {
         /// Kind of adaptation.
         pub adaptive_measurement: AdaptiveMeasurementSelector,
-        /// Cut-off frequency of the low-pass filter.
+        /// Cutoff frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -5121,7 +5121,7 @@ record! {
     pub struct MagMagnitudeErrorAdaptiveMeasurementResponse {
         /// Kind of adaptation.
         pub adaptive_measurement: AdaptiveMeasurementSelector,
-        /// Cut-off frequency of the low-pass filter.
+        /// Cutoff frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -5202,7 +5202,7 @@ record! {
     pub struct MagDipAngleErrorAdaptiveMeasurementResponse {
         /// True if the adaptation is on.
         pub enable: crate::Bool,
-        /// Cut-off frequency of the low-pass filter.
+        /// Cutoff frequency of the low-pass filter.
         ///
         /// Unit: Hz. Range: at least 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -5560,26 +5560,26 @@ record! {
         ///
         /// Range: 0 to 1.
         pub wait_for_run_command: u8,
-        /// Initial conditions that the user provides instead of the device.
+        /// Initial conditions that your program provides instead of the device.
         pub initial_condition_source: InitialConditionSource,
-        /// Methods by which the initial heading may be determined.
+        /// Methods that may be used to determine the initial heading.
         pub auto_heading_alignment_selector: HeadingAlignment,
-        /// Initial heading that the user provides.
+        /// Initial heading that your program provides.
         ///
         /// Unit: deg.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub initial_heading: f32,
-        /// Initial pitch that the user provides.
+        /// Initial pitch that your program provides.
         ///
         /// Unit: deg.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub initial_pitch: f32,
-        /// Initial roll that the user provides.
+        /// Initial roll that your program provides.
         ///
         /// Unit: deg.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub initial_roll: f32,
-        /// Initial position that the user provides.
+        /// Initial position that your program provides.
         ///
         /// Elements: x, y, z. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
@@ -5588,7 +5588,7 @@ record! {
         /// [`ReferenceFrame::LLH`]: elements latitude, longitude, height; unit deg, deg, m; frame
         /// llh.
         pub initial_position: types::Vector3f,
-        /// Initial velocity that the user provides.
+        /// Initial velocity that your program provides.
         ///
         /// Elements: x, y, z. Unit: m/s. If
         /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is

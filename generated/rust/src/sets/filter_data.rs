@@ -34,7 +34,7 @@ bitfield! {
         /// The velocity that the GNSS receiver measures. Bit 1.
         GNSS_VELOCITY: bool = 1,
             gnss_velocity, set_gnss_velocity, with_gnss_velocity;
-        /// Heading messages that the user sends. Bit 2.
+        /// Heading messages that your program sends. Bit 2.
         EXTERNAL: bool = 2,
             external, set_external, with_external;
     }
@@ -101,7 +101,7 @@ open_enum! {
     HeadingAidingType: u8 {
         /// Two GNSS antennas.
         DUAL_ANTENNA = 1, "dual_antenna";
-        /// A heading message of the user.
+        /// A heading message from your program.
         EXTERNAL_MESSAGE = 2, "external_message";
     }
 }
@@ -275,7 +275,7 @@ bitfield! {
         /// [`EulerAnglesUncertainty`].
         RUN_ATTITUDE_COVARIANCE_WARNING: bool = 6,
             run_attitude_covariance_warning, set_run_attitude_covariance_warning, with_run_attitude_covariance_warning;
-        /// The solution contains values that are not numbers. Bit 7. Concerns
+        /// The solution contains NaN values. Bit 7. Concerns
         /// [`filter::Reset`](crate::filter::Reset).
         RUN_NAN_IN_SOLUTION_WARNING: bool = 7,
             run_nan_in_solution_warning, set_run_nan_in_solution_warning, with_run_nan_in_solution_warning;
@@ -379,8 +379,8 @@ bitfield! {
         /// Concerns [`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl).
         TIME_SYNC_WARNING: bool = 10,
             time_sync_warning, set_time_sync_warning, with_time_sync_warning;
-        /// Not 0 if the solution contains values that are not numbers; reset the filter. Bits 12 to
-        /// 15. Concerns [`filter::Reset`](crate::filter::Reset).
+        /// Not 0 if the solution contains NaN values; reset the filter. Bits 12 to 15. Concerns
+        /// [`filter::Reset`](crate::filter::Reset).
         SOLUTION_ERROR: u8 = 12..=15,
             solution_error, set_solution_error, with_solution_error;
     }
@@ -1463,7 +1463,7 @@ record! {
     ///
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - The valid bit means that the source gave data within the last 2 seconds.
+    /// - The valid bit means that the source provided data within the last 2 seconds.
     ///
     /// Source: 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14).
     #[derive(Copy, Default)]
@@ -1883,7 +1883,7 @@ record! {
         /// Unit: degC. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub standard_temperature: f32,
-        /// Pressure that the model has at this altitude.
+        /// Pressure at this altitude according to the model.
         ///
         /// Unit: mbar. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -1943,7 +1943,7 @@ record! {
     /// Altitude (0x82, 0x21).
     #[derive(Copy, Default)]
     pub struct PressureAltitude {
-        /// Altitude in the standard atmosphere that has the measured pressure.
+        /// Altitude at which the standard atmosphere has the measured pressure.
         ///
         /// Unit: m. Range: at most 84852. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -1974,16 +1974,16 @@ field! {
 record! {
     /// Density altitude (0x82,0x22).
     ///
-    /// The density of the surrounding air, as the altitude at which the standard atmosphere is as
-    /// dense.
+    /// Density of the surrounding air, expressed as the altitude with the same density in the
+    /// standard atmosphere.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
-    /// SDK has the name only; the description is the usual meaning of the term.
+    /// SDK lists only the name; the description is the usual meaning of the term.
     ///
     /// Source: mip-sdk-4: Density altitude (0x82,0x22).
     #[derive(Copy, Default)]
     pub struct DensityAltitude {
-        /// Altitude in the standard atmosphere that has the present air density.
+        /// Altitude at which the standard atmosphere has the present air density.
         ///
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -2265,7 +2265,7 @@ record! {
     /// Source: mip-sdk-4: Antenna offset correction (0x82,0x30).
     #[derive(Copy, Default)]
     pub struct AntennaOffsetCorrection {
-        /// Estimated correction of the antenna offset that was set.
+        /// Estimated correction of the configured antenna offset.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -2454,7 +2454,7 @@ record! {
     pub struct MultiAntennaOffsetCorrection {
         /// Receiver that the antenna belongs to.
         pub receiver_id: u8,
-        /// Estimated correction of the antenna offset that was set.
+        /// Estimated correction of the configured antenna offset.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -3091,7 +3091,7 @@ record! {
     /// Aiding frame configuration error (0x82,0x50).
     ///
     /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
-    /// It is corrected for.
+    /// The filter corrects for it.
     ///
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).

@@ -150,7 +150,8 @@ open_enum! {
 open_enum! {
     /// Readiness of RTK to fix the carrier phase ambiguities to whole numbers.
     ///
-    /// Uncertain: The descriptions of `conservative` and `moderate`, which follow from the names.
+    /// Uncertain: The descriptions of `conservative` and `moderate`, which are inferred from the
+    /// names.
     ///
     /// Source: mip-sdk-4: Rtk Configuration (0x0E,0x04).
     AmbiguityFixMode: u8 {

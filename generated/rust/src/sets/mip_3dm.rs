@@ -301,7 +301,7 @@ open_enum! {
     ///
     /// Uncertain: The value `fixed`. The SDK of 2014 numbers the modes 0 to 8, but the list in its
     /// comments lacks this one, as u-blox receivers do. Uncertain: The descriptions. The sources
-    /// have names only; what is said of each mode is inferred from its name.
+    /// list only names, from which the descriptions of the modes are inferred.
     ///
     /// Source: mip-sdk-2014: GPS Dynamics Mode (0x0C,0x34).
     ReceiverDynamics: u8 {
@@ -331,7 +331,7 @@ bitfield! {
     ///
     /// Uncertain: Bits 4, 5, 9 and 12 are from the single-byte protocol of the 3DM-GX3. MSCL has
     /// the quaternion as 0x10000, which exceeds 16 bits. Uncertain: The descriptions. The sources
-    /// have names only; what is said of each bit is inferred from its name.
+    /// list only names, from which the descriptions of the bits are inferred.
     ///
     /// Source: mip-sdk-2014: IMU Signal Conditioning (0x0C,0x35); mscl: IMU Signal Conditioning
     /// (0x0C,0x35).
@@ -345,7 +345,7 @@ bitfield! {
         /// Sends floats with the least significant byte first. Bit 4.
         LITTLE_ENDIAN_FLOATS: bool = 4,
             little_endian_floats, set_little_endian_floats, with_little_endian_floats;
-        /// Suppresses values that are not a number. Bit 5.
+        /// Suppresses values that are NaN (not a number). Bit 5.
         NAN_SUPPRESSED: bool = 5,
             nan_suppressed, set_nan_suppressed, with_nan_suppressed;
         /// Corrects the distance between the accelerometers. Bit 6.
@@ -382,7 +382,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// A counter of the time of the sensor data.
+    /// A time counter of the sensor data.
     ///
     /// Source: mip-sdk-2014: IMU Timestamp (0x0C,0x36).
     ImuTimestampSelector: u8 {
@@ -503,7 +503,7 @@ open_enum! {
     DeviceStatusSelector: u8 {
         /// State and timer.
         BASIC = 1, "basic";
-        /// State and timer with the counters of streams and port.
+        /// State, timer, and the counters of streams and port.
         DIAGNOSTIC = 2, "diagnostic";
     }
 }
@@ -1074,7 +1074,7 @@ record! {
     ///
     /// - A sentence may be listed several times with different talkers or sources.
     /// - A sentence is sent only while the device is not idle and the data of the source is valid.
-    /// - The 3DM-CV7-GNSS/INS rejects the format if a sentence would come more than 10 times per
+    /// - The 3DM-CV7-GNSS/INS rejects the format if a sentence would be sent more than 10 times per
     ///   second, or, from a GNSS set, more than twice.
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
@@ -1572,7 +1572,7 @@ command! {
 record! {
     /// GNSS SBAS Settings (0x0C,0x22).
     ///
-    /// Sets how the GNSS receivers use satellite based augmentation.
+    /// Sets how the GNSS receivers use satellite-based augmentation (SBAS).
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1666,8 +1666,8 @@ record! {
     /// Supported by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
-    /// - With the time of [`GnssTimeAssistance`] right after power-up, the first fix takes 1 s at
-    ///   best.
+    /// - If you send the time with [`GnssTimeAssistance`] right after power-up, the first fix takes
+    ///   1 s at best.
     /// - A change from enabled to none erases the flash memory of the receiver, which is rated for
     ///   100 000 erasures.
     /// - The power consumption is slightly higher.
@@ -2106,7 +2106,7 @@ union! {
         /// If [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::THRESHOLD`].
         #[cfg_attr(feature = "serde", serde(rename = "threshold"))]
         THRESHOLD => Threshold(types::EventTriggerThreshold) "threshold",
-        /// Combines up to four other triggers by a truth table.
+        /// Combines up to four other triggers in a truth table.
         ///
         /// If [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::COMBINATION`].
         #[cfg_attr(feature = "serde", serde(rename = "combination"))]
@@ -2669,7 +2669,7 @@ record! {
     pub struct ImuSignalConditioning {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Divides 1000 Hz to the rate at which the orientation is computed.
+        /// Divisor of 1000 Hz that sets the rate at which the orientation is computed.
         ///
         /// Unit: 1. Range: 1 to 1000. Required for [write](types::FunctionSelector::WRITE).
         pub orientation_decimation: Option<u16>,
@@ -2677,22 +2677,22 @@ record! {
         ///
         /// Default: 3. Required for [write](types::FunctionSelector::WRITE).
         pub data_conditioning_flags: Option<DataConditioningFlags>,
-        /// Width of the filter of accelerometers and gyroscopes in samples.
+        /// Width of the accelerometer and gyroscope filter in samples.
         ///
         /// Unit: 1. Range: 1 to 32. Default: 15. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub inertial_filter_width: Option<u8>,
-        /// Width of the filter of the magnetometer in samples.
+        /// Width of the magnetometer filter in samples.
         ///
         /// Unit: 1. Range: 1 to 32. Default: 17. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub mag_filter_width: Option<u8>,
-        /// Time constant of the correction of pitch and roll.
+        /// Time constant of the pitch and roll correction.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub up_compensation: Option<u16>,
-        /// Time constant of the correction of the heading.
+        /// Time constant of the heading correction.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -2759,13 +2759,13 @@ command! {
 record! {
     /// IMU timestamp (0x0C,0x36).
     ///
-    /// Sets or reads a counter of the time of the sensor data.
+    /// Sets or reads a time counter of the sensor data.
     ///
     /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ). Answered by [`ImuTimestampResponse`]. Known only from
     /// the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its example
-    /// for the 3DM-GX3-35 only. Uncertain: Whether a read needs `time` and ignores it, or leaves it
-    /// out, as is assumed.
+    /// for the 3DM-GX3-35 only. Uncertain: Whether a read includes `time`, which is ignored, or
+    /// omits it, as is assumed.
     ///
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Eq, Hash)]
@@ -2864,7 +2864,7 @@ constructors! {
     /// Load the factory default setting.
     fn load_default() -> LoadDefault;
 
-    /// Apply the new setting and send no acknowledge (5-series devices).
+    /// Apply the new setting without sending an ACK (5-series devices).
     fn apply(bias: impl Into<types::Vector3f>) -> Apply;
 }
 
@@ -2945,7 +2945,7 @@ constructors! {
     /// Load the factory default setting.
     fn load_default() -> LoadDefault;
 
-    /// Apply the new setting and send no acknowledge (5-series devices).
+    /// Apply the new setting without sending an ACK (5-series devices).
     fn apply(bias: impl Into<types::Vector3f>) -> Apply;
 }
 
@@ -3080,7 +3080,7 @@ constructors! {
     /// Load the factory default setting.
     fn load_default() -> LoadDefault;
 
-    /// Apply the new setting and send no acknowledge (5-series devices).
+    /// Apply the new setting without sending an ACK (5-series devices).
     fn apply(offset: impl Into<types::Vector3f>) -> Apply;
 }
 
@@ -3165,7 +3165,7 @@ constructors! {
     /// Load the factory default setting.
     fn load_default() -> LoadDefault;
 
-    /// Apply the new setting and send no acknowledge (5-series devices).
+    /// Apply the new setting without sending an ACK (5-series devices).
     fn apply(matrix: impl Into<types::Matrix3f>) -> Apply;
 }
 
@@ -3559,7 +3559,7 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<OdometerMode>,
-        /// Pulses per distance travelled; negative if the encoder turns backwards.
+        /// Pulses per distance travelled; negative if the encoder rotates backwards.
         ///
         /// Unit: pulse/m. Required for [write](types::FunctionSelector::WRITE).
         ///
@@ -3763,13 +3763,13 @@ record! {
         /// [3DM-GX5-10](crate::devices::GX5_10): MSCL does not offer it. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): default true.
         pub heading_enable: Option<crate::Bool>,
-        /// Time constant of the correction of pitch and roll.
+        /// Time constant of the pitch and roll correction.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10. Required for
         /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub pitch_roll_time_constant: Option<f32>,
-        /// Time constant of the correction of the heading.
+        /// Time constant of the heading correction.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -4094,8 +4094,8 @@ record! {
     /// Answered by [`DevicePowerStateResponse`]. The device may take 5 s to answer. Known only from
     /// the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it.
     /// A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The
-    /// time-out. The SDK of 2014 uses a longer one than usual; 5 s is assumed. Uncertain: Whether
-    /// `state` may be left out with functions other than write. The SDK of 2014 sends `device` with
+    /// time-out. The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether
+    /// `state` may be omitted with functions other than write. The SDK of 2014 sends `device` with
     /// every function, and a 0 in place of `state`.
     ///
     /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
@@ -4216,21 +4216,20 @@ record! {
     ///
     /// - The device expects its own model number, which
     ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) returns.
-    /// - Families of devices answer in different layouts. The selector and the length distinguish
-    ///   them.
+    /// - Device families reply in different layouts. The selector and the length distinguish them.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatus {
-        /// Model number of the device that answers.
+        /// Model number of the device that replies.
         ///
         /// On the [3DM-GX5-15](crate::devices::GX5_15): always 6254. On the
         /// [3DM-GX5-35](crate::devices::GX5_35): always 6252. On the
         /// [3DM-GX5-45](crate::devices::GX5_45): always 6251.
         pub model_number: u16,
-        /// Level of detail of the answer.
+        /// Level of detail of the reply.
         pub status_selector: DeviceStatusSelector,
     }
 }
@@ -4497,7 +4496,7 @@ record! {
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DataStreamControlResponse {
-        /// Stream given in the command.
+        /// Stream specified in the command.
         ///
         /// On the [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
         /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
@@ -4578,7 +4577,7 @@ record! {
     /// (0x0C,0x35).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ImuSignalConditioningResponse {
-        /// Divides 1000 Hz to the rate at which the orientation is computed.
+        /// Divisor of 1000 Hz that sets the rate at which the orientation is computed.
         ///
         /// Unit: 1. Range: 1 to 1000.
         pub orientation_decimation: u16,
@@ -4586,19 +4585,19 @@ record! {
         ///
         /// Default: 3.
         pub data_conditioning_flags: DataConditioningFlags,
-        /// Width of the filter of accelerometers and gyroscopes in samples.
+        /// Width of the accelerometer and gyroscope filter in samples.
         ///
         /// Unit: 1. Range: 1 to 32. Default: 15.
         pub inertial_filter_width: u8,
-        /// Width of the filter of the magnetometer in samples.
+        /// Width of the magnetometer filter in samples.
         ///
         /// Unit: 1. Range: 1 to 32. Default: 17.
         pub mag_filter_width: u8,
-        /// Time constant of the correction of pitch and roll.
+        /// Time constant of the pitch and roll correction.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10.
         pub up_compensation: u16,
-        /// Time constant of the correction of the heading.
+        /// Time constant of the heading correction.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10.
         pub north_compensation: u16,
@@ -4891,7 +4890,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetBaseRateResponse {
-        /// Data descriptor set given in the command.
+        /// Data descriptor set specified in the command.
         pub descriptor_set: u8,
         /// Base rate; 0 if the rate is variable or unknown and data is sent as it arrives.
         ///
@@ -4964,8 +4963,8 @@ record! {
     ///
     /// No device is certain to support it. Answers [`DeviceStatus`]. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
-    /// Uncertain: The SDK of 2014 names the values and the unit of the timer; the descriptions
-    /// follow from the names.
+    /// Uncertain: The SDK of 2014 lists the names of the values and the unit of the timer; the
+    /// descriptions are inferred from the names.
     ///
     /// The wire format also contains `model_number`: Model number of the inertial sensor. Always
     /// 6238.
@@ -5142,7 +5141,7 @@ field! {
 record! {
     /// Diagnostic Device Status (0x0C,0x90).
     ///
-    /// State and timer with the counters of streams and port.
+    /// State, timer, and the counters of streams and port.
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
@@ -5264,7 +5263,7 @@ field! {
 record! {
     /// Diagnostic Device Status with GNSS (0x0C,0x90).
     ///
-    /// State and timer with the counters of pulses, streams, port and receiver.
+    /// State, timer, and the counters of pulses, streams, port and receiver.
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
@@ -5274,8 +5273,8 @@ record! {
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     /// Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is
-    /// from a manual. Uncertain: MSCL only names the values; the descriptions follow from the
-    /// names, and the times are assumed to be in ms like the system timer.
+    /// from a manual. Uncertain: MSCL lists only the names of the values, from which the
+    /// descriptions are inferred; the times are assumed to be in ms like the system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -5433,7 +5432,7 @@ field! {
 record! {
     /// Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
     ///
-    /// The layout with GNSS, plus what could not be started.
+    /// The layout with GNSS, plus flags for parts that could not be started.
     ///
     /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticRq1_45Response`],
@@ -5442,8 +5441,8 @@ record! {
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45). Uncertain: No known manual documents it.
-    /// Uncertain: MSCL only names the values; the descriptions follow from the names, and the times
-    /// are assumed to be in ms like the system timer.
+    /// Uncertain: MSCL lists only the names of the values, from which the descriptions are
+    /// inferred; the times are assumed to be in ms like the system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -5623,8 +5622,8 @@ record! {
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Uncertain: No known manual documents it.
-    /// Uncertain: MSCL only names the values; the descriptions follow from the names, and the times
-    /// are assumed to be in ms like the system timer.
+    /// Uncertain: MSCL lists only the names of the values, from which the descriptions are
+    /// inferred; the times are assumed to be in ms like the system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -5808,9 +5807,9 @@ record! {
     /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: No known manual documents it for these
-    /// devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL only
-    /// names the values; the descriptions follow from the names, and the times are assumed to be in
-    /// ms like the system timer.
+    /// devices; the offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists
+    /// only the names of the values, from which the descriptions are inferred; the times are
+    /// assumed to be in ms like the system timer.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -5965,9 +5964,9 @@ record! {
     /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
-    /// and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL only names the values; the
-    /// descriptions follow from the names, and the times are assumed to be in ms like the system
-    /// timer. Uncertain: The units of the ranges are not known.
+    /// and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the
+    /// values, from which the descriptions are inferred; the times are assumed to be in ms like the
+    /// system timer. Uncertain: The units of the ranges are not known.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6110,9 +6109,9 @@ record! {
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: The SDK of 2014 names the values and the
-    /// units of temperature and times; the descriptions follow from the names. Uncertain: The units
-    /// of the ranges are not known.
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: The SDK of 2014 lists the names of the
+    /// values and the units of temperature and times; the descriptions are inferred from the names.
+    /// Uncertain: The units of the ranges are not known.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6257,8 +6256,8 @@ record! {
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticGx4ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: The SDK of 2014 names the values and the
-    /// units of temperature and times; the descriptions follow from the names.
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: The SDK of 2014 lists the names of the
+    /// values and the units of temperature and times; the descriptions are inferred from the names.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6392,8 +6391,8 @@ record! {
     /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
     /// [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicWithoutStateResponse`] by the size of
     /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::BASIC`]. Uncertain: Only the SDK of 2014 has it, which names the
-    /// values; the descriptions follow from the names.
+    /// [`DeviceStatusSelector::BASIC`]. Uncertain: Only the SDK of 2014 has it, with the names of
+    /// the values; the descriptions are inferred from the names.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
@@ -6453,7 +6452,7 @@ field! {
 record! {
     /// Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45 (0x0C,0x90).
     ///
-    /// State of the port with the counters of port, USB, receiver and IMU.
+    /// State of the port, and the counters of the port, USB, receiver and IMU.
     ///
     /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
     /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
@@ -6461,8 +6460,8 @@ record! {
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticGx4ImuResponse`] and [`DeviceStatusDiagnosticRq1ImuResponse`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: Only the SDK of 2014 has it, which names
-    /// the values; the descriptions follow from the names.
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: Only the SDK of 2014 has it, with the names
+    /// of the values; the descriptions are inferred from the names.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6543,7 +6542,7 @@ record! {
         ///
         /// Unit: 1.
         pub gnss_message_count: u32,
-        /// Messages of the receiver that came late.
+        /// Messages of the receiver that arrived late.
         ///
         /// Unit: 1.
         pub gnss_delayed_message_count: u32,
@@ -6571,7 +6570,7 @@ record! {
         ///
         /// Unit: 1.
         pub imu_message_count: u32,
-        /// Messages of the IMU that came late.
+        /// Messages of the IMU that arrived late.
         ///
         /// Unit: 1.
         pub imu_delayed_message_count: u32,
@@ -6741,12 +6740,12 @@ record! {
         pub pitch_roll_enable: crate::Bool,
         /// Corrects the heading (north, in terms of the 5-series).
         pub heading_enable: crate::Bool,
-        /// Time constant of the correction of pitch and roll.
+        /// Time constant of the pitch and roll correction.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub pitch_roll_time_constant: f32,
-        /// Time constant of the correction of the heading.
+        /// Time constant of the heading correction.
         ///
         /// Unit: s. Range: 1 to 1000. Default: 10.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -7329,7 +7328,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     #[derive(Default, Eq, Hash)]
     pub struct GetEventSupportResponse {
-        /// Query given in the command.
+        /// Query specified in the command.
         pub query: EventSupportQuery,
         /// Number of slots; instances go from 1 to this.
         ///
@@ -7739,7 +7738,7 @@ record! {
     pub struct OdometerConfigResponse {
         /// Operation of the input.
         pub mode: OdometerMode,
-        /// Pulses per distance travelled; negative if the encoder turns backwards.
+        /// Pulses per distance travelled; negative if the encoder rotates backwards.
         ///
         /// Unit: pulse/m.
         ///
@@ -7824,7 +7823,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
     #[derive(Default)]
     pub struct GetCalibratedSensorRangesResponse {
-        /// Sensor given in the command.
+        /// Sensor specified in the command.
         pub sensor: SensorRangeType,
         /// Each range that the sensor is calibrated for.
         ///

@@ -1,6 +1,6 @@
 //! RTK commands (0x0F): Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
 //!
-//! Uncertain: The SDK describes hardly anything of this set; most descriptions follow from the
+//! Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the
 //! names. Uncertain: How the strings are padded or ended.
 //!
 //! Source: mip-sdk-4: Rtk Commands (0x0F).
@@ -17,7 +17,7 @@ use crate::types;
 pub const RTK_SET: u8 = 0x0F;
 
 open_enum! {
-    /// A device that a corrections modem serves.
+    /// Type of device connected to a corrections modem.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     ConnectedDevice: u8 {
@@ -281,7 +281,7 @@ command! {
 record! {
     /// Get activation code (0x0F,0x07).
     ///
-    /// Reads the code with which the modem is activated for its service.
+    /// Reads the code that activates the modem for its service.
     ///
     /// No device is certain to support it. Also called `get_act_code`. Answered by
     /// [`GetActivationCodeResponse`]. Known only from the MicroStrain MIP SDK.
@@ -346,7 +346,7 @@ record! {
     /// Answered by [`ServiceStatusResponse`]. Sent by the device; the host answers. Not listed in
     /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - The modem sends it as a host would, and the server answers as a device would.
+    /// - The modem sends it as a host would, and the server replies as a device would.
     ///
     /// Source: mip-sdk-4: Service status (0x0F,0x0A).
     #[derive(Copy, Default, Eq, Hash)]
@@ -702,7 +702,7 @@ record! {
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetActivationCodeResponse {
-        /// Code with which the modem is activated for its service.
+        /// Code that activates the modem for its service.
         pub activation_code: crate::Text<32>,
     }
 }

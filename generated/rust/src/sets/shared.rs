@@ -90,7 +90,7 @@ record! {
     /// According to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at
     /// 1000 Hz; at other rates it would take longer or shorter.
     ///
-    /// - A tick takes as long as one period at the base rate of the device.
+    /// - A tick is one period at the base rate of the device.
     ///
     /// Source: mip-sdk-4: Ticks (0xFF,0xD1).
     #[derive(Copy, Default, Eq, Hash)]
@@ -127,7 +127,7 @@ record! {
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
     /// Whether each set and each event instance counts separately, as with [`DeltaTime`].
     ///
-    /// - A tick takes as long as one period at the base rate of the device.
+    /// - A tick is one period at the base rate of the device.
     ///
     /// Source: mip-sdk-4: Delta ticks (0xFF,0xD2).
     #[derive(Copy, Default, Eq, Hash)]
