@@ -83,8 +83,8 @@ def test_commands_say_what_they_do() -> None:
     """The summary of a command begins with a verb in the third person."""
     first = {f.full_name: f.description.split()[0] for f in model("real").fields if f.role == m.COMMAND}
     verbs = {
-        "Acknowledges", "Adapts", "Averages", "Checks", "Clears", "Configures", "Enables", "Ends", "Gets",
-        "Informs", "Initializes", "Lets", "Makes", "Moves", "Queries", "Reads", "Requests", "Resets", "Returns", "Runs", "Selects",
+        "Acknowledges", "Adapts", "Averages", "Checks", "Clears", "Configures", "Enables", "Ends", "Gets", "Informs",
+        "Initializes", "Lets", "Makes", "Moves", "Queries", "Reads", "Requests", "Resets", "Returns", "Runs", "Selects",
         "Sends", "Sets", "Starts", "Stops", "Switches", "Tells",
     }  # fmt: skip
     assert {name: word for name, word in first.items() if word not in verbs and not LISTS.fullmatch(word)} == {}
