@@ -486,7 +486,7 @@ export declare class GetGnssBaseRateResponse extends Response {
 export declare class DataStreamControlResponse extends Response {
     constructor(values: Values<DataStreamControlResponse>);
     /**
-     * Stream specified in the command.
+     * The stream that the command names.
      *
      * - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
      *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,

@@ -4503,7 +4503,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: Stream specified in the command.
+        doc: The stream that the command names.
       - id: enabled
         type: u1
         doc: True if the stream is sent.

@@ -4496,7 +4496,7 @@ record! {
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DataStreamControlResponse {
-        /// Stream specified in the command.
+        /// The stream that the command names.
         ///
         /// On the [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
         /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
