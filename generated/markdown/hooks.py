@@ -41,7 +41,7 @@ _BEGINNINGS = {
     "types.md": 0,
     "compare/": 0,
     "examples": 0,
-    "errata.md": 40,
+    "errata": 40,
     "sets/": 120,
     "devices/": 120,
 }

@@ -43,7 +43,7 @@ with_node, in_browser = with_tool("node"), heavy("Chromium")
 
 #: One page of each kind, and those with the widest tables.
 PAGES = (
-    "index.html", "packets.html", "errata.html", "examples/3dm-gx5-15/3dm.html", "units.html",
+    "index.html", "packets.html", "errata.html", "errata/3dm-gx5-15/wire.html", "examples/3dm-gx5-15/3dm.html", "units.html",
     "sets/3dm.html", "sets/filter_data.html", "types/3dm.html",
     "devices/3dm-cv7-gnss-ins.html", "devices/3dm-gx5-15.html",
     "fields/3dm/pps_source_control.html", "fields/3dm/event_trigger_config.html", "fields/3dm/message_format.html",
@@ -321,7 +321,7 @@ def test_collections_come_last(page: browser.Page) -> None:
     go(page, "index.html")
     for query in ("checksum", "event trigger", "baud rate", "gnss"):
         typed(page, query)
-        collected = [address.startswith(("errata.html#", "examples/")) for address in results(page)]
+        collected = [address.startswith(("errata/", "examples/")) for address in results(page)]
         assert collected == sorted(collected), query
 
 
@@ -341,7 +341,7 @@ def test_every_page_has_the_search(page: browser.Page, address: str) -> None:
         ("big-endian", "packets.html#numbers"),
         ("units and frames", "units.html"),
         ("3DM-CV7-GNSS/INS", "devices/3dm-cv7-gnss-ins.html"),
-        ("cv7-pps-disabled", "errata.html#erratum.cv7-pps-disabled"),
+        ("cv7-pps-disabled", "errata/3dm-cv7-gnss-ins/meaning.html#erratum.cv7-pps-disabled"),
     ],
 )
 def test_text_of_pages_is_found(page: browser.Page, text: str, wanted: str) -> None:
@@ -469,7 +469,7 @@ def test_inspector_links_to_the_reference(page: browser.Page) -> None:
     found = shown(page, ".mip-field h3 a")
     assert found[0] == page_of("3dm.pps_source_control") and found[1] == page_of("protocol.acknowledge")
     assert found[2] == page_of("3dm.pps_source_control_response")
-    assert "errata.html#erratum.cv7-pps-disabled" in shown(page, ".mip-note a")
+    assert "errata/3dm-cv7-gnss-ins/meaning.html#erratum.cv7-pps-disabled" in shown(page, ".mip-note a")
 
 
 @in_browser
@@ -715,7 +715,7 @@ def test_links_are_told_by_more_than_colour(page: browser.Page) -> None:
 
 
 #: Pages with tables as others have them, in great number.
-MANY = {"examples/3dm-gx5-15/3dm.html", "errata.html", "compare/commands.html", "indexes/c.html"}
+MANY = {"examples/3dm-gx5-15/3dm.html", "errata/3dm-gx5-15/wire.html", "compare/commands.html", "indexes/c.html"}
 
 #: Widths and colour schemes in which a page is seen.
 WAYS = ((1400, "default"), (390, "default"), (390, "slate"))

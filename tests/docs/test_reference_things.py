@@ -400,20 +400,22 @@ def test_base_rates(manual: Manual) -> None:
 
 
 def test_every_erratum_has_its_section(manual: Manual) -> None:
-    of, page = manual.model, manual.page("errata.md")
+    """On the page of its manual and severity, which the list of all leads to."""
+    of, lists = manual.model, manual.page("errata.md")
     for e in of.errata:
-        section = manual.section("errata.md", f"erratum.{e.id}")
+        path = f"errata/{e.manual}/{e.severity}.md"
+        section = manual.section(path, f"erratum.{e.id}")
         text = words(section)
-        assert f"### {e.id}\n" in text and f"{e.severity.capitalize()}*, in “{e.section}”." in text, e.id
+        assert f"## {e.id}\n" in text and f"In “{e.section}”." in text, e.id
         listed = [
             f"{key}: {prose(value, of)}"
             for key, value in (("Published", e.printed), ("Correct", e.right), ("Reason", e.reason))
         ]
         assert bullets(section)[:3] == listed, e.id
         title = next(x.title for x in of.protocol.manuals if x.id == e.manual)
-        before = words(page[: page.index(f'"erratum.{e.id}"')])
-        wanted = f"Editorial: {title}" if e.severity == "editorial" else title
-        assert re.findall(r"^## (.*)$", before, re.M)[-1] == wanted
+        count = sum((x.manual, x.severity) == (e.manual, e.severity) for x in of.errata)
+        assert [title, e.severity.capitalize(), str(count)] in rows_of(lists) and f"]({path})" in lists
+        assert re.search(rf"^Mistakes .*, in {re.escape(title)}\.", words(manual.page(path)), re.M)
         for c in e.claims:
             if c.kind == "length":
                 f = of.field(c.subject)

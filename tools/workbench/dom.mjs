@@ -14,8 +14,8 @@ export function element(tag, attributes = {}, ...children) {
 
 /**
  * Where the reference has things. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage`,
- * `options.inspectorPage` and `options.builderPage` are addresses with {set}, {page}, {field}, {id} and {packet} in them;
- * without one, there are no links. A response is on the page of its command.
+ * `options.inspectorPage` and `options.builderPage` are addresses with {set}, {page}, {field} and {packet} in them; that of
+ * an erratum has its {manual}, {severity} and {id}. Without one, there are no links. A response is on the page of its command.
  */
 export function links(options = {}) {
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
@@ -29,7 +29,7 @@ export function links(options = {}) {
             return options.fieldPage ? this.field(field, "page") : "";
         },
         erratum(erratum) {
-            return link(address(options.erratumPage, { id: erratum.id }), [erratum.id]);
+            return link(address(options.erratumPage, erratum), [erratum.id]);
         },
         inspector(packet) {
             return link(address(options.inspectorPage, { packet }), ["Packet: open in the inspector"]);

@@ -49,7 +49,14 @@ def files(model: m.Model) -> Iterator[File]:
         return File(path, template, {"page": Page(path, index), **lists, **context})
 
     yield File(
-        "mkdocs.yml", "mkdocs.yml.j2", {"page": Page(places.INDEX, index), **lists, "examples": examples.parts(model)}
+        "mkdocs.yml",
+        "mkdocs.yml.j2",
+        {
+            "page": Page(places.INDEX, index),
+            **lists,
+            "examples": examples.parts(model),
+            "errata": sources.parts(model),
+        },
     )  # its paths begin below docs/
     yield page(places.README, "index.md.j2")
     yield page(places.INDEX, "index.md.j2")
@@ -61,7 +68,9 @@ def files(model: m.Model) -> Iterator[File]:
     for name, title, axes in frames.drawn(model):
         yield File(frames.drawing(name), "frame.svg.j2", {"title": title, "axes": axes, "centre": frames.CENTRE})
     yield page(places.TYPES, "types.md.j2", family=None)
-    yield page(places.ERRATA, "errata.md.j2")
+    yield page(places.ERRATA, "errata.md.j2", parts=sources.parts(model))
+    for wrong in sources.parts(model):
+        yield page(wrong.path, "errata_of_manual.md.j2", part=wrong)
     yield page(places.EXAMPLES, "examples.md.j2", parts=examples.parts(model))
     for part in examples.parts(model):
         yield page(part.path, "examples_of_set.md.j2", part=part)
@@ -118,7 +127,6 @@ FILTERS: Filters = {
     "base_rate": devices.base_rate,
     "note_table": devices.note_table,
     "of_manual": sources.of_manual,
-    "severities": sources.severities,
     "defined": sources.defined,
     "heading": guides.heading,
     "step_title": guides.title,

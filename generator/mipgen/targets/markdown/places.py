@@ -86,6 +86,11 @@ def examples_page(x: m.Example, model: m.Model) -> str:
     return f"docs/examples/{x.manual}/{s.family if s else hexadecimal(x.set)}.md"
 
 
+def errata_page(e: m.Erratum) -> str:
+    """The errata of a manual that have one severity."""
+    return f"docs/errata/{e.manual}/{e.severity}.md"
+
+
 def tool_page(tool: Tool) -> str:
     return f"docs/tools/{tool.name}.md"
 
@@ -110,7 +115,7 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
         case m.Example():
             return examples_page(thing, model), f"example.{thing.id}"
         case m.Erratum():
-            return ERRATA, f"erratum.{thing.id}"
+            return errata_page(thing), f"erratum.{thing.id}"
         case m.Manual():
             return INDEX, f"manual.{thing.id}"
         case Tool():

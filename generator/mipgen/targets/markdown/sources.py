@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from mipgen import model as m
@@ -11,7 +12,7 @@ from mipgen.lower.lengths import computed_length, same
 from mipgen.model.guides import Guide
 
 from .fields import length
-from .places import Page, label
+from .places import Page, errata_page, label
 from .text import code, inline, table
 
 SEVERITIES = ("wire", "meaning", "editorial")
@@ -91,9 +92,27 @@ def defined(thing: m.Field) -> str:
 # --------------------------------------------------------------------------- errata
 
 
-def severities(errata: Sequence[m.Erratum]) -> list[tuple[str, list[m.Erratum]]]:
-    """Errata by severity, the worst first."""
-    return [(s, [e for e in errata if e.severity == s]) for s in SEVERITIES]
+@dataclass(frozen=True, slots=True)
+class Part:
+    """The errata of a page."""
+
+    path: str
+    manual: m.Manual
+    severity: str
+    errata: tuple[m.Erratum, ...]
+
+
+def parts(model: m.Model) -> list[Part]:
+    """A page for each manual and severity, the worst first, in the order of the manual's sections."""
+    found = []
+    for manual in model.protocol.manuals:
+        order = {section: i for i, section in enumerate(manual.sections)}
+        own = sorted(of_manual(model.errata, manual), key=lambda e: order.get(e.section.partition(" > ")[0], -1))
+        for severity in SEVERITIES:
+            shown = tuple(e for e in own if e.severity == severity)
+            if shown:
+                found.append(Part(errata_page(shown[0]), manual, severity, shown))
+    return found
 
 
 def subjects(page: Page, e: m.Erratum) -> list[str]:
