@@ -392,7 +392,7 @@ def test_base_rates(manual: Manual) -> None:
             of_set = heading(r.set)
             assert [of_set, shown] in rows_of(page)
             listed = any(s.set == r.set.number for s in d.certain)  # a poorly known device may have none
-            assert (f"See {of_set}. Base rate: {shown}.\n" in words(page)) == listed
+            assert (f"### {of_set}\n\nBase rate: {shown}.\n" in words(page)) == listed
             assert [d.title, shown] in rows_of(manual.page(f"sets/{r.set.name}.md"))
 
 

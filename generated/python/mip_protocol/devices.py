@@ -1095,7 +1095,7 @@ CV7_GNSS_INS = Device(
 )
 """Inertial navigation system with two RTK-capable GNSS receivers, magnetometer and pressure sensor.
 Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
-Uncertain: What the bug of NMEA input is that the manual warns of.
+Uncertain: Which bug of NMEA input the manual warns of.
 
 - mip-sdk-4: Device models
 """

@@ -150,8 +150,7 @@ class ScaledAccel(Data):
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
     3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
-    Level and at rest, z reads −1 g: the opposite of the gravity vector. In the packet that both
-    manuals show, z is −0.998 g (0xBF7F7FE5) once its exchanged halves are put in order.
+    It is the opposite of the gravity vector.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
     - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)

@@ -3,11 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 
 from mipgen import model as m
 
 from .remarks import remarks
-from .texts import Fact, Ref, Text, device_ref, fact, field_ref, functions, joined, number, prose, thing_ref
+from .texts import (
+    Fact,
+    Ref,
+    Text,
+    device_ref,
+    fact,
+    field_ref,
+    functions,
+    interleaved,
+    joined,
+    number,
+    prose,
+    thing_ref,
+)
 
 
 def facts(f: m.Field, model: m.Model) -> Iterator[Fact]:
@@ -70,8 +84,12 @@ def _relations(f: m.Field, model: m.Model) -> Iterator[Fact]:
     yield from changed(f, model)
     flags = model.flagged_by(f)
     if flags:
-        bits = [(Ref(b, b.name, t), " of ", Ref(t, t.name)) for t, b in flags]
-        yield fact("flags", joined(bits), "Flagged by {}.")
+        of_types: list[Text] = []
+        for _, group in groupby(flags, lambda pair: (pair[0].owner, pair[0].name)):
+            pairs = list(group)
+            t = pairs[0][0]
+            of_types.append((*joined([(Ref(b, b.name, t),) for _, b in pairs]), " of ", Ref(t, t.name)))
+        yield fact("flags", interleaved(of_types, "; "), "Flagged by {}.")
 
 
 def changed(thing: m.Field | m.Set, model: m.Model) -> Iterator[Fact]:

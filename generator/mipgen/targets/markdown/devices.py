@@ -81,7 +81,7 @@ def listed(page: Page) -> str:
         parts.append("### Some fields are known\n\n" + table(rows, headings))
     if named:
         parts.append("### Known by name\n\nTheir fields are probable, because devices of the same family have them.\n")
-        for generation in dict.fromkeys(d.generation for d in named):
+        for generation in sorted({d.generation for d in named}, key=lambda x: -(x or 0)):
             title = "Generation not known" if generation is None else f"Generation {generation}"
             links = ", ".join(_named(page, d) for d in named if d.generation == generation)
             parts[-1] += f"\n- {title}: {links}"

@@ -110,14 +110,14 @@ def contents(page: Page, s: m.Set, listed: bool = True) -> str:
     rows = [
         [
             *entry(page, f, f.functions),
-            first_sentence(page, f),
             size(f),
             *([page.links(page.model.devices_of(f, number=s.number))] if listed else []),
+            first_sentence(page, f),
         ]
         for f in asked(page.model.fields_in(s))
         if _listed_in(page.model, f, s) == listed
     ]
-    return table(rows, [*ENTRY, "Description", "Field length", *(["Supported by"] if listed else [])]) if rows else ""
+    return table(rows, [*ENTRY, "Field length", *(["Supported by"] if listed else []), "Description"]) if rows else ""
 
 
 def _listed_in(model: m.Model, f: m.Field, s: m.Set) -> bool:
