@@ -43,7 +43,8 @@ with_node, in_browser = with_tool("node"), heavy("Chromium")
 
 #: One page of each kind, and those with the widest tables.
 PAGES = (
-    "index.html", "packets.html", "errata.html", "errata/3dm-gx5-15/wire.html", "examples/3dm-gx5-15/3dm.html", "units.html",
+    "index.html", "packets.html", "errata.html", "units.html",
+    "errata/3dm-gx5-15/wire.html", "examples/3dm-gx5-15/3dm.html",
     "sets/3dm.html", "sets/filter_data.html", "types/3dm.html",
     "devices/3dm-cv7-gnss-ins.html", "devices/3dm-gx5-15.html",
     "fields/3dm/pps_source_control.html", "fields/3dm/event_trigger_config.html", "fields/3dm/message_format.html",
