@@ -142,7 +142,8 @@ def test_descriptors_in_quotations_are_links() -> None:
     page = made(dataclasses.replace(model("invented"), errata=(quoting,))).page(f"errata/{quoting.manual}/{quoting.severity}.md")
     quoted = "The text refers to `tools.ping` by [(0x01,0x01)](../../fields/tools/ping.md#tools.ping)."
     assert f"- Published: {quoted}\n- Correct: {quoted}\n" in page
-    assert "- Reason: The text refers to [Ping (0x01,0x01)](../../fields/tools/ping.md#tools.ping) by (0x01,0x01)." in page
+    reason = "The text refers to [Ping (0x01,0x01)](../../fields/tools/ping.md#tools.ping) by (0x01,0x01)."
+    assert f"- Reason: {reason}" in page
 
 
 def test_what_is_said_of_the_protocol(manual: Manual) -> None:
