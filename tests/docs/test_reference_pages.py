@@ -139,7 +139,8 @@ def test_descriptors_in_quotations_are_links() -> None:
     assert "- Published: See (0x01,0x7F)." in errata
     text = "The text refers to `tools.ping` by (0x01,0x01)."
     quoting = dataclasses.replace(model("invented").errata[0], printed=text, right=text, reason=text)
-    page = made(dataclasses.replace(model("invented"), errata=(quoting,))).page(f"errata/{quoting.manual}/{quoting.severity}.md")
+    manual = made(dataclasses.replace(model("invented"), errata=(quoting,)))
+    page = manual.page(f"errata/{quoting.manual}/{quoting.severity}.md")
     quoted = "The text refers to `tools.ping` by [(0x01,0x01)](../../fields/tools/ping.md#tools.ping)."
     assert f"- Published: {quoted}\n- Correct: {quoted}\n" in page
     reason = "The text refers to [Ping (0x01,0x01)](../../fields/tools/ping.md#tools.ping) by (0x01,0x01)."
