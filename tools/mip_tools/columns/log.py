@@ -143,16 +143,11 @@ class Log:
             data, length = self.source.piece(begin, limit, scan.AHEAD)
             piece = self._kept.get(begin)
             if piece is None:
-                packets = scan.packets(data, max(0, free - begin), limit, length)
-                piece = Piece(begin, limit, number, packets.at, packets.end)
+                piece = Piece(begin, limit, number, *scan.packets(data, max(0, free - begin), limit, length))
                 if number < _KEPT:
                     self._kept[begin] = piece
-            else:
-                again = fields and piece.runs is None
-                groups = scan.grouped(data, piece.at) if again else []
-                packets = scan.Found(piece.at, piece.end, groups)
             if fields and piece.runs is None:
-                piece.runs = walk.runs(data, packets)
+                piece.runs = walk.runs(data, piece.at, piece.end)
             own = copy(piece)  # other requests may look at the same piece meanwhile
             own.data = data
             yield own

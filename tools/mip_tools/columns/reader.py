@@ -43,6 +43,7 @@ class Reader:
             set = said if sets or said not in (0, registry.SHARED_SET) else None
         self._log, self._kind = log, kind
         self._set = sets[0] if set is None and len(sets) == 1 else set
+        self._known: dict[int, bool] = {}
         #: The sets that it is looked for in; empty: all.
         self._sets = sets if self._set is None else (self._set,)
         if not all(map(self._in, self._sets or kind.SETS[:1])):
@@ -56,9 +57,10 @@ class Reader:
 
     def _in(self, number: int) -> bool:
         """Have packets of a set this field?"""
-        if self._set is not None and number != self._set:
-            return False
-        return self._kind in registry.types(number, self._kind.DESCRIPTOR)
+        if number not in self._known:
+            types = registry.types(number, self._kind.DESCRIPTOR)
+            self._known[number] = self._set in (None, number) and self._kind in types
+        return self._known[number]
 
     def _runs(self, piece: Piece) -> list[walk.Run]:
         """The fields in a piece with the right descriptor and enough data."""

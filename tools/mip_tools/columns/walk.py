@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from . import native, scan
+from . import native
 from .scan import HEADER, Array
-
-#: Packets of one set and length are compared with the first of them as long as there are so many …
-_MANY = 64
-#: … and so often; the others are walked through field by field.
-_LAYOUTS = 12
 
 
 class Run(NamedTuple):
@@ -25,82 +21,60 @@ class Run(NamedTuple):
     offset: int | Array  # of the data in the payload
 
 
-def runs(data: Array, packets: scan.Found) -> list[Run]:
+def runs(data: Array, at: Array, end: Array) -> list[Run]:
     """All fields of these packets."""
-    if native.kernel is not None and (known := native.kernel.fields(data, packets.at)) is not None:
+    if native.kernel is not None and (known := native.kernel.fields(data, at)) is not None:
         return [Run(*fields) for fields in known]
-    fields: list[Run] = []
-    alone = np.ones(len(packets.at), bool)
-    for group in packets.groups:
-        alone[group.number] = False
-        number, rows = group.number, group.rows
-        for _ in range(_LAYOUTS):
-            if len(number) < _MANY:
-                break
-            number, rows = _alike(group.key, number, rows, fields)
-        alone[number] = True
-    left = np.flatnonzero(alone)
-    if len(left):
-        _walk(data, packets.at, packets.end, left, fields)
-    return fields
+    keys = [data[at + 2].astype(np.uint16), *_fields(data, at)]
+    mixed = keys[0].copy()
+    for key in keys[1:]:
+        mixed *= 31
+        mixed += key
+    order = np.argsort(mixed, kind="stable")  # much faster than by all keys
+    keys = [key[order] for key in keys]
+    new = np.ones(len(order), bool)  # the first packet of a layout: another one may have the same sum
+    new[1:] = False
+    for key in keys:
+        new[1:] |= key[1:] != key[:-1]
+    first = np.flatnonzero(new)
+    alike = zip(first.tolist(), [*first[1:].tolist(), len(order)], *(key[first].tolist() for key in keys))
+    return [run for begin, stop, *layout in alike for run in _layout(order[begin:stop], *layout)]
 
 
-def _alike(key: int, number: Array, rows: Array, runs: list[Run]) -> tuple[Array, Array]:
-    """Adds the fields of the packets that have the layout of the first one; returns the others."""
-    fields, heads = _layout(rows[0, : HEADER + (key & 0xFF)].tobytes())
-    same = np.ones(len(rows), bool)
-    for place, byte in heads:
-        same &= rows[:, place] == byte
-    alike = same.all()
-    these = number if alike else number[same]
-    runs += [Run(key >> 8, d, size, these, offset) for d, size, offset in fields]
-    if alike:
-        return number[:0], rows[:0]
-    np.logical_not(same, out=same)
-    return number[same], rows[same]
-
-
-def _layout(row: bytes) -> tuple[list[tuple[int, int, int]], list[tuple[int, int]]]:
-    """Descriptor, size and offset of each field, and the bytes that tell this layout."""
-    fields, heads = [], []
-    at = HEADER
-    while at < len(row):
-        length = row[at]
-        heads.append((at, length))
-        if length < 2 or length > len(row) - at:
+def _layout(packet: Array, number: int, *keys: int) -> Iterator[Run]:
+    """The fields of packets that are of one set and have the same ones."""
+    offset = 2
+    for key in keys:
+        if not key:
             break
-        heads.append((at + 1, row[at + 1]))
-        fields.append((row[at + 1], length - 2, at + 2 - HEADER))
-        at += length
-    return fields, heads
+        yield Run(number, key >> 8, (key & 255) - 2, packet, offset)
+        offset += key & 255
 
 
-def _walk(data: Array, at: Array, end: Array, packet: Array, runs: list[Run]) -> None:
-    """Adds the fields of these packets: the first ones of all, the second ones, …"""
-    begin = at[packet]
-    stop, place = end[packet] - 2, begin + HEADER
-    seen: list[tuple[Array, Array, Array, Array]] = []
-    while len(packet):
+def _fields(data: Array, at: Array) -> Iterator[Array]:
+    """Descriptor and length of the first field of each packet, of the second one, …; 0 where there is none."""
+    packet: Any = slice(None)
+    place, left = at + HEADER, data[at + 3]
+    while True:
         length = data[place]
-        whole = length >= 2
-        whole &= length <= stop - place
-        if not whole.all():
-            packet, begin, stop, place, length = (values[whole] for values in (packet, begin, stop, place, length))
+        whole = length <= left
+        whole &= length > 1
+        more = np.flatnonzero(whole)
+        if not len(more):
+            return
+        if 2 * len(more) < len(whole):  # the others are left out, as soon as that is worth it
+            packet = np.arange(len(at))[packet][more]
+            place, left, length = place[more], left[more], length[more]
+        else:
+            left *= whole
+            length *= whole
         descriptor = data[place + 1].astype(np.uint16)
-        offset = (place + (2 - HEADER) - begin).astype(np.uint8)
-        seen.append((packet, offset, descriptor << 8 | length, data[begin + 2]))
-        place = place + length
-    packet, offset, key, number = (np.concatenate(values) for values in zip(*seen))
-    order = np.lexsort((offset, packet, key, number))
-    packet, offset, key, number = packet[order], offset[order], key[order], number[order]
-    new = key[1:] != key[:-1]
-    new |= number[1:] != number[:-1]
-    cuts = (np.flatnonzero(new) + 1).tolist()
-    if len(key):
-        for first, after in zip([0, *cuts], [*cuts, len(key)]):
-            what = int(key[first])
-            rows = slice(first, after)
-            runs.append(Run(int(number[first]), what >> 8, (what & 255) - 2, packet[rows], offset[rows]))
+        descriptor *= length > 0
+        key = np.zeros(len(at), np.uint16)
+        key[packet] = descriptor << 8 | length
+        yield key
+        place += length
+        left -= length
 
 
 def places(runs: list[Run], packets: int) -> tuple[Array, Array]:
