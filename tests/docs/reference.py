@@ -18,7 +18,8 @@ from mipgen.facts.sample_values import SampleValues
 from support import generated, heavy, model
 
 #: For tests that take long, as they compile each program or build the site: the real one in `make test-all` only.
-REAL = pytest.param("real", marks=heavy("programs and site of the real reference"))
+real_site = heavy("programs and site of the real reference")
+REAL = pytest.param("real", marks=real_site)
 small = pytest.mark.parametrize("manual", ["invented", REAL], indirect=True)
 
 ANCHOR = re.compile(r'<a id="([^"]*)"></a>')

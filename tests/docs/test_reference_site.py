@@ -23,7 +23,7 @@ from mipgen import model as m
 from mipgen.base.cache import key as cache_key
 from mipgen.emit import output
 from random_values import chance
-from reference import REAL, manual_of, navigation
+from reference import REAL, manual_of, navigation, real_site
 from searches import FIELDS, WORDS
 from searches import PAGES as WANTED_PAGES
 from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, rounds, tree
@@ -194,6 +194,7 @@ def test_what_people_type_in_the_index() -> None:
 FIRST_SEARCH = 800_000
 
 
+@real_site
 def test_the_first_search_is_small() -> None:
     assets = built("real") / "assets"
     assert sum((assets / name).stat().st_size for name in ("search.js", "fields.js", "text.js")) <= FIRST_SEARCH
@@ -215,7 +216,7 @@ def searched(queries: list[str]) -> dict[str, list[str]]:
     return dict(json.loads(done.stdout))
 
 
-@with_node
+@real_site
 def test_what_people_type_leads_to_the_page() -> None:
     """95 of 100 searches have what is meant first, among them slips of the pen, and questions that users asked."""
     wanted = {query: [page_of(field)] for query, field in FIELDS.items()}

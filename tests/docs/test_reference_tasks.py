@@ -5,9 +5,9 @@ from __future__ import annotations
 import posixpath
 
 import pytest
-from reference import LINK, manual_of, words
+from reference import LINK, manual_of, real_site, words
 from searches import QUESTIONS, TASKS
-from test_reference_site import searched, with_node
+from test_reference_site import searched
 
 pytestmark = pytest.mark.xdist_group("site")  # which is built once
 
@@ -31,7 +31,7 @@ def test_each_answer_is_two_steps_away(home: str) -> None:
         assert said in words(manual_of("real").pages[path]), (task, said)
 
 
-@with_node
+@real_site
 def test_each_is_found_by_its_words() -> None:
     wanted = {query: page for query, page, _ in TASKS.values()} | {q: page for q, (page, _) in QUESTIONS.items()}
     found = searched(list(wanted))
