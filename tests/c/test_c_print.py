@@ -12,14 +12,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import pytest
 from c_build import HERE, SANITIZE, SANITIZED, archive, compiled
 from mipgen import model as m
 from mipgen.lower import codec
 from random_values import drawn
-from support import BUILD, SEED, SPECS, all_fields, locked, model, rounds, set_of, small
+from support import BUILD, SEED, all_fields, heavy, locked, model, rounds, set_of, small
 
-both = pytest.mark.parametrize("spec", sorted(SPECS))
 ENOUGH = 1 << 17
 Request = tuple[str, str, int, bytes]
 
@@ -351,6 +349,7 @@ def with_value(of: m.Model, f: m.Field, values: dict[str, Any], p: m.Parameter, 
         return None
 
 
+@heavy("programs of the real C library")
 def test_words() -> None:
     """A text in full, to read."""
     of = model("real")
@@ -367,7 +366,7 @@ def test_words() -> None:
     ]
 
 
-@both
+@small("programs of the real C library")
 def test_a_structure(spec: str) -> None:
     """The same lines as those of the field, without what is around them."""
     of = model(spec)
@@ -389,7 +388,7 @@ def decodes(of: m.Model, packet: bytes) -> bool:
 # --------------------------------------------------------------------------- what is wrong
 
 
-@both
+@small("programs of the real C library")
 def test_garbage(spec: str) -> None:
     """Whatever the bytes are: packets cut, with wrong lengths, wrong checksums, random fields."""
     of, dice = model(spec), random.Random(5)
