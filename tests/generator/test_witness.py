@@ -516,6 +516,7 @@ def test_a_working_copy_of_the_sdk(tmp_path: Path) -> None:
     assert facts["enums"]["FunctionSelector"] == {"type": "u8", "values": {"WRITE": 1}}
 
 
+@heavy("audits of the whole specification")
 def test_auditing_a_working_copy(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """It is compared with the specification, or becomes its witness."""
     copy = working_copy(tmp_path / "copy")

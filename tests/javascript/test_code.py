@@ -22,7 +22,7 @@ from mipgen.targets.javascript import api as javascript
 from mipgen.targets.python import api as python
 from mipgen.targets.rust import api as rust
 from random_values import drawn
-from support import SPECS, heavy, model, need
+from support import SPECS, heavy, model, need, small
 from workbench import workbench
 
 #: It needs Node.
@@ -131,7 +131,7 @@ def reserved(p: m.Parameter) -> Any:
     return codec.canonical(p, p.reserved if p.length is None else [p.reserved] * int(p.length), p.name)
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
+@small("programs for many values")
 def test_other_values(spec: str, tmp_path: Path) -> None:
     """The same text as the generator writes, which compiles what it writes for typical values; Python is run."""
     of, seen, bodies = model(spec), 0, []

@@ -112,6 +112,7 @@ def test_python(packages: Packages, tmp_path: Path) -> None:
     assert said == "tools.light: function = write, mode = on, rate = 7 Hz True\n" + ("True my_device_protocol.packet\n")
 
 
+@heavy("the Rust crate in many more builds")
 def test_rust(packages: Packages, tmp_path: Path) -> None:
     import crates
 

@@ -18,7 +18,7 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from support import SPECS, heavy, model, mypy
+from support import SPECS, heavy, model, mypy, small
 from test_python import REAL, Package, mip, real, reply, user
 
 PACKAGES = {"invented": mip, "real": real}
@@ -227,7 +227,7 @@ def special(size: int, chance: random.Random) -> bytes:
     return b"".join(chance.choice(words) for _ in range(size // 4 + 1))[:size]
 
 
-@both
+@small("fast decoders of the real specification")
 def test_fast_decoders_give_what_the_general_way_gives(spec: str) -> None:
     package, chance = PACKAGES[spec], random.Random(5)
     layouts, fast, slow = package.registry.LAYOUTS, 0, 0
@@ -249,7 +249,7 @@ def test_fast_decoders_give_what_the_general_way_gives(spec: str) -> None:
     assert sum(len(made) for made in layouts._made.values()) <= 512 >= len(layouts.checked)
 
 
-@both
+@small("fast decoders of the real specification")
 def test_decoder_gives_what_parser_and_registry_give(spec: str) -> None:
     package, chance = PACKAGES[spec], random.Random(6)
     for packets in some_packets(package, model(spec), chance):
