@@ -41,7 +41,7 @@ OFFERS: dict[str, tuple[str, ...]] = {
     name: operations for name, s in SOURCES.items() if (operations := s.load().conformance)
 }
 
-#: What has a driver and is no target: it is part of the output of another one.
+#: What has a driver and is not a target: it is part of the output of another one.
 WITHIN = {"cpp": "c"}
 OFFERS["cpp"] = ("parse", "decode", "encode")
 

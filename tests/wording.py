@@ -1,4 +1,4 @@
-"""Checks the words of the specification, as far as a machine can: a summary is no question and one sentence.
+"""Checks the words of the specification, as far as a machine can: a summary is not a question and one sentence.
 
     python tests/wording.py [FOLDER]
 

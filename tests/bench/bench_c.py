@@ -245,7 +245,7 @@ def table(heads: list[str], rows: list[Row]) -> str:
 
 
 def report(readme: bool = False) -> str:
-    """As Markdown. The README goes without the code by hand, which is no library that anyone uses, and without times,
+    """As Markdown. The README leaves out the code by hand, which is not a library that anyone uses, and times,
     which depend on the machine: bench_c_peer.py compares."""
     BUILD.mkdir(parents=True, exist_ok=True)
     heads = ["Speed", "Ratio", "Instructions for each byte", "By hand", "MB/s", "By hand"]

@@ -37,7 +37,7 @@ HARDWARE = ("rx", "rx_size", "tx", "port_read", "port_write", "port_now", "port_
 def version(sdk: Path) -> str:
     found = re.search(r'VERSION "([\d.]+)"', (sdk / "CMakeLists.txt").read_text("utf-8"))
     if found is None or not (sdk / "src/c/mip").is_dir():
-        raise SystemExit(f"bench: {sdk} is no folder of the vendor's MIP SDK 4; name one: make bench PEER=FOLDER")
+        raise SystemExit(f"bench: {sdk} is not a folder of the vendor's MIP SDK 4; name one: make bench PEER=FOLDER")
     return found[1]
 
 

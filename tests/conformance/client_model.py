@@ -200,7 +200,7 @@ class Client:
                 if layout.descriptor != behind[0] or not fits(self.of, layout, behind[1]):
                     continue
                 response = decoded(layout, behind[1])
-                if response.get("error") != "constant":  # that is another layout
+                if response.get("error") != "constant":  # the data has another layout
                     return self.done(w, "undecodable" if "error" in response else "acknowledged", response=response)
         return self.done(bare[0], "missing_response") if bare else None
 

@@ -733,7 +733,7 @@ def test_no_serious_findings_of_axe(page: browser.Page) -> None:
         " violations.filter(({ impact }) => ['serious', 'critical'].includes(impact)).map(({ id, nodes }) =>"
         " `${id}: ${nodes.length}: ${nodes[0].html.slice(0, 160)}`))"
     )
-    still = "*, ::before, ::after { transition: none !important }"  # colours that change slowly are no findings
+    still = "*, ::before, ::after { transition: none !important }"  # colours that change slowly are not findings
     found = []
     for address in PAGES:
         if address in MANY and not NIGHTLY:

@@ -59,7 +59,7 @@ OTHERS = [*PYTHON, "differential"]
 ATHERIS = "3.0.0"
 
 FLAGS = ["-std=c99", "-g", "-O1", "-fsanitize=fuzzer-no-link,address,undefined", "-fno-sanitize-recover=all"]
-LARGEST = {"parser": 800, "fields": 260, "client": 400}  # bytes of an input: what is kept stays small
+LARGEST = {"parser": 800, "fields": 260, "client": 400}  # bytes of an input, so that the corpus stays small
 
 #: What clang adds with fuzzer-no-link, as the stable compiler of Rust knows it; clang links libFuzzer.
 COVERAGE = ["level=4", "inline-8bit-counters", "pc-table", "trace-compares"]
@@ -150,7 +150,7 @@ def fuzz(name: str, seconds: int) -> int:
 
 
 def fuzz_python(name: str, seconds: int) -> int:
-    """Atheris is no part of the lock: it is there for few Pythons and systems."""
+    """Atheris is not part of the lock: it is there for few Pythons and systems."""
     source, tool, folder = PYTHON[name], BUILD / "tools/atheris", BUILD / f"fuzz/{name}"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)

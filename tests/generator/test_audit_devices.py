@@ -37,7 +37,7 @@ def findings(folder: Path, models: str = MODELS, devices: str = DEVICES) -> list
 
 
 def test_what_agrees(tmp_path: Path) -> None:
-    """Descriptors without a layout are no finding: no device can list them."""
+    """Descriptors without a layout are not findings: no device can list them."""
     assert findings(tmp_path) == []
 
 

@@ -144,7 +144,7 @@ def test_output_beside_the_specification(tmp_path: Path) -> None:
 
 
 def test_a_specification_that_is_a_whole_project(tmp_path: Path) -> None:
-    """What `mipgen new .` says works, also again: the output is no part of the specification."""
+    """What `mipgen new .` says works, also again: the output is not part of the specification."""
     command = mipgen("new", ".", cwd=tmp_path).stdout.rpartition("then: mipgen ")[2].split()
     for _ in range(2):
         done = mipgen(*command, "--target", "markdown", cwd=tmp_path)

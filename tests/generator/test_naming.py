@@ -67,8 +67,8 @@ def test_a_name_that_is_no_identifier(name: str) -> None:
     place = Position("a.yaml", 5, 3)
     judge("c", [Identifier("C", name, "set.field", place)], Grammar(r"[a-z]\w*"), problems)
     assert [str(p) for p in problems.sorted()] == [
-        f"a.yaml:5:3: error: 'set.field' becomes '{name}' in C; this is no identifier in the target c: rename it, or "
-        "let the target escape it"
+        f"a.yaml:5:3: error: 'set.field' becomes '{name}' in C; this is not an identifier in the target c: rename it, "
+        "or let the target escape it"
     ]
 
 

@@ -73,7 +73,7 @@ def test_several_programs_with_names_beside_a_target(tmp_path: Path) -> None:
     path = program(tmp_path, "answer = {'files': {'a.txt': 'a'}}", "a=b.sh")
     assert run(tmp_path, "--target", "json", "--plugin", f"first={path}", "--plugin", f"second.1={path}") == 0
     assert {p.name for p in (tmp_path / "out").iterdir()} == {"first", "json", "second.1"}
-    assert run(tmp_path, "--plugin", str(path)) == 1  # its name is no name of a folder
+    assert run(tmp_path, "--plugin", str(path)) == 1  # its name is not a name of a folder
 
 
 FILES = "answer = {{'files': {}}}"
@@ -91,11 +91,11 @@ FILES = "answer = {{'files': {}}}"
         ("answer = {'files': {}, 'title': 1}", '"title" must be text'),
         (FILES.format("{'/tmp/a': ''}"), "/tmp/a is outside of its folder"),
         (FILES.format("{'a/../../b': ''}"), "a/../../b is outside of its folder"),
-        (FILES.format("{'': ''}"), "'' is no path of a file; write names with / between them"),
-        (FILES.format("{'.': ''}"), "'.' is no path of a file; write names with / between them"),
-        (FILES.format("{'a//b': ''}"), "'a//b' is no path of a file; write names with / between them"),
-        (FILES.format("{'a\\\\b': ''}"), "'a\\\\b' is no path of a file; write names with / between them"),
-        (FILES.format("{'a\\nb': ''}"), "'a\\nb' is no path of a file; write names with / between them"),
+        (FILES.format("{'': ''}"), "'' is not a path of a file; write names with / between them"),
+        (FILES.format("{'.': ''}"), "'.' is not a path of a file; write names with / between them"),
+        (FILES.format("{'a//b': ''}"), "'a//b' is not a path of a file; write names with / between them"),
+        (FILES.format("{'a\\\\b': ''}"), "'a\\\\b' is not a path of a file; write names with / between them"),
+        (FILES.format("{'a\\nb': ''}"), "'a\\nb' is not a path of a file; write names with / between them"),
         (FILES.format("{'.manifest': ''}"), ".manifest is made twice"),
         (FILES.format("{'LICENSE': ''}"), "LICENSE is made twice"),
         (FILES.format("{'a': '', 'a/b': ''}"), "a is a file and a folder"),

@@ -65,7 +65,7 @@ class Outcome:
 def build(sdk: Path) -> Path:
     """The folder of the programs, built if they are not yet."""
     if not (sdk / "examples").is_dir():
-        raise SystemExit(f"interop: {sdk} is no folder of the vendor's MIP SDK; name one: make interop PEER=FOLDER")
+        raise SystemExit(f"interop: {sdk} is not a folder of the vendor's MIP SDK; name one: make interop PEER=FOLDER")
     if shutil.which("cmake") is None:
         raise SystemExit("interop: cmake is missing; install it (Debian: apt-get install cmake)")
     folder = BUILD / "sdk"

@@ -134,7 +134,7 @@ test("arrays, structures, unions and texts are nothing else", () => {
     for (const wrong of [null, undefined, 1, "", []]) assert.throws(() => single([]).encode(wrong), { kind: "range" });
 });
 
-test("half a character is no character", () => {
+test("half a character is not a character", () => {
     const { encode } = single([{ kind: "text", member: "x", capacity: 9 }]);
     assert.throws(() => encode({ x: "a\ud800" }), { kind: "range", message: /half of a character \(U\+D800\)/ });
     assert.throws(() => encode({ x: "\udc00" }), { kind: "range" });
@@ -292,7 +292,7 @@ test("text is Latin-1", () => {
     assert.throws(() => encode({ x: "abcd" }), { kind: "count" });
 });
 
-test("names of prototypes are no values", () => {
+test("names of prototypes are not values", () => {
     const { encode } = single([{ kind: "scalar", member: "constructor", scalar: "u8" }]);
     assert.throws(() => encode({}), { kind: "missing" });
 });

@@ -243,7 +243,7 @@ test("a log in pieces of any size has the same packets, rates and gaps", { skip:
     }
 });
 
-test("packets of events, a reset and a clock that becomes valid are no gaps", { skip: !real && "of the real one" }, async () => {
+test("packets of events, a reset and a clock that becomes valid are not gaps", { skip: !real && "of the real one" }, async () => {
     const { survey, buildPacket } = globalThis.mip;
     const rhythmOf = async (log) => (await survey(protocol, pieces(log, 4096))).fields[0].rhythm;
     const events = [5.0013, 5.31, 5.32, 5.9]; // single ones, among regular data or alone

@@ -15,7 +15,7 @@ class Port:
         self.closed = False
         host, colon, number = name.rpartition(":")
         if colon and not number.isdecimal():
-            raise OSError(f"{number} is no TCP port")
+            raise OSError(f"{number} is not a TCP port")
         if colon:
             connection = socket.create_connection((host, int(number)), timeout=10)
             connection.setblocking(True)

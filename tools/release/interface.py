@@ -4,7 +4,7 @@
     make check          says what the sources have changed since, and whether the version says so
 
 The lines are read from the output, whose form the formatters decide, so that finished source and what templates make
-are looked at alike. Comments, bodies of functions and what is private are no interface.
+are looked at alike. Comments, bodies of functions and what is private are not part of the interface.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ const KEYS = ["device", "bytes", "find", "packet", "streams", "serve"];
 /** Pages of tools, which lie beside each other. */
 const PAGE = /(?:^|\/)(?:bandwidth|builder|finder|inspector|live)\.html$/;
 
-/** Longer texts are no address that people can send. */
+/** Longer texts are not addresses that people can send. */
 const LONGEST = 30_000;
 
 /** Milliseconds between two addresses: browsers refuse to change them often. */

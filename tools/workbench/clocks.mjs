@@ -84,7 +84,7 @@ function sourceOf(protocol, field, place) {
 
 /**
  * Follows the times of one field: its `usual` interval once several are equal, and the gaps in it. A gap counts when the
- * usual interval comes again, so that events between or instead of regular data are no gaps.
+ * usual interval comes again, so that events between or instead of regular data are not gaps.
  */
 export class Rhythm {
     usual; // seconds

@@ -30,7 +30,7 @@ const LIST = /(?<![\w.])(?:0x)?[0-9a-f]{1,2}h?(?:[\s,;]+(?:0x)?[0-9a-f]{1,2}h?(?
 
 const ESCAPES = { n: 10, r: 13, t: 9, a: 7, b: 8, f: 12, v: 11 };
 
-/** The bytes of a text, and the pieces of text between them that are no bytes, such as words. */
+/** The bytes of a text, and the pieces of text between them that are not bytes, such as words. */
 export function bytesOfText(text) {
     const plain = padded(withoutOffsets(text.split(/\r?\n/))).join("\n");
     const bytes = [];
@@ -60,7 +60,7 @@ export function bytesOfText(text) {
 function withoutOffsets(lines) {
     const dumped = lines.map((line) => {
         const { number, ...parts } = DUMP_LINE.exec(line)?.groups ?? {};
-        const start = Number.parseInt(number, 16); // NaN is no offset
+        const start = Number.parseInt(number, 16); // NaN is not an offset
         return { ...parts, zeros: number?.startsWith("0000"), start, end: start + parts.bytes?.replace(/\s/g, "").length / 2 };
     });
     return lines.map((line, i) => {

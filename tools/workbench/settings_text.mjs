@@ -158,7 +158,7 @@ class File {
 
     read() {
         const root = nodesOf(this.text);
-        if (root.kind !== "mapping") throw new MipError("format", "this is no file of settings; the page and `mip config pull` write them");
+        if (root.kind !== "mapping") throw new MipError("format", "this is not a file of settings; the page and `mip config pull` write them");
         const parts = this.#keys(root, KEYS, "a file of settings");
         if (!parts.model) this.#wrong(root, "'model' is missing; name the device");
         if (!parts.settings) this.#wrong(root, "'settings' is missing");

@@ -1,4 +1,4 @@
-// The command client, without input or output: its caller transfers the bytes and tells the time, in seconds of any
+// The command client, without input or output: its caller transfers the bytes and states the time, in seconds of any
 // clock that does not jump.
 
 import { BARRIER } from "../protocol.mjs";

@@ -193,7 +193,7 @@ export const octets = (size) => ({
 
 // ---------------------------------------------------------------------------------------------------- several values
 
-/** How many items: always `fixed`; what the parameter `counter` says; or as many as the data hold. At most `most`. */
+/** How many items: always `fixed`; the value of the parameter `counter`; or as many as the data hold. At most `most`. */
 function countOf(of, r, counts) {
     if (of.fixed !== undefined) return of.fixed;
     if (of.counter === undefined) return Math.min(Math.floor(r.left / of.item.size), of.most);
@@ -406,7 +406,7 @@ export class Layout {
         return given(this.keys(w)[i]) || (counts !== undefined && given(this.keys(w)[this.names.indexOf(counts)]));
     }
 
-    /** What programs need not give. */
+    /** What programs may leave out. */
     #initial(i, w) {
         return w.plain ? undefined : this.blocks[i].initial;
     }

@@ -343,7 +343,7 @@ export class Device {
     }
 }
 
-/** The answer of the device, or the error that says why there is none. */
+/** The reply of the device, or the error that explains its absence. */
 function responseOf(outcome, command) {
     if (outcome === undefined) return undefined;
     const { NAME } = command.constructor;

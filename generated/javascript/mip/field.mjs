@@ -17,7 +17,7 @@ export class Field {
         for (const key of Object.keys(values)) if (values[key] !== undefined) this[key] = values[key];
     }
 
-    /** The values of a field's data. Bytes left over are no error. Raises a MipError. */
+    /** The values of a field's data. Bytes left over are not an error. Raises a MipError. */
     static decode(data) {
         return this.decodeWithTrailing(data).field;
     }

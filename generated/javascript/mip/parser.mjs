@@ -4,7 +4,7 @@ import { bytesOf, concatenated } from "./bytes.mjs";
 import { isSet, Packet, SYNC } from "./packet.mjs";
 
 /**
- * Takes bytes in pieces of any size and gives the same packets for each division. What is no packet costs nothing but
+ * Accepts bytes in pieces of any size; the packets found do not depend on the division. What is not a packet costs nothing but
  * itself: the search goes on one byte behind its beginning.
  */
 export class Parser {

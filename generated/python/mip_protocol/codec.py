@@ -180,7 +180,7 @@ def _needs(letter: str, value: Any) -> str:
     return f"{'' if isinstance(value, int) else WHOLE}{least} to {most}"
 
 
-#: Of what is no number; `typed` says it better if it knows the type.
+#: Of what is not a number; `typed` says it better if it knows the type.
 WHOLE = "a whole number from "
 
 

@@ -153,7 +153,7 @@ class _Source:
         if self.headers:
             lines.append(f"if {' or '.join(self.headers)}: return None")
         if self.singles:
-            # Python changes the bits of some that are no numbers; the sum tells that there may be one.
+            # Python changes the bits of some that are not numbers; the sum tells that there may be one.
             lines += [f"total = {' + '.join(self.singles)}", "if total != total: return None"]
         lines += [*self.lines, f"return {', '.join(self.objects)},"]
         self.names["unpack"] = struct.Struct(self.format).unpack_from

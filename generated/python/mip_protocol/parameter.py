@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Flag:
-    """A bit, or a bool, that says whether a value is valid."""
+    """A bit, or a bool, that shows whether a value is valid."""
 
     name: str  # its name in the specification: "valid_flags.tow"
     attribute: str  # of the same field or structure: the value that holds it

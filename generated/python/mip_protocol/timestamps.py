@@ -1,4 +1,4 @@
-"""What timestamps say, for single packets and for columns alike."""
+"""The meaning of timestamps, for single packets and for columns alike."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ numbers have, and what makes its value from these:
 - `tuple`, a vector: the numbers together; `Each`: each is made into an element of a tuple;
 - `Bits`: a bitfield in bytes, the least significant first;
 - a number: the constant that is sent; `Counts`: the number of elements of an array;
-- `Text`, `Items`: characters, and elements, whose number varies or which are no plain numbers;
+- `Text`, `Items`: characters, and elements, whose number varies or which are not plain numbers;
 - a structure; `Union`: one of several rows, which another parameter selects.
 """
 

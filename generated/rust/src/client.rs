@@ -202,7 +202,7 @@ impl fmt::Display for RequestError {
         match self {
             Self::Encode(error) => error.fmt(f),
             Self::Busy => f.write_str("too many commands are pending"),
-            Self::NoCommand => f.write_str("the field is no command"),
+            Self::NoCommand => f.write_str("the field is not a command"),
         }
     }
 }
@@ -231,7 +231,7 @@ pub enum Answer<R> {
 impl<R: Response> Answer<R> {
     /// The response, `()` for a command without one; an error if it is not known to be carried out.
     ///
-    /// A command that the device does not answer is no error.
+    /// A command that the device does not answer is not an error.
     ///
     /// ```
     /// use mip_protocol::client::{Answer, CommandError};
@@ -402,7 +402,7 @@ impl defmt::Format for Event {
     }
 }
 
-/// How long a reply may take, unless the command or the caller says otherwise.
+/// How long a reply may take, unless the command or the caller sets another limit.
 pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
 
 /// How many barriers there are: of 2 to 63 commands, whose acknowledges fit into one packet.

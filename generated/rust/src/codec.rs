@@ -149,7 +149,7 @@ impl<'a> Reader<'a> {
         Err(self.wrong(DecodeErrorKind::Constant, need as usize, got as usize))
     }
 
-    /// The number of items that a counter gives.
+    /// The number of items that a counter states.
     #[inline]
     pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, Invalid> {
         L::decode_counted(usize::try_from(count.into()).unwrap_or(usize::MAX), self)

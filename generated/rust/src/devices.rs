@@ -53,7 +53,7 @@ pub enum Support {
     Probable,
     /// It does not.
     No,
-    /// No source says anything of it, and the profile is not whole.
+    /// No source mentions it, and the profile is incomplete.
     Unknown,
 }
 
@@ -219,7 +219,7 @@ impl Profile {
     }
 }
 
-/// The model number that the device information gives: its model and serial numbers begin with it.
+/// The model number in the device information: its model and serial numbers begin with it.
 ///
 /// Spaces may precede it, and a dot, a dash, a space, a NUL or the end of the text follows it.
 ///

@@ -1,6 +1,6 @@
 """Compares the devices of the specification with what another source knows of them.
 
-These facts are no part of the project. They are two files in one folder: `models.yaml` has the models by name and
+These facts are not part of the project. They are two files in one folder: `models.yaml` has the models by name and
 number, `devices.yaml` what is known of single devices: commands, data and base rates. A file that is not there is not
 compared. Facts about all layouts are beside them, in `witness.yaml`, which `witnesses` compares.
 """

@@ -170,7 +170,7 @@ def _groups(headers: str) -> Iterator[tuple[str, dict[str, int]]]:
     """Numbers that follow each other, by what their names have in common: the values of one enumeration."""
     for block in re.split(r"\n(?:\s*\n)+|\n//[^\n]*", headers):
         numbers = {name: int(value, 0) for name, value in _DEFINE.findall(block)}
-        # What is before the last underscore of the longest common beginning; letters decide, as names are no paths.
+        # What is before the last underscore of the longest common beginning; letters decide, as names are not paths.
         common = commonprefix(list(numbers)).rpartition("_")[0]  # noqa: RUF071
         if len(numbers) > 1 and re.fullmatch(r"MIP_(3DM|FILTER)_(?!CMD|REPLY|DATA).+", common):
             yield common, {name.removeprefix(common)[1:]: value for name, value in numbers.items()}

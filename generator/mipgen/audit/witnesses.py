@@ -247,7 +247,7 @@ class _Layout:
     def about(self, layout: dict[str, Any]) -> None:
         f = self.field
         self.counts["layouts"] += 1
-        _, scoped, name = layout["name"].partition("::")  # titles of a manual are no names
+        _, scoped, name = layout["name"].partition("::")  # titles of a manual are not names
         self.counts["names"] += bool(scoped)
         if scoped and not any(self.same(known, name.replace("::", "")) for known in (f.name, *f.also)):
             self.note(f"names {', '.join((f.name, *f.also))}, witness {layout['name']}")

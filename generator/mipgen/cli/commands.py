@@ -296,7 +296,7 @@ def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
 
 
 class Unreadable(Failure):
-    """A side of a comparison is no specification that this program can read; each problem has its place."""
+    """A side of a comparison is not a specification that this program can read; each problem has its place."""
 
     def __init__(self, name: str, problems: list[str]) -> None:
         super().__init__("this mipgen cannot read it", name)

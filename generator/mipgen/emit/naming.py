@@ -59,7 +59,7 @@ class Grammar:
 
     >>> g = Grammar(r"[a-z]\\w*", frozenset({"if"}))
     >>> g.fault("x1"), g.fault("1x"), g.fault("if")
-    ('', 'is no identifier', 'is a keyword')
+    ('', 'is not an identifier', 'is a keyword')
     """
 
     pattern: str  # of all of a name: a regular expression
@@ -69,7 +69,7 @@ class Grammar:
     def fault(self, name: str) -> str:
         """What is wrong with a name; empty if nothing is."""
         if not re.fullmatch(self.pattern, name, re.ASCII):
-            return "is no identifier"
+            return "is not an identifier"
         return "is a keyword" if name in self.keywords else ""
 
 

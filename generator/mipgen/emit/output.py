@@ -55,7 +55,7 @@ def admit(path: str, made: Collection[str], place: str) -> None:
     if plain.is_absolute() or ".." in plain.parts:
         raise Failure(f"{path} is outside of its folder", place)
     if str(plain) != path or path == "." or "\\" in path or not path.isprintable():
-        raise Failure(f"{path!r} is no path of a file; write names with / between them", place)
+        raise Failure(f"{path!r} is not a path of a file; write names with / between them", place)
     if path in made or path == MANIFEST:
         raise Failure(f"{path} is made twice", place)
 

@@ -1,6 +1,6 @@
 """Programs as targets: the model as JSON on standard input, files as JSON on standard output.
 
-A plugin reads what `mip.json` holds, and writes `{"files": {"PATH": "TEXT", ...}}`; a file that is no text is
+A plugin reads what `mip.json` holds, and writes `{"files": {"PATH": "TEXT", ...}}`; a file that is not text is
 `{"base64": "..."}`. It may add `"title"`, which is shown as the titles of targets are.
 """
 

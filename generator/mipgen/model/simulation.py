@@ -73,7 +73,7 @@ class Behavior:
     setting: str = ""  # the command whose setting it is, if not its own
     key: tuple[tuple[str, int], ...] = ()  # which instance of that setting
     initial: tuple[tuple[str, object], ...] = ()  # values on a new device
-    once: bool = False  # a write acts at that moment: what it wrote is no setting to be restored
+    once: bool = False  # a write acts at that moment: what it wrote is not a setting to be restored
     affected: tuple[tuple[int, int], ...] = ()  # set and descriptor of the data that AFFECTED selects from
     answers: tuple[tuple[str, tuple[str, ...]], ...] = ()  # response -> the devices that have this layout
 

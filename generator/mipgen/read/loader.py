@@ -38,7 +38,7 @@ LAYOUT = {
     "guide": "guides/*.yaml",
 }
 
-#: Facts from other sources, which are compared with a specification and are no part of it.
+#: Facts from other sources, which are compared with a specification and are not part of it.
 WITNESSES = {"witness": "witness/*.yaml"}
 
 #: Of the files beside them, by what they contain: the differences that were judged, and rules of kinds of quantities.

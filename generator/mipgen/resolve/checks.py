@@ -224,7 +224,7 @@ def clocks(model: m.Model, problems: Problems) -> None:
                 problems.add(clock.position, f"'{name}' already has the time of the clock '{seen[name]}'; remove one")
             elif not any(set(p.units) & TIME_UNITS for p in f.parameters):
                 units = ", ".join(sorted(TIME_UNITS))
-                problems.add(clock.position, f"'{name}' is no timestamp: none of its parameters is in {units}")
+                problems.add(clock.position, f"'{name}' is not a timestamp: none of its parameters is in {units}")
             seen.setdefault(name, clock.name)
 
 

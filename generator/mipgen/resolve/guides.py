@@ -102,7 +102,7 @@ class _Guide:
     def resolved(self, node: Node, devices: tuple[m.Device, ...]) -> Step:
         command = evidence.field_named(self.model, node["command"].value, node["command"].position)
         if command.role != m.COMMAND:
-            raise evidence.Wrong(node["command"].position, f"'{command.full_name}' is no command")
+            raise evidence.Wrong(node["command"].position, f"'{command.full_name}' is not a command")
         stated = evidence.stated_values(command, node["values"]) if "values" in node else {}
         place = node["values"].position if "values" in node else node["command"].position
         values = evidence.with_counters(command, stated)

@@ -41,7 +41,7 @@ class Layout:
     inside: bool = False
     whole: Node | None = None  # the field, for what it says of all its values
     before: int = 0  # bytes of the record around it, of a union's case
-    unknown: str = ""  # letters of the command that are no functions, reported where they are
+    unknown: str = ""  # letters of the command that are not functions, reported where they are
     unclear: bool = False  # a parameter is required for something wrong, so that the order says nothing
     nodes: list[Node] = field(default_factory=list)
     done: list[m.Parameter] = field(default_factory=list)

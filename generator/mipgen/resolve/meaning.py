@@ -64,7 +64,7 @@ def _plain(heading: str) -> str:
     return heading.casefold().replace(" ", "")
 
 
-#: Scalars that are no numbers.
+#: Scalars that are not numbers.
 _WITHOUT_UNIT = {"bool": "true or false", "char": "a text"}
 
 
@@ -237,7 +237,7 @@ def check_typical(node: Node, p: m.Parameter, problem: Problem) -> None:
 
 
 def check_shown(node: Node, p: m.Parameter, problem: Problem) -> None:
-    """Reports a number that is no number of a set or a field, or that is never shown."""
+    """Reports a number that is not a number of a set or a field, or that is never shown."""
     what, whole = p.shown, isinstance(p.element, m.Scalar) and p.element.kind == "unsigned"
     if what is not None and not whole:
         problem(node.keys["shown"], f"'{p.name}' is not an unsigned number; remove 'shown'")

@@ -75,7 +75,7 @@ class Families:
             return first.kind
         kind: m.Kind = "command" if wrong == m.COMMAND else "data"
         if "set" not in node and commands:
-            return kind  # reported: such a set is no part of a family
+            return kind  # reported: such a set is not part of a family
         number = node["set"] if "set" in node else next(n["set"] for _, n in node["sets"].items())
         what, right = ("commands", "0x01 to 0x7F") if wrong == m.COMMAND else ("data fields", "0x80 to 0xFE")
         self.problems.add(

@@ -167,7 +167,7 @@ class _Values:
         commands = [c for c in self.model.fields if c.role == m.COMMAND and f in self.model.responses(c)]
         known = [p.name for c in commands for p in c.parameters if not p.derived]
         if not commands:
-            self.problems.add(node.position, f"'{f.full_name}' is no response, and shows no setting; give a quantity")
+            self.problems.add(node.position, f"'{f.full_name}' is not a response and shows no setting; give a quantity")
         elif node.value not in known:
             near = nearest(node.value, known)
             self.problems.add(

@@ -43,7 +43,7 @@ const layouts = new WeakMap();
 /** The layout of a field or a structure of a model. */
 function layoutOf(protocol, record) {
     if (!Array.isArray(record?.operations))
-        throw new MipError("unknown", `${described(record)} is not a field; protocol.field(name) gives one`);
+        throw new MipError("unknown", `${described(record)} is not a field; protocol.field(name) returns one`);
     if (!layouts.has(record)) {
         const first = record.operations.findIndex((op) => op.kind === "group");
         const flat = record.operations.flatMap((op) => (op.kind === "group" ? op.body : [op]));

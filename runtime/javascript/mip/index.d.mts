@@ -81,7 +81,7 @@ export declare class Field {
     static occursIn(set: number): boolean;
     /** Can this be its data? Checks what distinguishes the layouts of one descriptor: constants and size. */
     static matches(data: Uint8Array): boolean;
-    /** The values of a field's data; bytes left over are no error. Raises a MipError. */
+    /** The values of a field's data; bytes left over are not an error. Raises a MipError. */
     static decode<F extends Field>(this: new (values: never) => F, data: Bytes): F;
     /** The values, and how many bytes are left over (newer devices send more). */
     static decodeWithTrailing<F extends Field>(this: new (values: never) => F, data: Bytes): { field: F; trailing: number };
@@ -160,7 +160,7 @@ export declare class Packet {
     findAll<F extends Field>(kind: FieldClass<F>): F[];
 }
 
-/** Finds packets in a stream, among anything else, whatever the pieces in which it comes. */
+/** Finds packets in a stream that contains anything else too and arrives in any pieces. */
 export declare class Parser {
     /** @param options.onSkipped is called with bytes that belong to no packet, in order with the packets */
     constructor(options?: { onSkipped?: (bytes: Uint8Array) => void });

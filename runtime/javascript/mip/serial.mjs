@@ -11,7 +11,7 @@ const ATTEMPTS = 2;
 /**
  * Opens the port of a device.
  *
- * @param port what `navigator.serial.requestPort()` gives; a browser asks its user only after a click
+ * @param port what `navigator.serial.requestPort()` returns; a browser asks its user only after a click
  * @param options.baud the baud rate; without it, that at which the device answers is searched. The rest is for Device.
  */
 export async function openSerial(port, { baud, ...options } = {}) {
@@ -26,7 +26,7 @@ export async function openSerial(port, { baud, ...options } = {}) {
 
 /** Does a device answer, even if it refuses? Earlier bytes may damage the first answer. */
 async function answers(device) {
-    if (!session) throw new MipError("session", "the specification names no command to search with: give `baud`");
+    if (!session) throw new MipError("session", "the specification names no command to search with: pass `baud`");
     for (let i = 0; i < ATTEMPTS; i++) {
         try {
             await device.request(session.ping(), { timeout: LISTEN });

@@ -4,7 +4,7 @@ import type { Bytes, MipError, Packet, RawField } from "./index.mjs";
 
 export { checksum, fromHex, MipError, Packet, Parser, segments, toHex } from "./index.mjs";
 
-/** Something of mip.json, whose README and schema say what it has. */
+/** An object of mip.json, described by its README and schema. */
 export type Item = { readonly [name: string]: any };
 /** Values of a field by the names of the specification. */
 export type Plain = { [name: string]: any };

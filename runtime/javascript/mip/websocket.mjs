@@ -5,7 +5,7 @@ import { Device } from "./device.mjs";
 
 /** Connects to a device. @param options.WebSocket the class, where it is not global: Node 18 and 20. The rest is for Device. */
 export function openWebSocket(url, { WebSocket = globalThis.WebSocket, ...options } = {}) {
-    if (!WebSocket) return Promise.reject(new MipError("websocket", "there is no WebSocket here: give `WebSocket`"));
+    if (!WebSocket) return Promise.reject(new MipError("websocket", "there is no WebSocket here: pass `WebSocket`"));
     return Device.open(() => connected(new WebSocket(url)), options);
 }
 

@@ -53,7 +53,7 @@ class Arrival:
 
     def find_all(self, kind: type[F]) -> Iterator[F]:
         """The fields of this type, in order: some messages have one for each satellite, say. Raises
-        DecodeError when it comes to a field that cannot be decoded."""
+        DecodeError when it reaches a field that cannot be decoded."""
         return kind.find_all(self.packet)
 
     def device_time(self, clock: str = "gps") -> int | None:
@@ -70,7 +70,7 @@ class Arrival:
         return moments(self.packet).get(clock)
 
     def decode(self) -> list[Field | RawField]:
-        """All fields of the packet, as `registry.decode_packet` gives them."""
+        """All fields of the packet, as `registry.decode_packet` returns them."""
         from .registry import decode_packet
 
         return list(decode_packet(self.packet))
@@ -332,7 +332,7 @@ Dialog: TypeAlias = Generator[Step, Any, T]
 
 
 def response(ticket: Ticket, tickets: Sequence[Ticket]) -> Response | None:
-    """The answer of the device, or the error that says why there is none."""
+    """The reply of the device, or the error that explains its absence."""
     outcome = ticket.outcome
     if outcome is None:
         return None

@@ -95,7 +95,7 @@ class Described:
             raise EncodeError("range", f"{wrong}, needs a whole number") from None
 
     def meaning(self, name: str, device: str | None = None) -> Any:
-        """The value `name` as the enumeration or bitfield that gives its meaning.
+        """The value `name` as the enumeration or bitfield that defines its meaning.
 
         The type depends on another value of this field or on the device (its id, "3dm-gx5-15").
         Without such a type, the value is returned unchanged. Raises EncodeError if the value does

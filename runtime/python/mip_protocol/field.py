@@ -231,7 +231,7 @@ class Field(Structure):
 
     @classmethod
     def find_all(cls: type[F], packet: Packet) -> Iterator[F]:
-        """The fields of this type in a packet, in order. Raises DecodeError when it comes to one that
+        """The fields of this type in a packet, in order. Raises DecodeError when it reaches one that
         cannot be decoded, or within which the packet ends."""
         if packet.set in cls.SETS:
             for raw in packet:

@@ -1,4 +1,4 @@
-"""Finds fields, sets and devices by name, and gives the nearest names for unknown ones."""
+"""Finds fields, sets and devices by name, and suggests the nearest names for unknown ones."""
 
 from __future__ import annotations
 

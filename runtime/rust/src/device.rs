@@ -200,7 +200,7 @@ impl Waited {
         Self { backlog: BACKLOG, since: None }
     }
 
-    /// Ends waiting, also if the port takes its time: then these bytes are no backlog.
+    /// Ends waiting, also if the port takes its time: then these bytes are not a backlog.
     fn is_over(&mut self, deadline: u32, now_ms: u32, came: bool) -> bool {
         if !has_passed(deadline, now_ms) {
             *self = Self::new();

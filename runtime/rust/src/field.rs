@@ -77,7 +77,7 @@ pub trait Field: Wire {
     }
 }
 
-/// A field that occurs in one descriptor set only: its type says which packet it needs.
+/// A field that occurs in one descriptor set only: its type determines the set of its packet.
 pub trait OneSet: Field {
     /// The descriptor set.
     const SET: u8;

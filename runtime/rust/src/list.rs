@@ -311,7 +311,7 @@ impl<T: Item + Clone, const N: usize> From<&Vec<T>> for List<T, N> {
     }
 }
 
-/// Of an iterator that gives too many, the first items: see [`List::overflowed`].
+/// The first items of an iterator that yields too many: see [`List::overflowed`].
 impl<T: Item, const N: usize> FromIterator<T> for List<T, N> {
     fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
         let mut list = Self::new();

@@ -42,7 +42,7 @@ void arena_free(struct arena *arena);
 /* NULL if the text is not exactly one value. */
 struct json *json_parse(struct arena *arena, const char *text, size_t size);
 
-/* The last member of that name; NULL if there is none, or if it is no object. */
+/* The last member of that name; NULL if there is none, or if it is not an object. */
 const struct json *json_get(const struct json *object, const char *key);
 bool json_equals(const struct json *string, const char *text);
 

@@ -245,7 +245,7 @@ static void streams(void) {
     CHECK(has(1000, 0.1F, 10000, 0.1F) && has(1000, 1000.0F / 3, 3, 1000.0F / 3) && has(0, 0, 1, 0));
     CHECK(!has(1000, 300, 0, 1000.0F / 3) && !has(1000, 2000, 0, 1000) && !has(1000, 90, 0, 1000.0F / 11));
     CHECK(!has(0, 4, 0, 0) && !has(1000, -1, 0, 1000.0F / 65535) && !has(1000, 0.001F, 0, 1000.0F / 65535));
-    for (unsigned by = 1; by <= 65535; by += 1 + by / 50) { /* what is said to be nearest can be had */
+    for (unsigned by = 1; by <= 65535; by += 1 + by / 50) { /* the rate reported as the nearest is available */
         CHECK(has(1000, 1000.0F / (float)by, by, 1000.0F / (float)by));
     }
 

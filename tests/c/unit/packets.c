@@ -96,7 +96,7 @@ static void walk(void) {
     CHECK(!mip_walk_next(&w, &field) && w.error == MIP_ERROR_FIELD_LENGTH);
 }
 
-/* What is no packet has no fields. */
+/* What is not a packet has no fields. */
 static void walk_of_nothing(void) {
     uint8_t buffer[8] = {0x75, 0x65, 0x01, 0xFF, 0x01, 0x01, 0x01, 0x01};
     struct mip_builder b;

@@ -12,13 +12,13 @@ declare const packet: Packet;
 new ScaledAccel({ accel: [0, 0, -1] });
 // @ts-expect-error an element is missing
 new ScaledAccel({ scaledAccel: [0, 0] });
-// @ts-expect-error a number is no vector
+// @ts-expect-error a number is not a vector
 new ScaledAccel({ scaledAccel: 1 });
 // @ts-expect-error a member is missing
 CommSpeed.write({ port: 1 });
 // @ts-expect-error a read takes no rate
 CommSpeed.read({ port: 1, baud: 115200 });
-// @ts-expect-error text is no number
+// @ts-expect-error text is not a number
 CommSpeed.write({ port: "1", baud: 115200 });
 // @ts-expect-error a value of another enumeration
 PpsSourceControl.write({ source: FunctionSelector.WRITE });
@@ -26,7 +26,7 @@ PpsSourceControl.write({ source: FunctionSelector.WRITE });
 PpsSource.NONE;
 // @ts-expect-error it takes no values
 new Ping({ port: 1 });
-// @ts-expect-error data is no command
+// @ts-expect-error data is not a command
 device.request(new ScaledAccel({ scaledAccel: [0, 0, -1] }));
 // @ts-expect-error a write has no response
 (await device.request(PpsSourceControl.write({ source: 1 }))).source;
@@ -38,7 +38,7 @@ packet.find(ScaledAccel).scaledAccel;
 device.stream([[Ping, 1]]);
 // @ts-expect-error a rate is a number
 device.stream([[ScaledAccel, "100"]]);
-// @ts-expect-error bytes are no text
+// @ts-expect-error bytes are not text
 fromHex(Uint8Array.of(1));
 // @ts-expect-error only the device answers
 packet.bytes = "7565";

@@ -363,7 +363,7 @@ fn ended(waiting: &mut Vec<Ticket<()>>, event: &Event) {
     );
 }
 
-/// What is no answer is given as it is, in its order.
+/// What is not an answer is given as it is, in its order.
 fn take(client: &mut Client<SLOTS>, waiting: &mut Vec<Ticket<()>>, packet: &Packet<'_>) {
     let events = client.receive(packet);
     let mut all = packet.fields();

@@ -248,8 +248,8 @@ def test_all_mistakes_at_once(at: At, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "1:1: this is no file of settings; `mip config pull` writes one"),
-        ("[]", "1:1: this is no file of settings; `mip config pull` writes one"),
+        ("", "1:1: this is not a file of settings; `mip config pull` writes one"),
+        ("[]", "1:1: this is not a file of settings; `mip config pull` writes one"),
         ("model: 3dm-gq7", "1:1: 'settings' is missing; `mip config pull` writes a complete file"),
         ("settings: {}", "1:1: 'model' is missing; name the device, as `mip config pull` does"),
         ("model: [", "not YAML: "),

@@ -258,7 +258,7 @@ def codes(packets: list[Packet]) -> list[tuple[int, int]]:
     ("data", "code"),
     [
         (command(0x01, 0x01), OK),
-        (command(0x01, 0x01, b"\0\0"), OK),  # what follows the parameters is no mistake
+        (command(0x01, 0x01, b"\0\0"), OK),  # what follows the parameters is not a mistake
         (command(0x01, 0x55), UNKNOWN),
         (command(0x55, 0x01), UNKNOWN_SET),
         (command(0x0C, 0x0F, b"\x09\x80"), INVALID),  # no such function

@@ -350,7 +350,7 @@ def test_speeds_lead_along_the_first_axis() -> None:
         ("", ":1:1: a trajectory has a line with names and units, and lines of numbers"),
         ("time [s],speed\n0,1", ":1:10: 'speed' has no unit; write speed [m/s] or speed [km/h]"),
         ("time [s],speed [kn]\n0,1", ":1:10: 'speed' cannot have the unit 'kn'; write speed [m/s] or speed [km/h]"),
-        ("time [s], sped [m/s]\n0,1", ":1:11: 'sped' is no column of a trajectory; do you mean 'speed'?"),
+        ("time [s], sped [m/s]\n0,1", ":1:11: 'sped' is not a column of a trajectory; do you mean 'speed'?"),
         ("time [s],time [s]\n0,1", ":1:10: 'time' is there twice; remove one"),
         ("speed [m/s]\n1", ":1:1: the column time is missing"),
         ("time [s],north [m]\n0,1", ":1:1: the column east is missing"),

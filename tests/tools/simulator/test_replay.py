@@ -42,7 +42,7 @@ def log(tmp_path: Path) -> Path:
 
 
 def test_recorded_values_come_back(log: Path) -> None:
-    """Byte for byte at their times, and until the next one; with what is no packet between them."""
+    """Byte for byte at their times, and until the next one; with what is not a packet between them."""
     recorded = record(
         log,
         Circle(),

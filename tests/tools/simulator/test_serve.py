@@ -686,7 +686,7 @@ def busy() -> tuple[socket.socket, str]:
         ([DEVICE, "--port", "USB 1"], "'USB 1' cannot be read; write NAME=pty:PATH, NAME=tcp:[HOST:]PORT or NAME=udp"),
         ([DEVICE, "--fault", "loose=1"], "fault 'loose' is unknown; do you mean 'lose'? known are: "),
         ([DEVICE, "--log-packets"], "--log-packets needs a file; add --fault-log FILE"),
-        ([DEVICE, "--fault-log", "A_FILE"], "A_FILE is no log of faults; name another file"),
+        ([DEVICE, "--fault-log", "A_FILE"], "A_FILE is not a log of faults; name another file"),
         ([DEVICE, "--signal", "9=10"], "--signal 9=10: the device has no pin 9"),
         ([DEVICE, "--fault-log", "A_FILE/x"], "A_FILE/x cannot be written: Not a directory"),
         ([DEVICE, "--storage", "A_FILE/x"], "A_FILE/x cannot be written: Not a directory; name another file"),

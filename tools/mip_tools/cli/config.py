@@ -117,7 +117,7 @@ def _pushed(port: str, file: parsed.File, done: Pushed) -> int:
         _complain(f"{file.at[place]}: {_named(place, file.profile)} was refused: {why}")
     for place, now in done.different.items():
         lines = "; ".join(_changes(place, file.held[place], now, file.profile))
-        _complain(f"{file.at[place]}: {_named(place, file.profile)} was written, and reads back otherwise: {lines}")
+        _complain(f"{file.at[place]}: {_named(place, file.profile)} was written, but reads back differently: {lines}")
     changed = len([place for place in done.written if place not in done.refused])
     same = len(file.held) - len({*done.written, *done.refused})
     keep = f"; `mip config save {port}` keeps them at power-off" if changed else ""

@@ -216,7 +216,7 @@ def _elsewhere(id: str, folder: Path) -> bool:
 def merged(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
     """The text of a file with what the device told, and what contradicts it, by data set or port, each with its place.
 
-    Everything that the file says stays. Raises Failure if it is no file of this device.
+    Everything that the file says stays. Raises Failure if it is not a file of this device.
     """
     file = YamlFile(path)
     wanted = facts.model.id

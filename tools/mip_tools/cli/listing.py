@@ -25,7 +25,7 @@ RATES = {
 RATE, SPEED, PROTOCOLS = "3dm.get_base_rate", "base.comm_speed", "system.interface_control"
 EXTENDED = "base.get_extended_descriptors"
 
-#: Numbers of ports that are no ports.
+#: Numbers of ports that are not ports.
 _ALL = "all"
 _WORDS = {"uart": "UART", "usb": "USB"}
 

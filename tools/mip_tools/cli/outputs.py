@@ -79,7 +79,7 @@ def _is_output(name: str) -> bool:
     """Is it what standard output leads to, such as /dev/stdout?"""
     try:
         return os.path.samestat(os.stat(name), os.fstat(sys.stdout.fileno()))
-    except (OSError, ValueError):  # there is no such file yet, or standard output is no file
+    except (OSError, ValueError):  # there is no such file yet, or standard output is not a file
         return False
 
 
@@ -118,7 +118,7 @@ def _beside(path: Path) -> Path:
 
 
 def _failed(name: str, error: OSError, more: str = "") -> Exception:
-    """A pipe whose reader has stopped is no failure."""
+    """A pipe whose reader has stopped is not a failure."""
     if isinstance(error, BrokenPipeError):
         return error
     return Failure(f"{name} cannot be written: {error.strerror or error}{more}")
@@ -146,7 +146,7 @@ def holds_bytes(path: str | Path) -> bool:
 
 def refuse_input(output: str, source: str) -> None:
     """Raises Misuse if a log would be replaced by what is made of it, whatever the two are called."""
-    try:  # one of them may not exist, or standard input or output may be no file
+    try:  # one of them may not exist, or standard input or output may not be a file
         given = os.fstat(sys.stdin.fileno()) if source == "-" else os.stat(source)
         taken = os.fstat(sys.stdout.fileno()) if output == "-" else os.stat(output)
     except (OSError, ValueError):

@@ -53,7 +53,7 @@ class _Reader(YamlReader):
     def file(self) -> File:
         root = yaml_text.composed(yaml_text.contents(self.path), self.path)
         if kind_of(root) != "mapping":
-            raise Failure(f"{self.path}:1:1: this is no file of settings; `mip config pull` writes one")
+            raise Failure(f"{self.path}:1:1: this is not a file of settings; `mip config pull` writes one")
         parts = self.keys(root, KEYS, "a file of settings")
         if "model" not in parts:
             self.wrong(Wrong(root, "'model' is missing; name the device, as `mip config pull` does"))

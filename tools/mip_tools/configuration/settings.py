@@ -69,7 +69,7 @@ def behavior(kind: type[Command]) -> Behavior:
 def settings() -> dict[str, type[Command]]:
     """The commands that can be written, read and saved, by their names.
 
-    What a command does only once is no setting, and neither is a command whose values all select an instance.
+    What a command does only once is not a setting, and neither is a command whose values all select an instance.
     """
     found: dict[str, type[Command]] = {}
     for _, kind in registry.all_types():

@@ -14,7 +14,7 @@ from .stream import Examined
 
 #: How many events of a cause are listed.
 LISTED = 5
-#: Set in fewer of the fields, and not in the last one, a bit is no warning: it is set while a filter starts.
+#: Set in fewer of the fields, and not in the last one, a bit is not a warning: it is set while a filter starts.
 _SELDOM = 0.02
 
 

@@ -21,7 +21,7 @@ _SENTENCE = re.compile(rb"\$[ -~]*\r?\n")
 _AWAY, _AWAY_SECONDS = 5, 1.0
 #: The time by one clock and that by another may drift apart by so much between two packets.
 _STEP = SECOND // 20
-#: A shorter gap is no pause.
+#: A shorter gap is not a pause.
 _SHORT = 0.5
 #: How many events are kept; more are counted.
 MOST = 5000
@@ -119,7 +119,7 @@ class Examination:
         cut_off = at_end and ((SYNC.startswith(rest[:2]) and len(rest) < 4) or "missing" in show.damage(rest))
         if not rest or begin == 0 or cut_off:
             return  # a recording begins and ends anywhere
-        said = f"{len(rest)} bytes are no packets{': ' if show.damage(rest) else ''}{show.damage(rest)}"
+        said = f"{len(rest)} bytes are not packets{': ' if show.damage(rest) else ''}{show.damage(rest)}"
         self._note(Event("line damage", begin, begin + len(data), self._time, details=[said]))
 
     def _note(self, event: Event) -> None:

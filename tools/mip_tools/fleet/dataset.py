@@ -74,7 +74,7 @@ class Fleet:
         """What it has. Raises Failure if it is none."""
         found = read(self.folder)
         if found is None:
-            raise Failure(f"{self.folder} is no finished data set of a fleet")
+            raise Failure(f"{self.folder} is not a finished data set of a fleet")
         return found
 
     def files(self, field: str, clock: str | None = None) -> list[str]:

@@ -216,7 +216,7 @@ def _log(options: argparse.Namespace, stack: ExitStack) -> TextIO | None:
         if outputs.holds_bytes(options.fault_log):
             with options.fault_log.open("rb") as earlier:
                 if earlier.read(1) != b"{":
-                    raise Failure(f"{options.fault_log} is no log of faults; name another file")
+                    raise Failure(f"{options.fault_log} is not a log of faults; name another file")
         return stack.enter_context(open(options.fault_log, "w", encoding="utf-8"))
     except OSError as error:
         raise Failure(f"{options.fault_log} cannot be written: {error.strerror}") from None

@@ -47,7 +47,7 @@ class Behavior:
     setting: str = ""  # the command whose setting it is, if not its own
     key: dict[str, int] = field(default_factory=dict)  # which instance of that setting
     initial: dict[str, Any] = field(default_factory=dict)  # values on a new device
-    once: bool = False  # a write acts at that moment: what it wrote is no setting to be restored
+    once: bool = False  # a write acts at that moment: what it wrote is not a setting to be restored
     affected: frozenset[tuple[int, int]] = frozenset()  # set and descriptor of the data that AFFECTED selects from
     answers: dict[str, tuple[str, ...]] = field(default_factory=dict)  # response -> devices with this layout
 

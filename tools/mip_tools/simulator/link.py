@@ -12,7 +12,7 @@ from ..binding import Parser
 class Link:
     """One host at one port. `write` and `read` are the host's; `VirtualDevice.connect` makes it.
 
-    It is no port for `Device`, as no time passes at it: `LivePort` is.
+    It is not a port for `Device`, as no time passes at it: `LivePort` is.
     """
 
     def __init__(self, port: str, receive: Callable[[Link, bytes], None], capacity: int | None) -> None:

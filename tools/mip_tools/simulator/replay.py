@@ -87,7 +87,7 @@ class Replay:
         self._velocity = self._series(_VELOCITY)
 
     def recorded(self, set: int, descriptor: int, t: float) -> list[bytes]:
-        """The data of a field at a time, of each field if the log has several of that time; empty without any."""
+        """The data of a field at a time: of each such field, if the log has several; empty if it has none."""
         found = self._recorded.get((set, descriptor))
         if found is None:
             return []

@@ -64,7 +64,7 @@ class _Reader(YamlReader):
     def scenario(self) -> Scenario:
         root = yaml_text.composed(yaml_text.contents(self.path), self.path)
         if kind_of(root) != "mapping":
-            raise Failure(f"{self.path}:1:1: this is no scenario; it needs 'devices', 'events' or both")
+            raise Failure(f"{self.path}:1:1: this is not a scenario; it needs 'devices', 'events' or both")
         parts = self.keys(root, ("devices", "events"), "a scenario")
         events = self.events(parts.get("events"))
         devices = [self.device(node, events) for node in self.items(parts.get("devices"), "devices")]

@@ -36,7 +36,7 @@ class ScriptedEvent:
     def check(self) -> None:
         """Raises ValueError or Failure if it cannot be."""
         if self.event not in KINDS:
-            raise ValueError(f"'{self.event}' is no scripted event; there are {', '.join(KINDS)}")
+            raise ValueError(f"'{self.event}' is not a scripted event; there are {', '.join(KINDS)}")
         parse_faults(self.faults)
         if self.every is not None and not (self.duration or 0.0) < self.every:
             raise ValueError(f"an event every {self.every:g} s must end before the next one begins")

@@ -200,7 +200,7 @@ class _Table:
             if name not in COLUMNS:
                 near = get_close_matches(name, COLUMNS, 1)
                 hint = f"do you mean '{near[0]}'?" if near else f"there are {', '.join(COLUMNS)}"
-                raise self._wrong(number, column, f"'{name}' is no column of a trajectory; {hint}")
+                raise self._wrong(number, column, f"'{name}' is not a column of a trajectory; {hint}")
             units = " or ".join(f"{name} [{unit}]" for unit in COLUMNS[name])
             if unit is None:
                 raise self._wrong(number, column, f"'{name}' has no unit; write {units}")

@@ -172,7 +172,7 @@ export function laidOut(expression, width) {
 /** A number of a parameter; `known` writes the name of a value, `flags` names of bits, `other` another number of a type. */
 export function numberText(names, parameter, op, value, { float, known, flags, other }) {
     const { kind, size } = names.protocol.scalar(op.scalar);
-    if (kind === "float") return float(decimalLiteral(value, size) ?? fail(`${op.member} is no finite number`), size);
+    if (kind === "float") return float(decimalLiteral(value, size) ?? fail(`${op.member} is not a finite number`), size);
     if (kind === "bool") return undefined;
     const type = names.named(op);
     if (type?.kind === "enum") {

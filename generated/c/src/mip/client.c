@@ -203,7 +203,7 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
     return true;
 }
 
-/** The payload of the answer of the shortest barrier: a single command is no barrier. */
+/** The payload of the answer of the shortest barrier: a single command is not a barrier. */
 #define FIRST_BARRIER 8
 
 void mip_client_miss(struct mip_client *client) {

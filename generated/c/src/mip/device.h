@@ -2,7 +2,7 @@
  * @file
  * A device at a port: one call for each command, and handlers for its data.
  *
- * The caller gives three functions: read, write, and a clock. Then a call of mip/..._commands.h
+ * The caller provides three functions: read, write, and a clock. Then a call of mip/..._commands.h
  * sends a command, waits for its answer, and returns the outcome:
  *
  *     mip_device_init(&device, &port, MIP_ARRAY(handlers));
@@ -50,7 +50,7 @@ struct mip_port {
 /** For `type` of a handler: every field without an earlier entry. Not 0, so that an entry that was
  * left empty is for none. */
 #define MIP_ANY_FIELD (&mip_any_field)
-/** It is no wire format: only its address counts. */
+/** It is not a wire format: only its address counts. */
 extern MIP_API const struct mip_codec mip_any_field;
 /** For `descriptor_set` of a handler: every set in which the type occurs. */
 #define MIP_ANY_SET 0
@@ -131,13 +131,13 @@ enum mip_outcome {
     MIP_ACKNOWLEDGED,
     /** It was sent; devices do not answer it. */
     MIP_SENT,
-    /** The device has refused it: `code` says why. */
+    /** The device has rejected it: `code` is the reason. */
     MIP_REFUSED,
-    /** No answer came in time. If it comes later, it is handled as data. */
+    /** No reply arrived in time. If it arrives later, it is handled as data. */
     MIP_TIMED_OUT,
     /** The device has acknowledged it without sending its response. */
     MIP_MISSING_RESPONSE,
-    /** The device has sent a response that cannot be decoded: `error` says why. */
+    /** The device has sent a response that cannot be decoded: `error` is the reason. */
     MIP_UNDECODABLE,
     /** The port was gone before the answer came. */
     MIP_CLOSED,

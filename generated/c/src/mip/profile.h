@@ -17,7 +17,7 @@ extern "C" {
 
 /** Does a device have a command or a data field? */
 enum mip_support {
-    /** No source says anything of it, and the profile is not whole. */
+    /** No source mentions it, and the profile is incomplete. */
     MIP_SUPPORT_UNKNOWN = 0,
     /** It does not. */
     MIP_SUPPORT_NO = 1,
@@ -193,7 +193,7 @@ MIP_API const struct mip_profile *mip_profile_find(const char *name);
 MIP_API const struct mip_profile *mip_profile_by_model(uint16_t model_number);
 
 /**
- * The model number that the device information gives: its model and serial numbers begin with it.
+ * The model number in the device information: its model and serial numbers begin with it.
  * Spaces may precede it, and a dot, a dash, a space, a NUL or the end of the text follows it. 0 if
  * it is not there.
  */

@@ -62,7 +62,7 @@ extern "C" {
 #define MIP_LENGTH_ONE 0
 /** Always `capacity`. */
 #define MIP_LENGTH_FIXED 1
-/** As many as the parameter `by` says. */
+/** Their number is the parameter `by`. */
 #define MIP_LENGTH_COUNTED 2
 /** As many as the field holds. */
 #define MIP_LENGTH_REST 3
@@ -95,7 +95,8 @@ struct mip_names {
     uint8_t size;
 };
 
-/** The type that gives a number its meaning, if that depends on the device or another parameter. */
+/** The type that defines the meaning of a number, if that depends on the device or another
+ * parameter. */
 struct mip_reading {
     /** Id of the device; NULL if it depends on the parameter `by`. */
     const char *device;

@@ -18,7 +18,7 @@ struct mip_entry {
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
-    /** Entries that mip_registry_link gives. */
+    /** Entries that mip_registry_link returns. */
     uint8_t link_count;
     /** Where they are in mip_registry_links. */
     uint16_t first_link;

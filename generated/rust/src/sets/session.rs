@@ -327,7 +327,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
             return Err(DeviceError::NoBaudRate);
         };
         match self.request(command) {
-            // The answer may have come at the new rate.
+            // The reply may have arrived at the new rate.
             Err(DeviceError::Command(CommandError::TimedOut)) => {}
             result => drop(result?),
         }

@@ -115,7 +115,7 @@ def readings(model: m.Model) -> dict[str, list[str]]:
 # --------------------------------------------------------------------------- texts
 
 _PLAIN = re.compile(r"[A-Za-z][\w ,.;()/+-]*(?<! )")
-_WORDS = {"true", "false", "null", "yes", "no", "on", "off"}  # these are no text in YAML 1.1
+_WORDS = {"true", "false", "null", "yes", "no", "on", "off"}  # these are not text in YAML 1.1
 
 
 def text(words: str) -> str:

@@ -163,7 +163,7 @@ def uncertain(page: Page, thing: m.Set | m.Family | m.Type) -> list[str]:
 
 
 def asked(fields: Sequence[m.Field]) -> list[m.Field]:
-    """The fields that are no responses; these are with their commands."""
+    """The fields that are not responses; these are with their commands."""
     return [f for f in fields if f.role != m.RESPONSE]
 
 

@@ -77,7 +77,7 @@ def _element(p: m.Parameter) -> str:
 
 
 def _count(p: m.Parameter) -> int | None:
-    """The numbers in an array; those of vectors follow each other. None if it varies, or if it is no array."""
+    """The numbers in an array; those of vectors follow each other. None if it varies, or if it is not an array."""
     if p.kind != "array" or p.count is None:
         return None
     return p.count * (_count(p.item) or 1) if p.item.kind == "array" else p.count

@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-/** How long a device may take to answer, in milliseconds, unless the command says otherwise. */
+/** How long a device may take to reply, in milliseconds, unless the command has its own limit. */
 #define MIP_DEFAULT_TIMEOUT 1000
 /** The longest time-out, 24 days, because the time may wrap around. A longer one is shortened. */
 #define MIP_MAX_TIMEOUT UINT32_C(0x7FFFFFFF)

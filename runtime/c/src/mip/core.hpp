@@ -42,7 +42,7 @@ template <class T, class = void> struct traits;
 template <class T>
 struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {};
 
-/** Says so for a structure of C. */
+/** Marks a structure of C as one. */
 #define MIP_LAYOUT(type, constant, number)                                \
     template <> struct traits<::type> {                                   \
         using c_type = ::type;                                            \
@@ -454,7 +454,7 @@ template <bool Last> class packet_range {
     std::size_t left_;
 };
 
-/** Finds packets in a stream of bytes that comes in pieces. */
+/** Finds packets in a stream of bytes that arrives in pieces. */
 class parser : public mip_parser {
   public:
     parser() {

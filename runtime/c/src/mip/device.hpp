@@ -24,13 +24,13 @@ enum class outcome {
     acknowledged = MIP_ACKNOWLEDGED,
     /** It was sent; devices do not answer it. */
     sent = MIP_SENT,
-    /** The device has refused it: `code` says why. */
+    /** The device has rejected it: `code` is the reason. */
     refused = MIP_REFUSED,
     /** No answer came in time. */
     timed_out = MIP_TIMED_OUT,
     /** The device has acknowledged it without sending its response. */
     missing_response = MIP_MISSING_RESPONSE,
-    /** The device has sent a response that cannot be decoded: `error` says why. */
+    /** The device has sent a response that cannot be decoded: `error` is the reason. */
     undecodable = MIP_UNDECODABLE,
     /** The port was gone before the answer came. */
     closed = MIP_CLOSED,

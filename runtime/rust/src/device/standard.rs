@@ -12,7 +12,7 @@ use super::Port;
 /// [`Interrupted`](ErrorKind::Interrupted). It must return at some point, because only then can a
 /// command time out: set a time-out of the port, for example 10 ms. Writes must wait.
 ///
-/// Because 0 may mean that nothing has arrived yet, it is no error: with a TCP connection that the
+/// Because 0 may mean that nothing has arrived yet, it is not an error: with a TCP connection that the
 /// other side has closed, commands time out, and [`next_packet`](super::Device::next_packet) returns
 /// `None`, until a write fails. Where it matters, write a [`Port`] that returns an error for 0.
 #[derive(Clone, Debug)]

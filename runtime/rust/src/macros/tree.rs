@@ -1,4 +1,4 @@
-//! Conversion of the steps of a record, which [`record!`] describes, to trees of values and back.
+//! Converts the steps of a record, which [`record!`] describes, to trees of values and back.
 
 macro_rules! tree {
     ($name:ident { $($member:ident)* } $([$($step:tt)*])*) => {
