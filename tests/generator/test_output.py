@@ -52,7 +52,7 @@ class Killed(BaseException):
 
 
 def killed(monkeypatch: pytest.MonkeyPatch, made: dict[str, bytes], folder: Path) -> Iterator[int]:
-    """Writes the files, and is killed at one more step each time, until it is done; a file may be written in part."""
+    """Writing the files is killed one step later each time, until it succeeds; a file may be written in part."""
     for last in range(1000):
         step = 0
 

@@ -23,7 +23,7 @@ import { baseOf } from "./stream.mjs";
 import { choicesOf, hexByte, pathText, shown } from "./words.mjs";
 
 /**
- * What a text of bytes consists of, each part as `segments` gives it; packets also have `set`, `fields`, `misprints`, and
+ * What a text of bytes consists of, each part as `segments` returns it; packets also have `set`, `fields`, `misprints`, and
  * the checksum that is right, and other bytes `why`: what keeps those that begin like a packet from being one.
  *
  * @param device the id of a device, whose readings are used where they differ

@@ -184,7 +184,7 @@ function misprintNote({ example, right, errata }, to) {
     return element(
         "p",
         { class: "mip-note" },
-        `The manual ${example.manual} gives these bytes (${example.section}: ${example.title}) by mistake. Correct: `,
+        `The manual ${example.manual} shows these bytes (${example.section}: ${example.title}) by mistake. Correct: `,
         element("code", {}, spacedHex(right)),
         ". ",
         errata.length ? ["See ", listed(errata, to), "."] : "",

@@ -6,7 +6,7 @@ import { keysOf, parametersOf, settingsOf } from "./settings.mjs";
 import { decimal, hexByte, hexLiteral } from "./words.mjs";
 import { nodesOf, placeOf } from "./yaml.mjs";
 
-const HEAD = `# Settings of a device. \`mip config push PORT FILE\` gives them to a device, and \`mip config save PORT\` makes it keep
+const HEAD = `# Settings of a device. \`mip config push PORT FILE\` writes them to a device, and \`mip config save PORT\` makes it keep
 # them. A setting that is removed from the file remains as it is on the device.
 `;
 
@@ -158,7 +158,7 @@ class File {
 
     read() {
         const root = nodesOf(this.text);
-        if (root.kind !== "mapping") throw new MipError("format", "this is not a file of settings; the page and `mip config pull` write them");
+        if (root.kind !== "mapping") throw new MipError("format", "this is not a file of settings; `mip config pull` writes one");
         const parts = this.#keys(root, KEYS, "a file of settings");
         if (!parts.model) this.#wrong(root, "'model' is missing; name the device");
         if (!parts.settings) this.#wrong(root, "'settings' is missing");

@@ -4,7 +4,7 @@ import { MipError } from "mip-protocol/tools";
 
 /**
  * The nodes of a text: { kind, at } with `entries` of a mapping ([{ key, value }, …], the key a scalar), `items` of a
- * sequence, `text` of a scalar. `placeOf(text, at)` gives the line and column.
+ * sequence, `text` of a scalar. `placeOf(text, at)` returns the line and column.
  */
 export function nodesOf(text) {
     return new Reader(text.replace(/^\uFEFF/, "").replaceAll("\r\n", "\n")).whole();

@@ -46,7 +46,7 @@ class OpenEnum(IntEnum):
 def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
     """Makes `~` invert all bits of a bitfield, so that `flags & ~Flags.X` clears only X.
 
-    Python itself inverts only the named bits or, in older versions, gives a negative number. It
+    Python itself inverts only the named bits or, in older versions, returns a negative number. It
     also keeps an object for every combination of bits that it ever sees; here they are not kept.
     """
 

@@ -113,7 +113,7 @@ class _Source:
 
     def __init__(self) -> None:
         self.format = ">6x"  # up to the end of the first header
-        self.values: list[str] = []  # what unpacking gives
+        self.values: list[str] = []  # what unpacking returns
         self.headers: list[str] = []  # conditions
         self.singles: list[str] = []  # floats of four bytes
         self.lines: list[str] = []

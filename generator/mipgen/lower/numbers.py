@@ -1,4 +1,4 @@
-"""Values that the specification gives by name, as numbers."""
+"""Values that the specification names, as numbers."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """The resolved model: what MIP is, with every reference followed and every size computed.
 
 Frozen dataclasses that describe the protocol, independent of any language and of files. `resolve` builds them,
-targets and templates read them. Names are words in lower case joined by underscores, as the specification gives
+targets and templates read them. Names are words in lower case joined by underscores, as the specification has
 them; `emit.naming` turns them into each language's case. Languages that limit the length of identifiers take
 `short` in place of a name, where there is one.
 

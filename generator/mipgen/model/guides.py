@@ -1,4 +1,4 @@
-"""Guides: the part of the model that `spec/guides` gives.
+"""Guides: the part of the model that `spec/guides` defines.
 
 A guide answers the question of somebody who wants to do something: which packets to send, in which order and why,
 and what comes back. Packets and answers are computed; the values in them are the author's.

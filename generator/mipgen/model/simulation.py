@@ -1,4 +1,4 @@
-"""What a simulated device knows and does: the part of the model that `spec/simulation` gives.
+"""What a simulated device knows and does: the part of the model that `spec/simulation` defines.
 
 The simulated world, such as a motion, is not described here; its *quantities* are named, and each value of a data
 field or of a response shows one of them. Likewise a command has an *effect* by name.

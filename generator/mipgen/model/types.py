@@ -20,7 +20,7 @@ class Source:
 
     manual: str
     section: Prose
-    length: Detail[str | None] = None  # "14", "4 + 3*count", or None if the manual gives none
+    length: Detail[str | None] = None  # "14", "4 + 3*count", or None if the manual states none
     position: Position | None = field(default=None, compare=False)
 
 
@@ -222,7 +222,7 @@ class Function:
     value: int
     reply: bool  # False: the device sends no acknowledge
     responds: bool  # True: a response with the current setting follows the acknowledge
-    sets: bool  # True: it gives new values, so it may carry optional parameters
+    sets: bool  # True: it sets new values, so it may have optional parameters
     like: str | None  # the function whose parameters it requires
     description: Prose
 

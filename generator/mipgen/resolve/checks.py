@@ -410,7 +410,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
     differing = set()
     for name, f, source in _printed(model):
         if rules.get(source.manual) == "none":
-            problems.add(source.position, f"{source.manual} gives no lengths; remove that of '{name}'")
+            problems.add(source.position, f"{source.manual} states no lengths; remove that of '{name}'")
             continue
         expected = computed_length(f, rules.get(source.manual, "wire"))
         if same(source.length or "", expected):
@@ -419,7 +419,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
         if (source.manual, name) not in claimed_by:
             problems.add(
                 source.position,
-                f"{source.manual} gives the length {source.length} for '{name}', but its rule gives "
+                f"{source.manual} states the length {source.length} for '{name}', but its rule results in "
                 f"{expected}; correct it, or add an erratum that claims length: {name}",
             )
     every = (*model.fields, model.protocol.acknowledge)
@@ -433,7 +433,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
             elif (e.manual, c.subject) not in differing:
                 problems.add(
                     c.position,
-                    f"the length that {e.manual} gives for '{c.subject}' is correct (or not given); remove the claim",
+                    f"the length that {e.manual} states for '{c.subject}' is correct (or not given); remove the claim",
                 )
 
 

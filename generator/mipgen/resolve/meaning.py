@@ -249,7 +249,7 @@ def check_shown(node: Node, p: m.Parameter, problem: Problem) -> None:
 
 
 class _Default:
-    """A default, or another value that an author gives; `what` it is called."""
+    """A default, or another value that an author states; `what` it is called."""
 
     def __init__(self, p: m.Parameter, problem: Problem, what: str = "default") -> None:
         self.p = p

@@ -1,7 +1,7 @@
 """What differs: by device, or with one value of a sibling.
 
 A variant says the same things as a parameter (unit, frame, range, default, description, ...). It may
-name the type that gives a plain number its meaning, or say which values there are, or that they are
+name the type that defines the meaning of a plain number, or state which values there are, or that they are
 not known. Those by sibling are given in the set file, those by device in the device's file. What
 differs may be a member of a structure: what is read by a parameter outside of it is said where the
 structure is used.

@@ -54,7 +54,7 @@ def by_name(name: str) -> type[Field]:
     """The type of a field: by its full name ("sensor.scaled_accel"), by the name of its class
     ("sensor.ScaledAccel"), by its title or descriptors ("0x80,0x04"), or by the vendor's name.
 
-    The name of the set may be left out if the rest is unambiguous. Raises UnknownName, which gives
+    The name of the set may be left out if the rest is unambiguous. Raises UnknownName, which lists
     the nearest names.
     """
     from .lookup import field

@@ -304,7 +304,7 @@ pub enum Outcome {
     /// It was acknowledged, but the response that it requests did not arrive.
     MissingResponse,
     /// It was carried out, but the response cannot be decoded. The answer of the event, or decoding
-    /// the response, gives the reason.
+    /// the response, returns the reason.
     Undecodable,
 }
 

@@ -52,7 +52,7 @@ time: `utc` is that of GPS as UTC, `unix` the same in seconds since 1970, `start
 the first row, `clock` in seconds of the first clock that the log has: gps, external, reference.
 It is that of the packet, or the last one of its set: `time_own` says which.
 
---align gives each row of one field the last values of the others. --rate has rows at equal steps,
+--align adds the last values of the other fields to each row of one. --rate has rows at equal steps,
 with values by --method: linear, nearest, or last, the value before.
 """
 

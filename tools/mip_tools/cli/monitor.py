@@ -23,7 +23,7 @@ examples:
   mip monitor /dev/ttyACM0 --duration 5 > values.txt
 
 On a terminal with the extra `monitor` (textual), the view fills the screen: arrows and the mouse
-scroll, / filters by names and values, space holds the values, q ends it. Without it, the first
+scroll, / filters by names and values, space pauses, q quits. Without it, the first
 lines are shown, and Ctrl-C ends it. If the output is not a terminal, the values are printed one
 after another.
 """

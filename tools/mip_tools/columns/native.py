@@ -1,7 +1,7 @@
 """The innermost loops in compiled code, which platform wheels bring and a source tree gets by
 `python setup.py build_ext --inplace`.
 
-It gives the same as `scan` and `walk`, which are used without it.
+It returns the same as `scan` and `walk`, which are used without it.
 """
 
 from __future__ import annotations

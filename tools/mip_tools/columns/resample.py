@@ -97,7 +97,7 @@ def _spans(columns: Sequence[Column[Any]], known: Sequence[Array]) -> list[tuple
 
 
 def _usual(time: Array) -> float:
-    """How long a value counts, in nanoseconds."""
+    """How long a value remains valid, in nanoseconds."""
     steps = np.diff(np.unique(time[time != NONE]))
     return float(np.median(steps)) * _USUAL if len(steps) else 0.0
 

@@ -17,7 +17,7 @@ from .words import word
 WIDTH = 110
 
 HEAD = """\
-# Settings of a device. `mip config push PORT FILE` gives them to a device, and `mip config save PORT` makes it keep
+# Settings of a device. `mip config push PORT FILE` writes them to a device, and `mip config save PORT` makes it keep
 # them. A setting that is removed from the file remains as it is on the device.
 """
 

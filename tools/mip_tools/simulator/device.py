@@ -143,7 +143,7 @@ class VirtualDevice:
             self.disconnect(link)
 
     def drive(self, pin: int, level: bool) -> None:
-        """A signal from outside gives a pin this level, which counts while the pin is an input.
+        """An external signal sets the level of a pin, which counts while the pin is an input.
 
         Raises ValueError if the device has no such pin.
         """

@@ -100,7 +100,7 @@ class Pty:
             leads = os.readlink(self._path)
             if not leads.startswith("/dev/"):
                 raise Failure(f"{self._path} is a link to something else; choose another path, or remove it")
-            # A simulator that was killed leaves its link, and the system gives its terminal again.
+            # A simulator that was killed leaves its link, and the system assigns its terminal again.
             if self._path.exists() and leads != self.name:
                 raise Failure(
                     f"{self._path} leads to {leads}, perhaps of another simulator; "

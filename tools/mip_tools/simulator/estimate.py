@@ -74,7 +74,7 @@ class Options:
 
     waits: bool = False  # for a command to run
     automatic: bool = True  # initializes itself
-    given: str = "AUTO_POSITION_VELOCITY_ATTITUDE"  # which initial conditions the user gives
+    given: str = "AUTO_POSITION_VELOCITY_ATTITUDE"  # which initial conditions the user specifies
     alignment: frozenset[str] = frozenset(("dual_antenna", "kinematic", "mag"))
     attitude: Vector = (0.0, 0.0, 0.0)  # given: roll, pitch, yaw
     place: Vector | None = None  # given: latitude, longitude, height
@@ -263,13 +263,13 @@ class Filter:
         self.level = True
 
     def set_heading(self, state: State, yaw: float) -> None:
-        """The user gives the heading."""
+        """The user specifies the heading."""
         self.attitude[2].begin(NEW_HEADING, sqrt(self.attitude[2].r))
         self.attitude[2].error = remainder(yaw - self._yaw(state), 2 * pi)
         self.aligned = True
 
     def set_place(self, state: State, place: Vector, velocity: Vector) -> None:
-        """The user gives the position and the velocity."""
+        """The user specifies the position and the velocity."""
         wrong = self._from(state, place)
         for i, pair in enumerate(self.navigation):
             pair.begin(FIX[i], FIX_VELOCITY)

@@ -163,7 +163,7 @@ def _automatic(device: VirtualDevice, v: Values) -> None:
 
 
 def _attitude(device: VirtualDevice, v: Values) -> None:
-    """The user gives all angles, or the heading alone."""
+    """The user specifies all angles, or the heading alone."""
     world = device.world
     if "roll" in v or not world.filter.level:
         world.filter.set_attitude(world.state, v.get("roll"), v.get("pitch"), v["heading"])

@@ -150,7 +150,7 @@ class Settings:
         return _write(kind, given)
 
     def _as(self, kind: type[Command], kept: Command, asked: Command) -> Command:
-        """A kept setting, as another command gives it."""
+        """A kept setting, as another command reports it."""
         behavior = COMMANDS.get(kind.NAME, NOTHING)
         given = {p.attribute: getattr(kept, p.attribute, None) for p in _held(kind)}
         given |= {name: getattr(asked, name) for name in keys(kind)}
@@ -218,7 +218,7 @@ def _write(kind: type[Command], given: dict[str, Any]) -> Command:
 
 
 def filled(p: Parameter, record: dict[str, Any], default: Any = None, only: frozenset[int] | None = None) -> Any:
-    """The value of a parameter that nothing else gives."""
+    """The value of a parameter that nothing else sets."""
     if p.kind == "switch":
         case = p.cases.get(record.get(p.tag, 0))
         return None if case is None else filled(case, record, case.default)

@@ -16,7 +16,7 @@ from .replay import Replay
 from .settings import filled
 from .world import Output, World
 
-#: Takes an item and gives the numbers of one parameter.
+#: Returns the numbers of one parameter of an item.
 Reader = Callable[[Any], "tuple[Any, ...]"]
 Encoder = Callable[[], "list[bytes]"]
 

@@ -464,7 +464,7 @@ struct mip_3dm_poll_imu_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_IMU_DATA 0x0C01
 /** Its descriptor. */
 #define MIP_3DM_POLL_IMU_DATA_DESCRIPTOR 0x01
@@ -531,7 +531,7 @@ struct mip_3dm_poll_gnss_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_GNSS_DATA 0x0C02
 /** Its descriptor. */
 #define MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR 0x02
@@ -596,7 +596,7 @@ struct mip_3dm_poll_filter_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_FILTER_DATA 0x0C03
 /** Its descriptor. */
 #define MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR 0x03
@@ -660,7 +660,7 @@ struct mip_3dm_poll_nmea_data {
     struct mip_nmea_message format_entries[50];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_NMEA_DATA 0x0C04
 /** Its descriptor. */
 #define MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR 0x04
@@ -713,7 +713,7 @@ struct mip_3dm_get_imu_base_rate {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_IMU_BASE_RATE 0x0C06
 /** Its descriptor. */
 #define MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR 0x06
@@ -747,7 +747,7 @@ struct mip_3dm_get_imu_base_rate_response {
     uint16_t rate;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE 0x0C83
 /** Its descriptor. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
@@ -785,7 +785,7 @@ struct mip_3dm_get_gnss_base_rate {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_GNSS_BASE_RATE 0x0C07
 /** Its descriptor. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR 0x07
@@ -820,7 +820,7 @@ struct mip_3dm_get_gnss_base_rate_response {
     uint16_t rate;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE 0x0C84
 /** Its descriptor. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR 0x84
@@ -873,7 +873,7 @@ struct mip_3dm_imu_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT 0x0C08
 /** Its descriptor. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR 0x08
@@ -953,7 +953,7 @@ struct mip_3dm_imu_message_format_response {
     struct mip_descriptor_rate descriptors[84];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE 0x0C80
 /** Its descriptor. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x80
@@ -1005,7 +1005,7 @@ struct mip_3dm_gnss_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT 0x0C09
 /** Its descriptor. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR 0x09
@@ -1088,7 +1088,7 @@ struct mip_3dm_gnss_message_format_response {
     struct mip_descriptor_rate descriptors[84];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE 0x0C81
 /** Its descriptor. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x81
@@ -1141,7 +1141,7 @@ struct mip_3dm_filter_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT 0x0C0A
 /** Its descriptor. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
@@ -1223,7 +1223,7 @@ struct mip_3dm_filter_message_format_response {
     struct mip_descriptor_rate descriptors[84];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE 0x0C82
 /** Its descriptor. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
@@ -1260,7 +1260,7 @@ struct mip_3dm_get_filter_base_rate {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_FILTER_BASE_RATE 0x0C0B
 /** Its descriptor. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR 0x0B
@@ -1294,7 +1294,7 @@ struct mip_3dm_get_filter_base_rate_response {
     uint16_t rate;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE 0x0C8A
 /** Its descriptor. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
@@ -1347,7 +1347,7 @@ struct mip_3dm_nmea_message_format {
     struct mip_nmea_message format_entries[50];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT 0x0C0C
 /** Its descriptor. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR 0x0C
@@ -1426,7 +1426,7 @@ struct mip_3dm_nmea_message_format_response {
     struct mip_nmea_message format_entries[50];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE 0x0C8C
 /** Its descriptor. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8C
@@ -1477,7 +1477,7 @@ struct mip_3dm_poll_data {
     uint8_t descriptors[250];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_POLL_DATA 0x0C0D
 /** Its descriptor. */
 #define MIP_3DM_POLL_DATA_DESCRIPTOR 0x0D
@@ -1534,7 +1534,7 @@ struct mip_3dm_get_base_rate {
     uint8_t descriptor_set;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_BASE_RATE 0x0C0E
 /** Its descriptor. */
 #define MIP_3DM_GET_BASE_RATE_DESCRIPTOR 0x0E
@@ -1581,7 +1581,7 @@ struct mip_3dm_get_base_rate_response {
     uint16_t rate;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE 0x0C8E
 /** Its descriptor. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
@@ -1635,7 +1635,7 @@ struct mip_3dm_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MESSAGE_FORMAT 0x0C0F
 /** Its descriptor. */
 #define MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR 0x0F
@@ -1738,7 +1738,7 @@ struct mip_3dm_message_format_response {
     struct mip_descriptor_rate descriptors[83];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE 0x0C8F
 /** Its descriptor. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8F
@@ -1776,7 +1776,7 @@ struct mip_3dm_factory_streaming {
     uint8_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_FACTORY_STREAMING 0x0C10
 /** Its descriptor. */
 #define MIP_3DM_FACTORY_STREAMING_DESCRIPTOR 0x10
@@ -1851,7 +1851,7 @@ struct mip_3dm_data_stream_control {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DATA_STREAM_CONTROL 0x0C11
 /** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR 0x11
@@ -1990,7 +1990,7 @@ struct mip_3dm_data_stream_control_response {
     mip_bool enabled;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE 0x0C85
 /** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR 0x85
@@ -2034,7 +2034,7 @@ struct mip_3dm_raw_rtcm_2_3_message {
     uint8_t data[253];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_RAW_RTCM_2_3_MESSAGE 0x0C20
 /** Its descriptor. */
 #define MIP_3DM_RAW_RTCM_2_3_MESSAGE_DESCRIPTOR 0x20
@@ -2117,7 +2117,7 @@ struct mip_3dm_constellation_settings {
     struct mip_3dm_constellation_settings_entry settings[41];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CONSTELLATION_SETTINGS 0x0C21
 /** Its descriptor. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR 0x21
@@ -2208,7 +2208,7 @@ struct mip_3dm_constellation_settings_response {
     struct mip_3dm_constellation_settings_entry settings[41];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE 0x0CA0
 /** Its descriptor. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR 0xA0
@@ -2267,7 +2267,7 @@ struct mip_3dm_gnss_sbas_settings {
     uint16_t included_prns[124];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS 0x0C22
 /** Its descriptor. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR 0x22
@@ -2357,7 +2357,7 @@ struct mip_3dm_gnss_sbas_settings_response {
     uint16_t included_prns[124];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE 0x0CA1
 /** Its descriptor. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR 0xA1
@@ -2418,7 +2418,7 @@ struct mip_3dm_gnss_assisted_fix {
     uint8_t flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_ASSISTED_FIX 0x0C23
 /** Its descriptor. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR 0x23
@@ -2504,7 +2504,7 @@ struct mip_3dm_gnss_assisted_fix_response {
     uint8_t flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE 0x0CA2
 /** Its descriptor. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR 0xA2
@@ -2556,7 +2556,7 @@ struct mip_3dm_gnss_time_assistance {
     float accuracy;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE 0x0C24
 /** Its descriptor. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR 0x24
@@ -2619,7 +2619,7 @@ struct mip_3dm_gnss_time_assistance_response {
     float accuracy;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE 0x0CA3
 /** Its descriptor. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR 0xA3
@@ -2676,7 +2676,7 @@ struct mip_3dm_pps_source_control {
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_PPS_SOURCE_CONTROL 0x0C28
 /** Its descriptor. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR 0x28
@@ -2755,7 +2755,7 @@ struct mip_3dm_pps_source_control_response {
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE 0x0CA8
 /** Its descriptor. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0xA8
@@ -2791,7 +2791,7 @@ struct mip_3dm_get_event_support {
     uint8_t query;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_SUPPORT 0x0C2A
 /** Its descriptor. */
 #define MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR 0x2A
@@ -2845,7 +2845,7 @@ struct mip_3dm_get_event_support_response {
     struct mip_3dm_event_support_info entries[125];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE 0x0CB4
 /** Its descriptor. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR 0xB4
@@ -2898,7 +2898,7 @@ struct mip_3dm_event_control {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_CONTROL 0x0C2B
 /** Its descriptor. */
 #define MIP_3DM_EVENT_CONTROL_DESCRIPTOR 0x2B
@@ -2999,7 +2999,7 @@ struct mip_3dm_event_control_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE 0x0CB5
 /** Its descriptor. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR 0xB5
@@ -3040,7 +3040,7 @@ struct mip_3dm_get_event_trigger_status {
     uint8_t requested_instances[252];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS 0x0C2C
 /** Its descriptor. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR 0x2C
@@ -3093,7 +3093,7 @@ struct mip_3dm_get_event_trigger_status_response {
     struct mip_3dm_event_trigger_status_entry triggers[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE 0x0CB6
 /** Its descriptor. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR 0xB6
@@ -3134,7 +3134,7 @@ struct mip_3dm_get_event_action_status {
     uint8_t requested_instances[252];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS 0x0C2D
 /** Its descriptor. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR 0x2D
@@ -3187,7 +3187,7 @@ struct mip_3dm_get_event_action_status_response {
     struct mip_3dm_event_action_status_entry actions[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE 0x0CB7
 /** Its descriptor. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR 0xB7
@@ -3262,7 +3262,7 @@ struct mip_3dm_event_trigger_config {
     union mip_3dm_event_trigger_config_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG 0x0C2E
 /** Its descriptor. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR 0x2E
@@ -3389,7 +3389,7 @@ struct mip_3dm_event_trigger_config_response {
     union mip_3dm_event_trigger_config_response_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE 0x0CB8
 /** Its descriptor. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR 0xB8
@@ -3461,7 +3461,7 @@ struct mip_3dm_event_action_config {
     union mip_3dm_event_action_config_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_ACTION_CONFIG 0x0C2F
 /** Its descriptor. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR 0x2F
@@ -3584,7 +3584,7 @@ struct mip_3dm_event_action_config_response {
     union mip_3dm_event_action_config_response_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE 0x0CB9
 /** Its descriptor. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR 0xB9
@@ -3627,7 +3627,7 @@ struct mip_3dm_device_settings {
     uint8_t function;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DEVICE_SETTINGS 0x0C30
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR 0x30
@@ -3714,7 +3714,7 @@ struct mip_3dm_sensor_to_vehicle_transform_euler {
     float yaw;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER 0x0C31
 /** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR 0x31
@@ -3802,7 +3802,7 @@ struct mip_3dm_sensor_to_vehicle_transform_euler_response {
     float yaw;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE 0x0CB1
 /** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR 0xB1
@@ -3866,7 +3866,7 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion {
     float q[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION 0x0C32
 /** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR 0x32
@@ -3952,7 +3952,7 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
     float q[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE 0x0CB2
 /** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
@@ -4017,7 +4017,7 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm {
     float dcm[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM 0x0C33
 /** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR 0x33
@@ -4101,7 +4101,7 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
     float dcm[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE 0x0CB3
 /** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR 0xB3
@@ -4151,7 +4151,7 @@ struct mip_3dm_gps_dynamics_mode {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPS_DYNAMICS_MODE 0x0C34
 /** Its descriptor. */
 #define MIP_3DM_GPS_DYNAMICS_MODE_DESCRIPTOR 0x34
@@ -4226,7 +4226,7 @@ struct mip_3dm_gps_dynamics_mode_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE 0x0C92
 /** Its descriptor. */
 #define MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x92
@@ -4313,7 +4313,7 @@ struct mip_3dm_imu_signal_conditioning {
     uint16_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING 0x0C35
 /** Its descriptor. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING_DESCRIPTOR 0x35
@@ -4430,7 +4430,7 @@ struct mip_3dm_imu_signal_conditioning_response {
     uint16_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE 0x0C86
 /** Its descriptor. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE_DESCRIPTOR 0x86
@@ -4478,7 +4478,7 @@ struct mip_3dm_imu_timestamp {
     uint32_t time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_TIMESTAMP 0x0C36
 /** Its descriptor. */
 #define MIP_3DM_IMU_TIMESTAMP_DESCRIPTOR 0x36
@@ -4541,7 +4541,7 @@ struct mip_3dm_imu_timestamp_response {
     uint32_t time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_TIMESTAMP_RESPONSE 0x0C93
 /** Its descriptor. */
 #define MIP_3DM_IMU_TIMESTAMP_RESPONSE_DESCRIPTOR 0x93
@@ -4592,7 +4592,7 @@ struct mip_3dm_accel_bias {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_ACCEL_BIAS 0x0C37
 /** Its descriptor. */
 #define MIP_3DM_ACCEL_BIAS_DESCRIPTOR 0x37
@@ -4685,7 +4685,7 @@ struct mip_3dm_accel_bias_response {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE 0x0C9A
 /** Its descriptor. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR 0x9A
@@ -4737,7 +4737,7 @@ struct mip_3dm_gyro_bias {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GYRO_BIAS 0x0C38
 /** Its descriptor. */
 #define MIP_3DM_GYRO_BIAS_DESCRIPTOR 0x38
@@ -4830,7 +4830,7 @@ struct mip_3dm_gyro_bias_response {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE 0x0C9B
 /** Its descriptor. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR 0x9B
@@ -4877,7 +4877,7 @@ struct mip_3dm_capture_gyro_bias {
     uint16_t averaging_time_ms;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS 0x0C39
 /** Its descriptor. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR 0x39
@@ -4945,7 +4945,7 @@ struct mip_3dm_mag_hard_iron_offset {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET 0x0C3A
 /** Its descriptor. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
@@ -5038,7 +5038,7 @@ struct mip_3dm_mag_hard_iron_offset_response {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE 0x0C9C
 /** Its descriptor. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
@@ -5096,7 +5096,7 @@ struct mip_3dm_mag_soft_iron_matrix {
     float matrix[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX 0x0C3B
 /** Its descriptor. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
@@ -5189,7 +5189,7 @@ struct mip_3dm_mag_soft_iron_matrix_response {
     float matrix[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE 0x0C9D
 /** Its descriptor. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
@@ -5234,7 +5234,7 @@ struct mip_3dm_coning_sculling_enable {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CONING_SCULLING_ENABLE 0x0C3E
 /** Its descriptor. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR 0x3E
@@ -5309,7 +5309,7 @@ struct mip_3dm_coning_sculling_enable_response {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE 0x0C9E
 /** Its descriptor. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
@@ -5365,7 +5365,7 @@ struct mip_3dm_uart_baud_rate {
     uint32_t baud;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_UART_BAUD_RATE 0x0C40
 /** Its descriptor. */
 #define MIP_3DM_UART_BAUD_RATE_DESCRIPTOR 0x40
@@ -5441,7 +5441,7 @@ struct mip_3dm_uart_baud_rate_response {
     uint32_t baud;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE 0x0C87
 /** Its descriptor. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR 0x87
@@ -5515,7 +5515,7 @@ struct mip_3dm_gpio_config {
     mip_gpio_pin_mode pin_mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPIO_CONFIG 0x0C41
 /** Its descriptor. */
 #define MIP_3DM_GPIO_CONFIG_DESCRIPTOR 0x41
@@ -5636,7 +5636,7 @@ struct mip_3dm_gpio_config_response {
     mip_gpio_pin_mode pin_mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE 0x0CC1
 /** Its descriptor. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR 0xC1
@@ -5691,7 +5691,7 @@ struct mip_3dm_gpio_state {
     mip_bool state;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPIO_STATE 0x0C42
 /** Its descriptor. */
 #define MIP_3DM_GPIO_STATE_DESCRIPTOR 0x42
@@ -5752,7 +5752,7 @@ struct mip_3dm_gpio_state_response {
     mip_bool state;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPIO_STATE_RESPONSE 0x0CC2
 /** Its descriptor. */
 #define MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR 0xC2
@@ -5806,7 +5806,7 @@ struct mip_3dm_odometer_config {
     float uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_ODOMETER_CONFIG 0x0C43
 /** Its descriptor. */
 #define MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR 0x43
@@ -5895,7 +5895,7 @@ struct mip_3dm_odometer_config_response {
     float uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE 0x0CC3
 /** Its descriptor. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR 0xC3
@@ -5969,7 +5969,7 @@ struct mip_3dm_imu_low_pass_filter {
     uint8_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER 0x0C50
 /** Its descriptor. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR 0x50
@@ -6100,7 +6100,7 @@ struct mip_3dm_imu_low_pass_filter_response {
     uint8_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE 0x0C8B
 /** Its descriptor. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0x8B
@@ -6177,7 +6177,7 @@ struct mip_3dm_complementary_filter {
     float heading_time_constant;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_COMPLEMENTARY_FILTER 0x0C51
 /** Its descriptor. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR 0x51
@@ -6270,7 +6270,7 @@ struct mip_3dm_complementary_filter_response {
     float heading_time_constant;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE 0x0C97
 /** Its descriptor. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR 0x97
@@ -6320,7 +6320,7 @@ struct mip_3dm_sensor_range {
     uint8_t setting;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_RANGE 0x0C52
 /** Its descriptor. */
 #define MIP_3DM_SENSOR_RANGE_DESCRIPTOR 0x52
@@ -6417,7 +6417,7 @@ struct mip_3dm_sensor_range_response {
     uint8_t setting;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE 0x0CD2
 /** Its descriptor. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR 0xD2
@@ -6454,7 +6454,7 @@ struct mip_3dm_get_calibrated_sensor_ranges {
     uint8_t sensor;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES 0x0C53
 /** Its descriptor. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR 0x53
@@ -6510,7 +6510,7 @@ struct mip_3dm_get_calibrated_sensor_ranges_response {
     struct mip_3dm_sensor_range_entry ranges[50];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE 0x0CD3
 /** Its descriptor. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR 0xD3
@@ -6577,7 +6577,7 @@ struct mip_3dm_low_pass_filter {
     float frequency;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_LOW_PASS_FILTER 0x0C54
 /** Its descriptor. */
 #define MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR 0x54
@@ -6698,7 +6698,7 @@ struct mip_3dm_low_pass_filter_response {
     float frequency;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE 0x0CD4
 /** Its descriptor. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0xD4
@@ -6751,7 +6751,7 @@ struct mip_3dm_data_stream_format {
     uint8_t format;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DATA_STREAM_FORMAT 0x0C60
 /** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_FORMAT_DESCRIPTOR 0x60
@@ -6863,7 +6863,7 @@ struct mip_3dm_data_stream_format_response {
     uint8_t format;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DATA_STREAM_FORMAT_RESPONSE 0x0C88
 /** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_FORMAT_RESPONSE_DESCRIPTOR 0x88
@@ -6918,7 +6918,7 @@ struct mip_3dm_device_power_state {
     uint8_t state;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DEVICE_POWER_STATE 0x0C61
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_POWER_STATE_DESCRIPTOR 0x61
@@ -7019,7 +7019,7 @@ struct mip_3dm_device_power_state_response {
     uint8_t state;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DEVICE_POWER_STATE_RESPONSE 0x0C89
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_POWER_STATE_RESPONSE_DESCRIPTOR 0x89
@@ -7061,7 +7061,7 @@ struct mip_3dm_gps_advanced_settings {
     uint8_t function;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_GPS_ADVANCED_SETTINGS 0x0C62
 /** Its descriptor. */
 #define MIP_3DM_GPS_ADVANCED_SETTINGS_DESCRIPTOR 0x62
@@ -7139,7 +7139,7 @@ struct mip_3dm_device_status {
     uint8_t status_selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3DM_DEVICE_STATUS 0x0C64
 /** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DESCRIPTOR 0x64
@@ -7202,8 +7202,8 @@ struct mip_3dm_device_status_basic_rq1_imu_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7259,8 +7259,8 @@ struct mip_3dm_device_status_basic_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7314,8 +7314,8 @@ struct mip_3dm_device_status_basic_without_state_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7396,8 +7396,8 @@ struct mip_3dm_device_status_diagnostic_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7494,8 +7494,8 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7599,8 +7599,8 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7704,8 +7704,8 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7799,8 +7799,8 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7894,8 +7894,8 @@ struct mip_3dm_device_status_diagnostic_imu_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7988,8 +7988,8 @@ struct mip_3dm_device_status_diagnostic_gx4_imu_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8078,8 +8078,8 @@ struct mip_3dm_device_status_diagnostic_rq1_imu_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8140,8 +8140,8 @@ struct mip_3dm_device_status_basic_gx3_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8252,8 +8252,8 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE 0x0C90
 /** Its descriptor. */

@@ -155,7 +155,7 @@ struct mip_aiding_frame_config {
     union mip_aiding_frame_config_rotation rotation;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_FRAME_CONFIG 0x1301
 /** Its descriptor. */
 #define MIP_AIDING_FRAME_CONFIG_DESCRIPTOR 0x01
@@ -290,7 +290,7 @@ struct mip_aiding_frame_config_response {
     union mip_aiding_frame_config_response_rotation rotation;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE 0x1381
 /** Its descriptor. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR 0x81
@@ -337,7 +337,7 @@ struct mip_aiding_echo_control {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_ECHO_CONTROL 0x131F
 /** Its descriptor. */
 #define MIP_AIDING_ECHO_CONTROL_DESCRIPTOR 0x1F
@@ -411,7 +411,7 @@ struct mip_aiding_echo_control_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE 0x139F
 /** Its descriptor. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR 0x9F
@@ -470,7 +470,7 @@ struct mip_aiding_ecef_position {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_ECEF_POSITION 0x1321
 /** Its descriptor. */
 #define MIP_AIDING_ECEF_POSITION_DESCRIPTOR 0x21
@@ -567,7 +567,7 @@ struct mip_aiding_llh_position {
     mip_aiding_llh_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_LLH_POSITION 0x1322
 /** Its descriptor. */
 #define MIP_AIDING_LLH_POSITION_DESCRIPTOR 0x22
@@ -645,7 +645,7 @@ struct mip_aiding_height_above_ellipsoid {
     uint16_t valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID 0x1323
 /** Its descriptor. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR 0x23
@@ -728,7 +728,7 @@ struct mip_aiding_ecef_velocity {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_ECEF_VELOCITY 0x1328
 /** Its descriptor. */
 #define MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR 0x28
@@ -816,7 +816,7 @@ struct mip_aiding_ned_velocity {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_NED_VELOCITY 0x1329
 /** Its descriptor. */
 #define MIP_AIDING_NED_VELOCITY_DESCRIPTOR 0x29
@@ -910,7 +910,7 @@ struct mip_aiding_body_frame_velocity {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY 0x132A
 /** Its descriptor. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR 0x2A
@@ -988,7 +988,7 @@ struct mip_aiding_true_heading {
     uint16_t valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_TRUE_HEADING 0x1331
 /** Its descriptor. */
 #define MIP_AIDING_TRUE_HEADING_DESCRIPTOR 0x31
@@ -1068,7 +1068,7 @@ struct mip_aiding_magnetic_field {
     mip_aiding_axis_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_MAGNETIC_FIELD 0x1332
 /** Its descriptor. */
 #define MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR 0x32
@@ -1142,7 +1142,7 @@ struct mip_aiding_pressure {
     uint16_t valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_AIDING_PRESSURE 0x1333
 /** Its descriptor. */
 #define MIP_AIDING_PRESSURE_DESCRIPTOR 0x33

@@ -75,7 +75,7 @@ struct mip_base_ping {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_PING 0x0101
 /** Its descriptor. */
 #define MIP_BASE_PING_DESCRIPTOR 0x01
@@ -116,7 +116,7 @@ struct mip_base_set_idle {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_SET_IDLE 0x0102
 /** Its descriptor. */
 #define MIP_BASE_SET_IDLE_DESCRIPTOR 0x02
@@ -154,7 +154,7 @@ struct mip_base_get_device_info {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_DEVICE_INFO 0x0103
 /** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_INFO_DESCRIPTOR 0x03
@@ -189,7 +189,7 @@ struct mip_base_get_device_info_response {
     struct mip_base_device_info device_info;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE 0x0181
 /** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE_DESCRIPTOR 0x81
@@ -231,7 +231,7 @@ struct mip_base_get_device_descriptors {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS 0x0104
 /** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR 0x04
@@ -273,7 +273,7 @@ struct mip_base_get_device_descriptors_response {
     uint16_t descriptors[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE 0x0182
 /** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x82
@@ -320,7 +320,7 @@ struct mip_base_built_in_test {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_BUILT_IN_TEST 0x0105
 /** Its descriptor. */
 #define MIP_BASE_BUILT_IN_TEST_DESCRIPTOR 0x05
@@ -367,7 +367,7 @@ struct mip_base_built_in_test_response {
     uint32_t result;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE 0x0183
 /** Its descriptor. */
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x83
@@ -407,7 +407,7 @@ struct mip_base_resume {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_RESUME 0x0106
 /** Its descriptor. */
 #define MIP_BASE_RESUME_DESCRIPTOR 0x06
@@ -447,7 +447,7 @@ struct mip_base_get_extended_descriptors {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS 0x0107
 /** Its descriptor. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_DESCRIPTOR 0x07
@@ -488,7 +488,7 @@ struct mip_base_get_extended_descriptors_response {
     uint16_t descriptors[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE 0x0186
 /** Its descriptor. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x86
@@ -532,7 +532,7 @@ struct mip_base_continuous_built_in_test {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST 0x0108
 /** Its descriptor. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR 0x08
@@ -572,7 +572,7 @@ struct mip_base_continuous_built_in_test_response {
     uint8_t result[16];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE 0x0188
 /** Its descriptor. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x88
@@ -635,7 +635,7 @@ struct mip_base_comm_speed {
     uint32_t baud;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_COMM_SPEED 0x0109
 /** Its descriptor. */
 #define MIP_BASE_COMM_SPEED_DESCRIPTOR 0x09
@@ -789,7 +789,7 @@ struct mip_base_comm_speed_response {
     uint32_t baud;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_COMM_SPEED_RESPONSE 0x0189
 /** Its descriptor. */
 #define MIP_BASE_COMM_SPEED_RESPONSE_DESCRIPTOR 0x89
@@ -857,7 +857,7 @@ struct mip_base_gps_time_update {
     uint32_t value;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GPS_TIME_UPDATE 0x0172
 /** Its descriptor. */
 #define MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR 0x72
@@ -942,7 +942,7 @@ struct mip_base_gps_time_update_week_number_response {
     uint32_t week_number;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE 0x0184
 /** Its descriptor. */
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR 0x84
@@ -983,7 +983,7 @@ struct mip_base_gps_time_update_tow_response {
     uint32_t tow;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE 0x0185
 /** Its descriptor. */
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_DESCRIPTOR 0x85
@@ -1021,7 +1021,7 @@ struct mip_base_soft_reset {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_BASE_SOFT_RESET 0x017E
 /** Its descriptor. */
 #define MIP_BASE_SOFT_RESET_DESCRIPTOR 0x7E

@@ -42,7 +42,7 @@ struct mip_displacement_get_calibration {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_DISPLACEMENT_GET_CALIBRATION 0x1101
 /** Its descriptor. */
 #define MIP_DISPLACEMENT_GET_CALIBRATION_DESCRIPTOR 0x01
@@ -82,7 +82,7 @@ struct mip_displacement_get_calibration_response {
     float offset;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE 0x1181
 /** Its descriptor. */
 #define MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE_DESCRIPTOR 0x81
@@ -120,7 +120,7 @@ struct mip_displacement_output_rate {
     uint8_t function;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_DISPLACEMENT_OUTPUT_RATE 0x1102
 /** Its descriptor. */
 #define MIP_DISPLACEMENT_OUTPUT_RATE_DESCRIPTOR 0x02
@@ -161,7 +161,7 @@ struct mip_displacement_output_rate_response {
     uint32_t rate;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE 0x1182
 /** Its descriptor. */
 #define MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE_DESCRIPTOR 0x82
@@ -206,7 +206,7 @@ struct mip_displacement_device_time {
     uint64_t time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_DISPLACEMENT_DEVICE_TIME 0x1104
 /** Its descriptor. */
 #define MIP_DISPLACEMENT_DEVICE_TIME_DESCRIPTOR 0x04

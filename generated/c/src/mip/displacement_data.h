@@ -47,7 +47,7 @@ struct mip_displacement_data_displacement_raw {
     uint32_t counts;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW 0x9001
 /** Its descriptor. */
 #define MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW_DESCRIPTOR 0x01
@@ -83,7 +83,7 @@ struct mip_displacement_data_displacement {
     float displacement;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_DISPLACEMENT_DATA_DISPLACEMENT 0x9002
 /** Its descriptor. */
 #define MIP_DISPLACEMENT_DATA_DISPLACEMENT_DESCRIPTOR 0x02
@@ -125,7 +125,7 @@ struct mip_displacement_data_timestamp {
     uint64_t time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_DISPLACEMENT_DATA_TIMESTAMP 0x9004
 /** Its descriptor. */
 #define MIP_DISPLACEMENT_DATA_TIMESTAMP_DESCRIPTOR 0x04

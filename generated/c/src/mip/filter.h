@@ -339,7 +339,7 @@ struct mip_filter_reset {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_RESET 0x0D01
 /** Its descriptor. */
 #define MIP_FILTER_RESET_DESCRIPTOR 0x01
@@ -390,7 +390,7 @@ struct mip_filter_set_initial_attitude {
     float heading;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE 0x0D02
 /** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR 0x02
@@ -455,7 +455,7 @@ struct mip_filter_set_initial_heading {
     float heading;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SET_INITIAL_HEADING 0x0D03
 /** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_HEADING_DESCRIPTOR 0x03
@@ -513,7 +513,7 @@ struct mip_filter_set_initial_attitude_from_imu {
     float declination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU 0x0D04
 /** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU_DESCRIPTOR 0x04
@@ -565,7 +565,7 @@ struct mip_filter_run {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_RUN 0x0D05
 /** Its descriptor. */
 #define MIP_FILTER_RUN_DESCRIPTOR 0x05
@@ -613,7 +613,7 @@ struct mip_filter_vehicle_dynamics_mode {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE 0x0D10
 /** Its descriptor. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR 0x10
@@ -690,7 +690,7 @@ struct mip_filter_vehicle_dynamics_mode_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE 0x0D80
 /** Its descriptor. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x80
@@ -748,7 +748,7 @@ struct mip_filter_sensor_to_vehicle_rotation_euler {
     float yaw;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER 0x0D11
 /** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR 0x11
@@ -836,7 +836,7 @@ struct mip_filter_sensor_to_vehicle_rotation_euler_response {
     float yaw;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE 0x0D81
 /** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR 0x81
@@ -890,7 +890,7 @@ struct mip_filter_sensor_to_vehicle_offset {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET 0x0D12
 /** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR 0x12
@@ -969,7 +969,7 @@ struct mip_filter_sensor_to_vehicle_offset_response {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE 0x0D82
 /** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR 0x82
@@ -1024,7 +1024,7 @@ struct mip_filter_antenna_offset {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ANTENNA_OFFSET 0x0D13
 /** Its descriptor. */
 #define MIP_FILTER_ANTENNA_OFFSET_DESCRIPTOR 0x13
@@ -1102,7 +1102,7 @@ struct mip_filter_antenna_offset_response {
     float offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE 0x0D83
 /** Its descriptor. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0x83
@@ -1167,7 +1167,7 @@ struct mip_filter_estimation_control {
     mip_filter_estimated_states flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ESTIMATION_CONTROL 0x0D14
 /** Its descriptor. */
 #define MIP_FILTER_ESTIMATION_CONTROL_DESCRIPTOR 0x14
@@ -1253,7 +1253,7 @@ struct mip_filter_estimation_control_response {
     mip_filter_estimated_states flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE 0x0D84
 /** Its descriptor. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_DESCRIPTOR 0x84
@@ -1307,7 +1307,7 @@ struct mip_filter_gnss_source {
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GNSS_SOURCE 0x0D15
 /** Its descriptor. */
 #define MIP_FILTER_GNSS_SOURCE_DESCRIPTOR 0x15
@@ -1382,7 +1382,7 @@ struct mip_filter_gnss_source_response {
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE 0x0D86
 /** Its descriptor. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE_DESCRIPTOR 0x86
@@ -1442,7 +1442,7 @@ struct mip_filter_external_gnss_update {
     float velocity_uncertainty[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE 0x0D16
 /** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR 0x16
@@ -1528,7 +1528,7 @@ struct mip_filter_external_heading_update {
     uint8_t type;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE 0x0D17
 /** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR 0x17
@@ -1609,7 +1609,7 @@ struct mip_filter_heading_source {
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_HEADING_SOURCE 0x0D18
 /** Its descriptor. */
 #define MIP_FILTER_HEADING_SOURCE_DESCRIPTOR 0x18
@@ -1697,7 +1697,7 @@ struct mip_filter_heading_source_response {
     uint8_t source;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE 0x0D87
 /** Its descriptor. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE_DESCRIPTOR 0x87
@@ -1743,7 +1743,7 @@ struct mip_filter_auto_initialization_control {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL 0x0D19
 /** Its descriptor. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR 0x19
@@ -1823,7 +1823,7 @@ struct mip_filter_auto_initialization_control_response {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE 0x0D88
 /** Its descriptor. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR 0x88
@@ -1878,7 +1878,7 @@ struct mip_filter_accel_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_NOISE 0x0D1A
 /** Its descriptor. */
 #define MIP_FILTER_ACCEL_NOISE_DESCRIPTOR 0x1A
@@ -1953,7 +1953,7 @@ struct mip_filter_accel_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE 0x0D89
 /** Its descriptor. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE_DESCRIPTOR 0x89
@@ -2005,7 +2005,7 @@ struct mip_filter_gyro_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GYRO_NOISE 0x0D1B
 /** Its descriptor. */
 #define MIP_FILTER_GYRO_NOISE_DESCRIPTOR 0x1B
@@ -2080,7 +2080,7 @@ struct mip_filter_gyro_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE 0x0D8A
 /** Its descriptor. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE_DESCRIPTOR 0x8A
@@ -2133,7 +2133,7 @@ struct mip_filter_accel_bias_model {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL 0x0D1C
 /** Its descriptor. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_DESCRIPTOR 0x1C
@@ -2215,7 +2215,7 @@ struct mip_filter_accel_bias_model_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE 0x0D8B
 /** Its descriptor. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8B
@@ -2269,7 +2269,7 @@ struct mip_filter_gyro_bias_model {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GYRO_BIAS_MODEL 0x0D1D
 /** Its descriptor. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_DESCRIPTOR 0x1D
@@ -2352,7 +2352,7 @@ struct mip_filter_gyro_bias_model_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE 0x0D8C
 /** Its descriptor. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8C
@@ -2402,7 +2402,7 @@ struct mip_filter_auto_zupt {
     float threshold;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_ZUPT 0x0D1E
 /** Its descriptor. */
 #define MIP_FILTER_AUTO_ZUPT_DESCRIPTOR 0x1E
@@ -2481,7 +2481,7 @@ struct mip_filter_auto_zupt_response {
     float threshold;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE 0x0D8D
 /** Its descriptor. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR 0x8D
@@ -2543,7 +2543,7 @@ struct mip_filter_external_heading_update_with_time {
     uint8_t type;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME 0x0D1F
 /** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR 0x1F
@@ -2621,7 +2621,7 @@ struct mip_filter_auto_angular_zupt {
     float threshold;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT 0x0D20
 /** Its descriptor. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_DESCRIPTOR 0x20
@@ -2701,7 +2701,7 @@ struct mip_filter_auto_angular_zupt_response {
     float threshold;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE 0x0D8E
 /** Its descriptor. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_DESCRIPTOR 0x8E
@@ -2753,7 +2753,7 @@ struct mip_filter_tare_orientation {
     mip_filter_tare_axes axes;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_TARE_ORIENTATION 0x0D21
 /** Its descriptor. */
 #define MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR 0x21
@@ -2829,7 +2829,7 @@ struct mip_filter_tare_orientation_response {
     mip_filter_tare_axes axes;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE 0x0DA1
 /** Its descriptor. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR 0xA1
@@ -2869,7 +2869,7 @@ struct mip_filter_commanded_zupt {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_COMMANDED_ZUPT 0x0D22
 /** Its descriptor. */
 #define MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR 0x22
@@ -2908,7 +2908,7 @@ struct mip_filter_commanded_angular_zupt {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT 0x0D23
 /** Its descriptor. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_DESCRIPTOR 0x23
@@ -2969,7 +2969,7 @@ struct mip_filter_reference_position {
     double altitude;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_REFERENCE_POSITION 0x0D26
 /** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POSITION_DESCRIPTOR 0x26
@@ -3064,7 +3064,7 @@ struct mip_filter_reference_position_response {
     double altitude;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE 0x0D90
 /** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE_DESCRIPTOR 0x90
@@ -3107,7 +3107,7 @@ struct mip_filter_mag_capture_auto_calibration {
     uint8_t function;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION 0x0D27
 /** Its descriptor. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_DESCRIPTOR 0x27
@@ -3175,7 +3175,7 @@ struct mip_filter_gravity_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GRAVITY_NOISE 0x0D28
 /** Its descriptor. */
 #define MIP_FILTER_GRAVITY_NOISE_DESCRIPTOR 0x28
@@ -3250,7 +3250,7 @@ struct mip_filter_gravity_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE 0x0D93
 /** Its descriptor. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE_DESCRIPTOR 0x93
@@ -3302,7 +3302,7 @@ struct mip_filter_pressure_altitude_noise {
     float noise;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE 0x0D29
 /** Its descriptor. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR 0x29
@@ -3378,7 +3378,7 @@ struct mip_filter_pressure_altitude_noise_response {
     float noise;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE 0x0D94
 /** Its descriptor. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR 0x94
@@ -3427,7 +3427,7 @@ struct mip_filter_hard_iron_offset_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE 0x0D2B
 /** Its descriptor. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR 0x2B
@@ -3503,7 +3503,7 @@ struct mip_filter_hard_iron_offset_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE 0x0D96
 /** Its descriptor. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR 0x96
@@ -3552,7 +3552,7 @@ struct mip_filter_soft_iron_matrix_noise {
     float noise[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE 0x0D2C
 /** Its descriptor. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR 0x2C
@@ -3631,7 +3631,7 @@ struct mip_filter_soft_iron_matrix_noise_response {
     float noise[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE 0x0D97
 /** Its descriptor. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR 0x97
@@ -3681,7 +3681,7 @@ struct mip_filter_enable_measurements {
     mip_filter_measurement_flags control;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS 0x0D41
 /** Its descriptor. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_DESCRIPTOR 0x41
@@ -3756,7 +3756,7 @@ struct mip_filter_enable_measurements_response {
     mip_filter_measurement_flags control;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE 0x0DB0
 /** Its descriptor. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR 0xB0
@@ -3806,7 +3806,7 @@ struct mip_filter_mag_noise {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_NOISE 0x0D42
 /** Its descriptor. */
 #define MIP_FILTER_MAG_NOISE_DESCRIPTOR 0x42
@@ -3880,7 +3880,7 @@ struct mip_filter_mag_noise_response {
     float noise[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE 0x0DB1
 /** Its descriptor. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR 0xB1
@@ -3943,7 +3943,7 @@ struct mip_filter_magnetic_declination_source {
     float declination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE 0x0D43
 /** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_DESCRIPTOR 0x43
@@ -4041,7 +4041,7 @@ struct mip_filter_magnetic_declination_source_response {
     float declination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE 0x0DB2
 /** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xB2
@@ -4120,7 +4120,7 @@ struct mip_filter_accel_magnitude_adaptive {
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE 0x0D44
 /** Its descriptor. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x44
@@ -4225,7 +4225,7 @@ struct mip_filter_accel_magnitude_adaptive_response {
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB3
 /** Its descriptor. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB3
@@ -4320,7 +4320,7 @@ struct mip_filter_mag_magnitude_adaptive {
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE 0x0D45
 /** Its descriptor. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x45
@@ -4457,7 +4457,7 @@ struct mip_filter_mag_magnitude_adaptive_response {
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB4
 /** Its descriptor. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB4
@@ -4530,7 +4530,7 @@ struct mip_filter_mag_dip_angle_adaptive {
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE 0x0D46
 /** Its descriptor. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_DESCRIPTOR 0x46
@@ -4638,7 +4638,7 @@ struct mip_filter_mag_dip_angle_adaptive_response {
     float minimum_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE 0x0DB5
 /** Its descriptor. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB5
@@ -4690,7 +4690,7 @@ struct mip_filter_altitude_aiding {
     uint8_t selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ALTITUDE_AIDING 0x0D47
 /** Its descriptor. */
 #define MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR 0x47
@@ -4765,7 +4765,7 @@ struct mip_filter_altitude_aiding_response {
     uint8_t selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE 0x0DB7
 /** Its descriptor. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR 0xB7
@@ -4815,7 +4815,7 @@ struct mip_filter_pitch_roll_aiding {
     uint8_t aiding;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_PITCH_ROLL_AIDING 0x0D4B
 /** Its descriptor. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_DESCRIPTOR 0x4B
@@ -4889,7 +4889,7 @@ struct mip_filter_pitch_roll_aiding_response {
     uint8_t aiding;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE 0x0DBB
 /** Its descriptor. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_DESCRIPTOR 0xBB
@@ -4948,7 +4948,7 @@ struct mip_filter_magnetic_inclination_source {
     float inclination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE 0x0D4C
 /** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_DESCRIPTOR 0x4C
@@ -5041,7 +5041,7 @@ struct mip_filter_magnetic_inclination_source_response {
     float inclination;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE 0x0DBC
 /** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xBC
@@ -5102,7 +5102,7 @@ struct mip_filter_magnetic_magnitude_source {
     float magnitude;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE 0x0D4D
 /** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_DESCRIPTOR 0x4D
@@ -5190,7 +5190,7 @@ struct mip_filter_magnetic_magnitude_source_response {
     float magnitude;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE 0x0DBD
 /** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR 0xBD
@@ -5250,7 +5250,7 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm {
     float dcm[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM 0x0D4E
 /** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR 0x4E
@@ -5333,7 +5333,7 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
     float dcm[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE 0x0DBE
 /** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR 0xBE
@@ -5394,7 +5394,7 @@ struct mip_filter_sensor_to_vehicle_quaternion {
     float q[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION 0x0D4F
 /** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x4F
@@ -5479,7 +5479,7 @@ struct mip_filter_sensor_to_vehicle_quaternion_response {
     float q[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE 0x0DBF
 /** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
@@ -5543,7 +5543,7 @@ struct mip_filter_aiding_measurement_enable {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE 0x0D50
 /** Its descriptor. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_DESCRIPTOR 0x50
@@ -5712,7 +5712,7 @@ struct mip_filter_aiding_measurement_enable_response {
     mip_bool enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE 0x0DD0
 /** Its descriptor. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_DESCRIPTOR 0xD0
@@ -5775,7 +5775,7 @@ struct mip_filter_kinematic_constraint {
     uint8_t angular_constraint;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT 0x0D51
 /** Its descriptor. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR 0x51
@@ -5874,7 +5874,7 @@ struct mip_filter_kinematic_constraint_response {
     uint8_t angular_constraint;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE 0x0DD1
 /** Its descriptor. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR 0xD1
@@ -5970,7 +5970,7 @@ struct mip_filter_initialization_config {
     uint8_t reference_frame_selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_INITIALIZATION_CONFIG 0x0D52
 /** Its descriptor. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_DESCRIPTOR 0x52
@@ -6111,7 +6111,7 @@ struct mip_filter_initialization_config_response {
     uint8_t reference_frame_selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE 0x0DD2
 /** Its descriptor. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_DESCRIPTOR 0xD2
@@ -6165,7 +6165,7 @@ struct mip_filter_adaptive_filter_options {
     uint16_t time_limit;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS 0x0D53
 /** Its descriptor. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_DESCRIPTOR 0x53
@@ -6247,7 +6247,7 @@ struct mip_filter_adaptive_filter_options_response {
     uint16_t time_limit;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE 0x0DD3
 /** Its descriptor. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_DESCRIPTOR 0xD3
@@ -6300,7 +6300,7 @@ struct mip_filter_multi_antenna_offset {
     float antenna_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET 0x0D54
 /** Its descriptor. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_DESCRIPTOR 0x54
@@ -6403,7 +6403,7 @@ struct mip_filter_multi_antenna_offset_response {
     float antenna_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE 0x0DD4
 /** Its descriptor. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0xD4
@@ -6460,7 +6460,7 @@ struct mip_filter_relative_position_config {
     double reference_coordinates[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG 0x0D55
 /** Its descriptor. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_DESCRIPTOR 0x55
@@ -6557,7 +6557,7 @@ struct mip_filter_relative_position_config_response {
     double reference_coordinates[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE 0x0DD5
 /** Its descriptor. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_DESCRIPTOR 0xD5
@@ -6612,7 +6612,7 @@ struct mip_filter_reference_point_lever_arm {
     float lever_arm_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM 0x0D56
 /** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR 0x56
@@ -6698,7 +6698,7 @@ struct mip_filter_reference_point_lever_arm_response {
     float lever_arm_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE 0x0DD6
 /** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR 0xD6
@@ -6750,7 +6750,7 @@ struct mip_filter_speed_measurement {
     float speed_uncertainty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SPEED_MEASUREMENT 0x0D60
 /** Its descriptor. */
 #define MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR 0x60
@@ -6818,7 +6818,7 @@ struct mip_filter_speed_lever_arm {
     float lever_arm_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SPEED_LEVER_ARM 0x0D61
 /** Its descriptor. */
 #define MIP_FILTER_SPEED_LEVER_ARM_DESCRIPTOR 0x61
@@ -6899,7 +6899,7 @@ struct mip_filter_speed_lever_arm_response {
     float lever_arm_offset[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE 0x0DE1
 /** Its descriptor. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR 0xE1
@@ -6948,7 +6948,7 @@ struct mip_filter_vertical_gyro_constraint_control {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL 0x0D62
 /** Its descriptor. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR 0x62
@@ -7027,7 +7027,7 @@ struct mip_filter_vertical_gyro_constraint_control_response {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE 0x0DE2
 /** Its descriptor. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE2
@@ -7079,7 +7079,7 @@ struct mip_filter_wheeled_vehicle_constraint_control {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL 0x0D63
 /** Its descriptor. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR 0x63
@@ -7160,7 +7160,7 @@ struct mip_filter_wheeled_vehicle_constraint_control_response {
     uint8_t enable;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE 0x0DE3
 /** Its descriptor. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE3
@@ -7217,7 +7217,7 @@ struct mip_filter_gnss_antenna_calibration_control {
     float max_offset;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL 0x0D64
 /** Its descriptor. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR 0x64
@@ -7303,7 +7303,7 @@ struct mip_filter_gnss_antenna_calibration_control_response {
     float max_offset;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE 0x0DE4
 /** Its descriptor. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR 0xE4

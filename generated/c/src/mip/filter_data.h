@@ -430,7 +430,7 @@ struct mip_filter_data_llh_position {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_LLH_POSITION 0x8201
 /** Its descriptor. */
 #define MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR 0x01
@@ -480,7 +480,7 @@ struct mip_filter_data_ned_velocity {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_NED_VELOCITY 0x8202
 /** Its descriptor. */
 #define MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR 0x02
@@ -523,7 +523,7 @@ struct mip_filter_data_attitude_quaternion {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION 0x8203
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR 0x03
@@ -568,7 +568,7 @@ struct mip_filter_data_attitude_dcm {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ATTITUDE_DCM 0x8204
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR 0x04
@@ -625,7 +625,7 @@ struct mip_filter_data_euler_angles {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_EULER_ANGLES 0x8205
 /** Its descriptor. */
 #define MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR 0x05
@@ -666,7 +666,7 @@ struct mip_filter_data_gyro_bias {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GYRO_BIAS 0x8206
 /** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR 0x06
@@ -706,7 +706,7 @@ struct mip_filter_data_accel_bias {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ACCEL_BIAS 0x8207
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR 0x07
@@ -756,7 +756,7 @@ struct mip_filter_data_llh_position_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY 0x8208
 /** Its descriptor. */
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR 0x08
@@ -807,7 +807,7 @@ struct mip_filter_data_ned_velocity_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY 0x8209
 /** Its descriptor. */
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x09
@@ -862,7 +862,7 @@ struct mip_filter_data_euler_angles_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY 0x820A
 /** Its descriptor. */
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR 0x0A
@@ -904,7 +904,7 @@ struct mip_filter_data_gyro_bias_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY 0x820B
 /** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR 0x0B
@@ -945,7 +945,7 @@ struct mip_filter_data_accel_bias_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY 0x820C
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR 0x0C
@@ -987,7 +987,7 @@ struct mip_filter_data_linear_accel {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_LINEAR_ACCEL 0x820D
 /** Its descriptor. */
 #define MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR 0x0D
@@ -1030,7 +1030,7 @@ struct mip_filter_data_comp_angular_rate {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE 0x820E
 /** Its descriptor. */
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR 0x0E
@@ -1073,7 +1073,7 @@ struct mip_filter_data_wgs84_gravity_magnitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE 0x820F
 /** Its descriptor. */
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR 0x0F
@@ -1153,7 +1153,7 @@ struct mip_filter_data_status {
     uint16_t status_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_STATUS 0x8210
 /** Its descriptor. */
 #define MIP_FILTER_DATA_STATUS_DESCRIPTOR 0x10
@@ -1205,7 +1205,7 @@ struct mip_filter_data_timestamp {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_TIMESTAMP 0x8211
 /** Its descriptor. */
 #define MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR 0x11
@@ -1246,7 +1246,7 @@ struct mip_filter_data_quaternion_attitude_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY 0x8212
 /** Its descriptor. */
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR 0x12
@@ -1291,7 +1291,7 @@ struct mip_filter_data_gravity_vector {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GRAVITY_VECTOR 0x8213
 /** Its descriptor. */
 #define MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR 0x13
@@ -1344,7 +1344,7 @@ struct mip_filter_data_heading_update_state {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE 0x8214
 /** Its descriptor. */
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR 0x14
@@ -1407,7 +1407,7 @@ struct mip_filter_data_magnetic_model {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAGNETIC_MODEL 0x8215
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR 0x15
@@ -1448,7 +1448,7 @@ struct mip_filter_data_gyro_scale_factor {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR 0x8216
 /** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR 0x16
@@ -1489,7 +1489,7 @@ struct mip_filter_data_accel_scale_factor {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR 0x8217
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR 0x17
@@ -1530,7 +1530,7 @@ struct mip_filter_data_gyro_scale_factor_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY 0x8218
 /** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x18
@@ -1573,7 +1573,7 @@ struct mip_filter_data_accel_scale_factor_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY 0x8219
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x19
@@ -1616,7 +1616,7 @@ struct mip_filter_data_mag_bias {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_BIAS 0x821A
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR 0x1A
@@ -1656,7 +1656,7 @@ struct mip_filter_data_mag_bias_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY 0x821B
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR 0x1B
@@ -1699,7 +1699,7 @@ struct mip_filter_data_comp_accel {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_COMP_ACCEL 0x821C
 /** Its descriptor. */
 #define MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR 0x1C
@@ -1761,7 +1761,7 @@ struct mip_filter_data_standard_atmosphere {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE 0x8220
 /** Its descriptor. */
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR 0x20
@@ -1805,7 +1805,7 @@ struct mip_filter_data_pressure_altitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE 0x8221
 /** Its descriptor. */
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR 0x21
@@ -1848,7 +1848,7 @@ struct mip_filter_data_density_altitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE 0x8222
 /** Its descriptor. */
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR 0x22
@@ -1892,7 +1892,7 @@ struct mip_filter_data_mag_offset {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_OFFSET 0x8225
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR 0x25
@@ -1935,7 +1935,7 @@ struct mip_filter_data_mag_matrix {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_MATRIX 0x8226
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR 0x26
@@ -1976,7 +1976,7 @@ struct mip_filter_data_mag_offset_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY 0x8228
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR 0x28
@@ -2019,7 +2019,7 @@ struct mip_filter_data_mag_matrix_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY 0x8229
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR 0x29
@@ -2062,7 +2062,7 @@ struct mip_filter_data_mag_covariance_matrix {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX 0x822A
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR 0x2A
@@ -2105,7 +2105,7 @@ struct mip_filter_data_mag_residual_vector {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR 0x822C
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR 0x2C
@@ -2148,7 +2148,7 @@ struct mip_filter_data_antenna_offset_correction {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION 0x8230
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x30
@@ -2189,7 +2189,7 @@ struct mip_filter_data_antenna_offset_correction_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY 0x8231
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x31
@@ -2239,7 +2239,7 @@ struct mip_filter_data_clock_correction {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION 0x8232
 /** Its descriptor. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR 0x32
@@ -2287,7 +2287,7 @@ struct mip_filter_data_clock_correction_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY 0x8233
 /** Its descriptor. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x33
@@ -2332,7 +2332,7 @@ struct mip_filter_data_multi_antenna_offset_correction {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION 0x8234
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x34
@@ -2379,7 +2379,7 @@ struct mip_filter_data_multi_antenna_offset_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY 0x8235
 /** Its descriptor. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR 0x35
@@ -2422,7 +2422,7 @@ struct mip_filter_data_ecef_position_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY 0x8236
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR 0x36
@@ -2463,7 +2463,7 @@ struct mip_filter_data_ecef_velocity_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY 0x8237
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x37
@@ -2504,7 +2504,7 @@ struct mip_filter_data_ecef_position {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ECEF_POSITION 0x8240
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR 0x40
@@ -2545,7 +2545,7 @@ struct mip_filter_data_ecef_velocity {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY 0x8241
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR 0x41
@@ -2586,7 +2586,7 @@ struct mip_filter_data_ned_relative_position {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION 0x8242
 /** Its descriptor. */
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR 0x42
@@ -2630,7 +2630,7 @@ struct mip_filter_data_gnss_position_aiding_status {
     uint8_t reserved[8];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS 0x8243
 /** Its descriptor. */
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR 0x43
@@ -2676,7 +2676,7 @@ struct mip_filter_data_gnss_attitude_aiding_status {
     uint8_t reserved[8];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS 0x8244
 /** Its descriptor. */
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR 0x44
@@ -2722,7 +2722,7 @@ struct mip_filter_data_heading_aiding_status {
     float reserved[2];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS 0x8245
 /** Its descriptor. */
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR 0x45
@@ -2766,7 +2766,7 @@ struct mip_filter_data_aiding_measurement_summary {
     mip_filter_data_aiding_measurement_indicator indicator;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY 0x8246
 /** Its descriptor. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR 0x46
@@ -2808,7 +2808,7 @@ struct mip_filter_data_odometer_scale_factor_error {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR 0x8247
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR 0x47
@@ -2849,7 +2849,7 @@ struct mip_filter_data_odometer_scale_factor_error_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY 0x8248
 /** Its descriptor. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR 0x48
@@ -2910,7 +2910,7 @@ struct mip_filter_data_gnss_dual_antenna_status {
     mip_filter_data_valid_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS 0x8249
 /** Its descriptor. */
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR 0x49
@@ -2950,7 +2950,7 @@ struct mip_filter_data_aiding_frame_config_error {
     float attitude[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR 0x8250
 /** Its descriptor. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR 0x50
@@ -2995,7 +2995,7 @@ struct mip_filter_data_aiding_frame_config_error_uncertainty {
     float attitude_uncertainty[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY 0x8251
 /** Its descriptor. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR 0x51

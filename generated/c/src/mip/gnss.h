@@ -163,7 +163,7 @@ struct mip_gnss_receiver_info {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RECEIVER_INFO 0x0E01
 /** Its descriptor. */
 #define MIP_GNSS_RECEIVER_INFO_DESCRIPTOR 0x01
@@ -198,7 +198,7 @@ struct mip_gnss_receiver_info_response {
     struct mip_gnss_receiver_info_entry receiver_info[7];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE 0x0E81
 /** Its descriptor. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR 0x81
@@ -258,7 +258,7 @@ struct mip_gnss_signal_config {
     uint8_t reserved[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_SIGNAL_CONFIG 0x0E02
 /** Its descriptor. */
 #define MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR 0x02
@@ -349,7 +349,7 @@ struct mip_gnss_signal_config_response {
     uint8_t reserved[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE 0x0E82
 /** Its descriptor. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR 0x82
@@ -392,7 +392,7 @@ struct mip_gnss_receiver_reset {
     uint8_t reset_type;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RECEIVER_RESET 0x0E03
 /** Its descriptor. */
 #define MIP_GNSS_RECEIVER_RESET_DESCRIPTOR 0x03
@@ -459,7 +459,7 @@ struct mip_gnss_rtk_config {
     uint8_t reserved[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RTK_CONFIG 0x0E04
 /** Its descriptor. */
 #define MIP_GNSS_RTK_CONFIG_DESCRIPTOR 0x04
@@ -536,7 +536,7 @@ struct mip_gnss_rtk_config_response {
     uint8_t reserved[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RTK_CONFIG_RESPONSE 0x0E84
 /** Its descriptor. */
 #define MIP_GNSS_RTK_CONFIG_RESPONSE_DESCRIPTOR 0x84
@@ -582,7 +582,7 @@ struct mip_gnss_rtk_dongle_config {
     uint8_t reserved[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG 0x0E10
 /** Its descriptor. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR 0x10
@@ -658,7 +658,7 @@ struct mip_gnss_rtk_dongle_config_response {
     uint8_t reserved[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE 0x0E90
 /** Its descriptor. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR 0x90
@@ -729,7 +729,7 @@ struct mip_gnss_spartn_config {
     uint8_t next_key[32];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_SPARTN_CONFIG 0x0E20
 /** Its descriptor. */
 #define MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR 0x20
@@ -840,7 +840,7 @@ struct mip_gnss_spartn_config_response {
     uint8_t next_key[32];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE 0x0EA0
 /** Its descriptor. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR 0xA0

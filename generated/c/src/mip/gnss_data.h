@@ -663,7 +663,7 @@ struct mip_gnss_data_llh_position {
     mip_gnss_data_llh_position_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_LLH_POSITION(descriptor_set) MIP_KEY(descriptor_set, 0x03)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_LLH_POSITION_DESCRIPTOR 0x03
@@ -711,7 +711,7 @@ struct mip_gnss_data_ecef_position {
     mip_gnss_data_ecef_position_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_ECEF_POSITION(descriptor_set) MIP_KEY(descriptor_set, 0x04)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_ECEF_POSITION_DESCRIPTOR 0x04
@@ -781,7 +781,7 @@ struct mip_gnss_data_ned_velocity {
     mip_gnss_data_ned_velocity_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_NED_VELOCITY(descriptor_set) MIP_KEY(descriptor_set, 0x05)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_NED_VELOCITY_DESCRIPTOR 0x05
@@ -830,7 +830,7 @@ struct mip_gnss_data_ecef_velocity {
     mip_gnss_data_ecef_velocity_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY(descriptor_set) MIP_KEY(descriptor_set, 0x06)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_DESCRIPTOR 0x06
@@ -902,7 +902,7 @@ struct mip_gnss_data_dop {
     mip_gnss_data_dop_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_DOP(descriptor_set) MIP_KEY(descriptor_set, 0x07)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_DOP_DESCRIPTOR 0x07
@@ -975,7 +975,7 @@ struct mip_gnss_data_utc_time {
     mip_gnss_data_utc_time_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_UTC_TIME(descriptor_set) MIP_KEY(descriptor_set, 0x08)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_UTC_TIME_DESCRIPTOR 0x08
@@ -1022,7 +1022,7 @@ struct mip_gnss_data_gps_time {
     mip_gnss_data_gps_time_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GPS_TIME(descriptor_set) MIP_KEY(descriptor_set, 0x09)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_TIME_DESCRIPTOR 0x09
@@ -1076,7 +1076,7 @@ struct mip_gnss_data_clock_info {
     mip_gnss_data_clock_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_CLOCK_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0A)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_CLOCK_INFO_DESCRIPTOR 0x0A
@@ -1130,7 +1130,7 @@ struct mip_gnss_data_fix_info {
     mip_gnss_data_fix_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_FIX_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0B)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_FIX_INFO_DESCRIPTOR 0x0B
@@ -1198,7 +1198,7 @@ struct mip_gnss_data_sv_info {
     mip_gnss_data_sv_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_SV_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0C)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_SV_INFO_DESCRIPTOR 0x0C
@@ -1251,7 +1251,7 @@ struct mip_gnss_data_hardware_status {
     mip_gnss_data_hardware_status_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS(descriptor_set) MIP_KEY(descriptor_set, 0x0D)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_DESCRIPTOR 0x0D
@@ -1319,7 +1319,7 @@ struct mip_gnss_data_dgps_info {
 };
 
 /**
- * Descriptor set, one of those above, and descriptor, as mip_field_key gives them. Other layouts
+ * Descriptor set, one of those above, and descriptor, as mip_field_key returns them. Other layouts
  * have the same: _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_GNSS_DATA_DGPS_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0E)
@@ -1384,7 +1384,7 @@ struct mip_gnss_data_dgps_info_satellite {
 };
 
 /**
- * Descriptor set, one of those above, and descriptor, as mip_field_key gives them. Other layouts
+ * Descriptor set, one of those above, and descriptor, as mip_field_key returns them. Other layouts
  * have the same: _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_GNSS_DATA_DGPS_INFO_SATELLITE(descriptor_set) MIP_KEY(descriptor_set, 0x0E)
@@ -1448,7 +1448,7 @@ struct mip_gnss_data_dgps_channel {
     mip_gnss_data_dgps_channel_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL(descriptor_set) MIP_KEY(descriptor_set, 0x0F)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_DESCRIPTOR 0x0F
@@ -1507,7 +1507,7 @@ struct mip_gnss_data_clock_info_2 {
     mip_gnss_data_clock_info_2_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2(descriptor_set) MIP_KEY(descriptor_set, 0x10)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_DESCRIPTOR 0x10
@@ -1549,7 +1549,7 @@ struct mip_gnss_data_gps_leap_seconds {
     mip_gnss_data_gps_leap_seconds_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS(descriptor_set) MIP_KEY(descriptor_set, 0x11)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
@@ -1615,7 +1615,7 @@ struct mip_gnss_data_sbas_info {
     mip_gnss_data_sbas_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_SBAS_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x12)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_SBAS_INFO_DESCRIPTOR 0x12
@@ -1685,7 +1685,7 @@ struct mip_gnss_data_sbas_correction {
     mip_gnss_data_sbas_correction_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x13)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_DESCRIPTOR 0x13
@@ -1748,7 +1748,7 @@ struct mip_gnss_data_rf_error_detection {
     mip_gnss_data_rf_error_detection_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION(descriptor_set) MIP_KEY(descriptor_set, 0x14)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_DESCRIPTOR 0x14
@@ -1803,7 +1803,7 @@ struct mip_gnss_data_heading {
     mip_gnss_data_heading_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_HEADING(descriptor_set) MIP_KEY(descriptor_set, 0x15)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_HEADING_DESCRIPTOR 0x15
@@ -1882,7 +1882,7 @@ struct mip_gnss_data_satellite_status {
     mip_gnss_data_satellite_status_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS(descriptor_set) MIP_KEY(descriptor_set, 0x20)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_DESCRIPTOR 0x20
@@ -2005,7 +2005,7 @@ struct mip_gnss_data_raw {
     mip_gnss_data_raw_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_RAW(descriptor_set) MIP_KEY(descriptor_set, 0x22)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_RAW_DESCRIPTOR 0x22
@@ -2073,7 +2073,7 @@ struct mip_gnss_data_base_station_info {
     mip_gnss_data_base_station_info_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x30)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_DESCRIPTOR 0x30
@@ -2156,7 +2156,7 @@ struct mip_gnss_data_rtk_corrections_status {
     mip_gnss_data_rtk_corrections_status_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS(descriptor_set) MIP_KEY(descriptor_set, 0x31)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
@@ -2343,7 +2343,7 @@ struct mip_gnss_data_gps_ephemeris {
     mip_gnss_data_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x61)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS_DESCRIPTOR 0x61
@@ -2490,7 +2490,7 @@ struct mip_gnss_data_glonass_ephemeris {
     mip_gnss_data_glonass_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x62)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
@@ -2680,7 +2680,7 @@ struct mip_gnss_data_galileo_ephemeris {
     mip_gnss_data_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x63)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
@@ -2870,7 +2870,7 @@ struct mip_gnss_data_beidou_ephemeris {
     mip_gnss_data_ephemeris_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS(descriptor_set) MIP_KEY(descriptor_set, 0x64)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
@@ -2928,7 +2928,7 @@ struct mip_gnss_data_gps_iono_correction {
     mip_gnss_data_gps_iono_correction_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x71)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
@@ -2988,7 +2988,7 @@ struct mip_gnss_data_galileo_iono_correction {
     mip_gnss_data_galileo_iono_correction_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x73)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
@@ -3052,7 +3052,7 @@ struct mip_gnss_data_beidou_iono_correction {
     mip_gnss_data_beidou_iono_correction_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION(descriptor_set) MIP_KEY(descriptor_set, 0x74)
 /** Its descriptor. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74

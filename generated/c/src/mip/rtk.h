@@ -98,7 +98,7 @@ struct mip_rtk_get_status_flags {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_STATUS_FLAGS 0x0F01
 /** Its descriptor. */
 #define MIP_RTK_GET_STATUS_FLAGS_DESCRIPTOR 0x01
@@ -132,7 +132,7 @@ struct mip_rtk_get_status_flags_response {
     mip_rtk_status_flags flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE 0x0F81
 /** Its descriptor. */
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_DESCRIPTOR 0x81
@@ -169,7 +169,7 @@ struct mip_rtk_get_imei {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_IMEI 0x0F02
 /** Its descriptor. */
 #define MIP_RTK_GET_IMEI_DESCRIPTOR 0x02
@@ -202,7 +202,7 @@ struct mip_rtk_get_imei_response {
     char imei[33];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_IMEI_RESPONSE 0x0F82
 /** Its descriptor. */
 #define MIP_RTK_GET_IMEI_RESPONSE_DESCRIPTOR 0x82
@@ -238,7 +238,7 @@ struct mip_rtk_get_imsi {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_IMSI 0x0F03
 /** Its descriptor. */
 #define MIP_RTK_GET_IMSI_DESCRIPTOR 0x03
@@ -271,7 +271,7 @@ struct mip_rtk_get_imsi_response {
     char imsi[33];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_IMSI_RESPONSE 0x0F83
 /** Its descriptor. */
 #define MIP_RTK_GET_IMSI_RESPONSE_DESCRIPTOR 0x83
@@ -307,7 +307,7 @@ struct mip_rtk_get_iccid {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_ICCID 0x0F04
 /** Its descriptor. */
 #define MIP_RTK_GET_ICCID_DESCRIPTOR 0x04
@@ -340,7 +340,7 @@ struct mip_rtk_get_iccid_response {
     char iccid[33];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_ICCID_RESPONSE 0x0F84
 /** Its descriptor. */
 #define MIP_RTK_GET_ICCID_RESPONSE_DESCRIPTOR 0x84
@@ -376,7 +376,7 @@ struct mip_rtk_get_rssi {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_RSSI 0x0F05
 /** Its descriptor. */
 #define MIP_RTK_GET_RSSI_DESCRIPTOR 0x05
@@ -414,7 +414,7 @@ struct mip_rtk_get_rssi_response {
     int32_t signal_quality;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_RSSI_RESPONSE 0x0F85
 /** Its descriptor. */
 #define MIP_RTK_GET_RSSI_RESPONSE_DESCRIPTOR 0x85
@@ -461,7 +461,7 @@ struct mip_rtk_connected_device_type {
     uint8_t device_type;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE 0x0F06
 /** Its descriptor. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_DESCRIPTOR 0x06
@@ -536,7 +536,7 @@ struct mip_rtk_connected_device_type_response {
     uint8_t device_type;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE 0x0F86
 /** Its descriptor. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_DESCRIPTOR 0x86
@@ -573,7 +573,7 @@ struct mip_rtk_get_activation_code {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_ACTIVATION_CODE 0x0F07
 /** Its descriptor. */
 #define MIP_RTK_GET_ACTIVATION_CODE_DESCRIPTOR 0x07
@@ -607,7 +607,7 @@ struct mip_rtk_get_activation_code_response {
     char activation_code[33];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE 0x0F87
 /** Its descriptor. */
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_DESCRIPTOR 0x87
@@ -644,7 +644,7 @@ struct mip_rtk_get_modem_firmware_version {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION 0x0F08
 /** Its descriptor. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_DESCRIPTOR 0x08
@@ -678,7 +678,7 @@ struct mip_rtk_get_modem_firmware_version_response {
     char modem_firmware_version[33];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE 0x0F88
 /** Its descriptor. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_DESCRIPTOR 0x88
@@ -719,7 +719,7 @@ struct mip_rtk_service_status {
     uint32_t reserved2;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_SERVICE_STATUS 0x0F0A
 /** Its descriptor. */
 #define MIP_RTK_SERVICE_STATUS_DESCRIPTOR 0x0A
@@ -761,7 +761,7 @@ struct mip_rtk_service_status_response {
     uint64_t last_bytes_time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_SERVICE_STATUS_RESPONSE 0x0F8A
 /** Its descriptor. */
 #define MIP_RTK_SERVICE_STATUS_RESPONSE_DESCRIPTOR 0x8A
@@ -802,7 +802,7 @@ struct mip_rtk_erase_storage {
     uint8_t media;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_ERASE_STORAGE 0x0F20
 /** Its descriptor. */
 #define MIP_RTK_ERASE_STORAGE_DESCRIPTOR 0x20
@@ -856,7 +856,7 @@ struct mip_rtk_led_control {
     uint32_t period;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_LED_CONTROL 0x0F21
 /** Its descriptor. */
 #define MIP_RTK_LED_CONTROL_DESCRIPTOR 0x21
@@ -914,7 +914,7 @@ struct mip_rtk_modem_hard_reset {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_RTK_MODEM_HARD_RESET 0x0F22
 /** Its descriptor. */
 #define MIP_RTK_MODEM_HARD_RESET_DESCRIPTOR 0x22

@@ -73,7 +73,7 @@ struct mip_sensor_raw_accel {
     float raw_accel[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_RAW_ACCEL 0x8001
 /** Its descriptor. */
 #define MIP_SENSOR_RAW_ACCEL_DESCRIPTOR 0x01
@@ -109,7 +109,7 @@ struct mip_sensor_raw_gyro {
     float raw_gyro[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_RAW_GYRO 0x8002
 /** Its descriptor. */
 #define MIP_SENSOR_RAW_GYRO_DESCRIPTOR 0x02
@@ -149,7 +149,7 @@ struct mip_sensor_raw_mag {
     float raw_mag[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_RAW_MAG 0x8003
 /** Its descriptor. */
 #define MIP_SENSOR_RAW_MAG_DESCRIPTOR 0x03
@@ -191,7 +191,7 @@ struct mip_sensor_scaled_accel {
     float scaled_accel[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_SCALED_ACCEL 0x8004
 /** Its descriptor. */
 #define MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR 0x04
@@ -231,7 +231,7 @@ struct mip_sensor_scaled_gyro {
     float scaled_gyro[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_SCALED_GYRO 0x8005
 /** Its descriptor. */
 #define MIP_SENSOR_SCALED_GYRO_DESCRIPTOR 0x05
@@ -267,7 +267,7 @@ struct mip_sensor_scaled_mag {
     float scaled_mag[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_SCALED_MAG 0x8006
 /** Its descriptor. */
 #define MIP_SENSOR_SCALED_MAG_DESCRIPTOR 0x06
@@ -306,7 +306,7 @@ struct mip_sensor_delta_theta {
     float delta_theta[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_DELTA_THETA 0x8007
 /** Its descriptor. */
 #define MIP_SENSOR_DELTA_THETA_DESCRIPTOR 0x07
@@ -349,7 +349,7 @@ struct mip_sensor_delta_velocity {
     float delta_velocity[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_DELTA_VELOCITY 0x8008
 /** Its descriptor. */
 #define MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR 0x08
@@ -391,7 +391,7 @@ struct mip_sensor_comp_orientation_matrix {
     float m[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_COMP_ORIENTATION_MATRIX 0x8009
 /** Its descriptor. */
 #define MIP_SENSOR_COMP_ORIENTATION_MATRIX_DESCRIPTOR 0x09
@@ -434,7 +434,7 @@ struct mip_sensor_comp_quaternion {
     float q[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_COMP_QUATERNION 0x800A
 /** Its descriptor. */
 #define MIP_SENSOR_COMP_QUATERNION_DESCRIPTOR 0x0A
@@ -474,7 +474,7 @@ struct mip_sensor_comp_orientation_update_matrix {
     float m[9];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX 0x800B
 /** Its descriptor. */
 #define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR 0x0B
@@ -527,7 +527,7 @@ struct mip_sensor_comp_euler_angles {
     float yaw;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_COMP_EULER_ANGLES 0x800C
 /** Its descriptor. */
 #define MIP_SENSOR_COMP_EULER_ANGLES_DESCRIPTOR 0x0C
@@ -570,7 +570,7 @@ struct mip_sensor_orientation_raw_temperature {
     uint16_t raw_temperature[4];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE 0x800D
 /** Its descriptor. */
 #define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_DESCRIPTOR 0x0D
@@ -609,7 +609,7 @@ struct mip_sensor_internal_timestamp {
     uint32_t counts;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_INTERNAL_TIMESTAMP 0x800E
 /** Its descriptor. */
 #define MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR 0x0E
@@ -653,8 +653,8 @@ struct mip_sensor_pps_timestamp {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_SENSOR_PPS_TIMESTAMP 0x800F
 /** Its descriptor. */
@@ -701,8 +701,8 @@ struct mip_sensor_pps_timestamp_with_flags {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_SENSOR_PPS_TIMESTAMP_WITH_FLAGS 0x800F
 /** Its descriptor. */
@@ -748,7 +748,7 @@ struct mip_sensor_north_vector {
     float stabilized_mag[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_NORTH_VECTOR 0x8010
 /** Its descriptor. */
 #define MIP_SENSOR_NORTH_VECTOR_DESCRIPTOR 0x10
@@ -792,7 +792,7 @@ struct mip_sensor_up_vector {
     float stabilized_accel[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_UP_VECTOR 0x8011
 /** Its descriptor. */
 #define MIP_SENSOR_UP_VECTOR_DESCRIPTOR 0x11
@@ -852,7 +852,7 @@ struct mip_sensor_gps_timestamp {
     mip_sensor_gps_timestamp_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_GPS_TIMESTAMP 0x8012
 /** Its descriptor. */
 #define MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR 0x12
@@ -893,7 +893,7 @@ struct mip_sensor_temperature_statistics {
     float mean_temperature;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_TEMPERATURE_STATISTICS 0x8014
 /** Its descriptor. */
 #define MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR 0x14
@@ -929,7 +929,7 @@ struct mip_sensor_raw_pressure {
     float raw_pressure;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_RAW_PRESSURE 0x8016
 /** Its descriptor. */
 #define MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR 0x16
@@ -966,7 +966,7 @@ struct mip_sensor_scaled_pressure {
     float scaled_pressure;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_SCALED_PRESSURE 0x8017
 /** Its descriptor. */
 #define MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR 0x17
@@ -1001,7 +1001,7 @@ struct mip_sensor_overrange_status {
     mip_sensor_overrange_flags status;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_OVERRANGE_STATUS 0x8018
 /** Its descriptor. */
 #define MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR 0x18
@@ -1046,7 +1046,7 @@ struct mip_sensor_odometer {
     mip_sensor_odometer_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SENSOR_ODOMETER 0x8040
 /** Its descriptor. */
 #define MIP_SENSOR_ODOMETER_DESCRIPTOR 0x40

@@ -58,7 +58,7 @@ struct mip_shared_event_source {
     uint8_t trigger_id;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_EVENT_SOURCE 0xFFD0
 /** Its descriptor. */
 #define MIP_SHARED_EVENT_SOURCE_DESCRIPTOR 0xD0
@@ -97,7 +97,7 @@ struct mip_shared_ticks {
     uint32_t ticks;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_TICKS 0xFFD1
 /** Its descriptor. */
 #define MIP_SHARED_TICKS_DESCRIPTOR 0xD1
@@ -135,7 +135,7 @@ struct mip_shared_delta_ticks {
     uint32_t ticks;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_DELTA_TICKS 0xFFD2
 /** Its descriptor. */
 #define MIP_SHARED_DELTA_TICKS_DESCRIPTOR 0xD2
@@ -192,7 +192,7 @@ struct mip_shared_gps_timestamp {
     mip_shared_gps_timestamp_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_GPS_TIMESTAMP 0xFFD3
 /** Its descriptor. */
 #define MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR 0xD3
@@ -231,7 +231,7 @@ struct mip_shared_delta_time {
     double seconds;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_DELTA_TIME 0xFFD4
 /** Its descriptor. */
 #define MIP_SHARED_DELTA_TIME_DESCRIPTOR 0xD4
@@ -270,7 +270,7 @@ struct mip_shared_reference_timestamp {
     uint64_t nanoseconds;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP 0xFFD5
 /** Its descriptor. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR 0xD5
@@ -308,7 +308,7 @@ struct mip_shared_reference_time_delta {
     uint64_t dt_nanos;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA 0xFFD6
 /** Its descriptor. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR 0xD6
@@ -363,7 +363,7 @@ struct mip_shared_external_timestamp {
     mip_shared_external_timestamp_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP 0xFFD7
 /** Its descriptor. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR 0xD7
@@ -408,7 +408,7 @@ struct mip_shared_external_time_delta {
     mip_shared_external_time_delta_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA 0xFFD8
 /** Its descriptor. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR 0xD8

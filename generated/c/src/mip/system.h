@@ -96,7 +96,7 @@ struct mip_system_interface_control {
     mip_system_comm_protocols protocols_outgoing;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_INTERFACE_CONTROL 0x7F02
 /** Its descriptor. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_DESCRIPTOR 0x02
@@ -207,7 +207,7 @@ struct mip_system_interface_control_response {
     mip_system_comm_protocols protocols_outgoing;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE 0x7F82
 /** Its descriptor. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_DESCRIPTOR 0x82
@@ -259,7 +259,7 @@ struct mip_system_comm_mode {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_COMM_MODE 0x7F10
 /** Its descriptor. */
 #define MIP_SYSTEM_COMM_MODE_DESCRIPTOR 0x10
@@ -337,7 +337,7 @@ struct mip_system_comm_mode_response {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE 0x7F90
 /** Its descriptor. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE_DESCRIPTOR 0x90

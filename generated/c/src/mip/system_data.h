@@ -66,7 +66,7 @@ struct mip_system_data_built_in_test {
     uint8_t result[16];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST 0xA001
 /** Its descriptor. */
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST_DESCRIPTOR 0x01
@@ -105,7 +105,7 @@ struct mip_system_data_time_sync_status {
     uint8_t last_pps_received;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS 0xA002
 /** Its descriptor. */
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_DESCRIPTOR 0x02
@@ -150,7 +150,7 @@ struct mip_system_data_gpio_state {
     mip_system_data_gpio_pin_states states;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_DATA_GPIO_STATE 0xA003
 /** Its descriptor. */
 #define MIP_SYSTEM_DATA_GPIO_STATE_DESCRIPTOR 0x03
@@ -189,7 +189,7 @@ struct mip_system_data_gpio_analog_value {
     float value;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE 0xA004
 /** Its descriptor. */
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_DESCRIPTOR 0x04

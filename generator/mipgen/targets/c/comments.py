@@ -112,7 +112,7 @@ class Comments:
         several = len(f.occurrences) > 1
         what = "Descriptor set, one of those above, and descriptor" if several else "Descriptor set and descriptor"
         others = " Other layouts have the same: _decode refuses them with MIP_ERROR_LAYOUT."
-        return [f"{what}, as mip_field_key gives them.{others if len(self.model.layouts(f)) > 1 else ''}"]
+        return [f"{what}, as mip_field_key returns them.{others if len(self.model.layouts(f)) > 1 else ''}"]
 
     def present(self, f: m.Field) -> list[str]:
         """Of the member that says how many parameters are present."""

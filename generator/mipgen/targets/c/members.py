@@ -46,7 +46,7 @@ class Constructor:
     function: m.Function | None
     description: str
     arguments: str
-    asked: tuple[m.Parameter, ...]  # what the caller gives
+    asked: tuple[m.Parameter, ...]  # what the caller passes
     assigned: tuple[m.Parameter, ...]  # these, and reserved values that are not zero
 
 

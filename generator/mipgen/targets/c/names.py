@@ -25,7 +25,7 @@ def argument_name(name: str) -> str:
 
 
 def short(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> str:
-    """The name of a thing, or the shorter one that the specification gives for languages like this."""
+    """The name of a thing, or the shorter one that the specification has for languages like this."""
     return thing.short or thing.name
 
 

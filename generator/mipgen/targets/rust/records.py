@@ -221,7 +221,7 @@ class Records:
         return [self._constructor(record, way) for way in ways]
 
     def _constructor(self, record: m.Record, way: m.Call) -> Constructor:
-        """The caller gives no reserved values, and no tag whose union is given."""
+        """The caller passes no reserved values, and no tag whose union is passed."""
         given, values = [], []
         for x in self.members(record):
             p = x.parameter
@@ -242,7 +242,7 @@ class Records:
         return Constructor("new", f"Creates {what}.", None, tuple(given), tuple(values))
 
     def tuple_of(self, record: m.Struct) -> list[Member]:
-        """The members that a tuple converts to: of two to four, all of which a caller gives."""
+        """The members that a tuple converts to: of two to four, all of which a caller passes."""
         (way,) = self.constructors(record)
         return list(way.given) if 2 <= len(way.given) <= 4 and not way.set else []
 

@@ -204,7 +204,7 @@ MIP_API bool mip_client_receive(struct mip_client *client, const struct mip_pack
 /**
  * The barrier that is to be sent before the next packet of commands: its size, and 0, mostly, if no
  * answer is late. `bytes` has room for MIP_MAX_BARRIER. Call it before the first mip_client_add of
- * each packet, and send what it gives, so that a late answer is never taken for that of a command:
+ * each packet, and send what it returns, so that a late answer is never taken for another one:
  *
  *     size = mip_client_barrier(&client, bytes);
  *     ... send these bytes, if there are any ...

@@ -34,7 +34,7 @@ namespace mip {
  */
 
 /**
- * What is known of a layout: `key`, as mip_field_key gives it, or 0 if the layout occurs in several
+ * What is known of a layout: `key`, as mip_field_key has it, or 0 if the layout occurs in several
  * descriptor sets; `descriptor`; `name`, that of the specification; and `codec()`. Headers of
  * descriptor sets specialize it for each structure of C; types derived from one have the same.
  */

@@ -1310,7 +1310,7 @@ local function command_title(number, descriptor)
   return set and set.named[descriptor] or string.format("0x%02X", descriptor)
 end
 
-local show = {} -- by role: what is said of a field beside its values; gives its text for the info column
+local show = {} -- by role: what is said of a field beside its values; returns its text for the info column
 
 function show.command(f, packet, item, record, key)
   if packet.good then
@@ -1350,7 +1350,7 @@ end
 
 local PROBLEMS = { truncated = "too short", count = "wrong count", constant = "wrong constant" }
 
--- Shows one field; gives its text for the info column, and its layout.
+-- Shows one field; returns its text for the info column, and its layout.
 local function show_field(packet, at, size, index, tree)
   local data, descriptor = packet.data:range(at + 2, size - 2), packet.raw:byte(at + 2)
   local raw = packet.raw:sub(at + 3, at + size)
@@ -1396,7 +1396,7 @@ local function direction_of(f)
   return f.role == "command" and not f.from_device and 1 or 2
 end
 
--- Shows the fields of a packet; gives their texts, and the direction that they tell.
+-- Shows the fields of a packet; returns their texts, and their direction.
 local function show_fields(packet, tree)
   local texts, direction, index = {}, 0, 0
   local at, stop = packet.at + HEADER, packet.at + packet.size - 2
@@ -1421,7 +1421,7 @@ local function show_fields(packet, tree)
   return texts, direction, index
 end
 
--- Shows a packet; gives its text for the info column, and its direction.
+-- Shows a packet; returns its text for the info column, and its direction.
 local function show_packet(packet, tree)
   local data, at, size = packet.data, packet.at, packet.size
   packet.set = packet.raw:byte(at + 3)

@@ -44,7 +44,7 @@ struct mip_3d_default {
     uint8_t present_;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_3D_DEFAULT 0x0C10
 /** Its descriptor. */
 #define MIP_3D_DEFAULT_DESCRIPTOR 0x10

@@ -58,7 +58,7 @@ struct mip_measurements_accel {
     mip_state_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_ACCEL(descriptor_set) MIP_KEY(descriptor_set, 0x01)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_ACCEL_DESCRIPTOR 0x01
@@ -115,7 +115,7 @@ struct mip_measurements_numbers {
     char char_;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_NUMBERS(descriptor_set) MIP_KEY(descriptor_set, 0x02)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_NUMBERS_DESCRIPTOR 0x02
@@ -159,7 +159,7 @@ struct mip_measurements_strings {
     char rest[237];
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_STRINGS(descriptor_set) MIP_KEY(descriptor_set, 0x03)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_STRINGS_DESCRIPTOR 0x03
@@ -197,7 +197,7 @@ struct mip_measurements_health {
     uint32_t code;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_HEALTH(descriptor_set) MIP_KEY(descriptor_set, 0x04)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_HEALTH_DESCRIPTOR 0x04
@@ -242,7 +242,7 @@ struct mip_measurements_arrays {
     int8_t offsets[4];
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_ARRAYS(descriptor_set) MIP_KEY(descriptor_set, 0x05)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_ARRAYS_DESCRIPTOR 0x05
@@ -286,7 +286,7 @@ struct mip_measurements_growing {
     float third;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_GROWING(descriptor_set) MIP_KEY(descriptor_set, 0x06)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_GROWING_DESCRIPTOR 0x06
@@ -338,7 +338,7 @@ struct mip_measurements_radio {
     double gaps[2];
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_RADIO(descriptor_set) MIP_KEY(descriptor_set, 0x07)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_RADIO_DESCRIPTOR 0x07
@@ -373,7 +373,7 @@ struct mip_measurements_own {
     uint8_t mode;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_OWN 0x8107
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_OWN_DESCRIPTOR 0x07
@@ -412,7 +412,7 @@ struct mip_measurements_cloud {
     uint64_t stamp;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_CLOUD(descriptor_set) MIP_KEY(descriptor_set, 0x08)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_CLOUD_DESCRIPTOR 0x08
@@ -464,7 +464,7 @@ struct mip_measurements_gust {
     mip_state_flags valid_flags;
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_GUST(descriptor_set) MIP_KEY(descriptor_set, 0x09)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_GUST_DESCRIPTOR 0x09
@@ -506,7 +506,7 @@ struct mip_measurements_breeze {
     float turn[4];
 };
 
-/** Descriptor set, one of those above, and descriptor, as mip_field_key gives them. */
+/** Descriptor set, one of those above, and descriptor, as mip_field_key returns them. */
 #define MIP_MEASUREMENTS_BREEZE(descriptor_set) MIP_KEY(descriptor_set, 0x0A)
 /** Its descriptor. */
 #define MIP_MEASUREMENTS_BREEZE_DESCRIPTOR 0x0A

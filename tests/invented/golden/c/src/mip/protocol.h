@@ -59,7 +59,7 @@ struct mip_protocol_acknowledge {
     uint8_t code;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_PROTOCOL_ACKNOWLEDGE 0x00F1
 /** Its descriptor. */
 #define MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR 0xF1

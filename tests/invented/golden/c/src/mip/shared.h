@@ -38,7 +38,7 @@ struct mip_shared_timestamp {
     mip_state_flags valid_flags;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_SHARED_TIMESTAMP 0xFFD3
 /** Its descriptor. */
 #define MIP_SHARED_TIMESTAMP_DESCRIPTOR 0xD3

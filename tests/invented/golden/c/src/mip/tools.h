@@ -160,7 +160,7 @@ struct mip_tools_ping {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_PING 0x0101
 /** Its descriptor. */
 #define MIP_TOOLS_PING_DESCRIPTOR 0x01
@@ -220,7 +220,7 @@ struct mip_tools_settings {
     uint8_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_SETTINGS 0x0102
 /** Its descriptor. */
 #define MIP_TOOLS_SETTINGS_DESCRIPTOR 0x02
@@ -361,7 +361,7 @@ struct mip_tools_settings_response {
     uint8_t reserved;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_SETTINGS_RESPONSE 0x0182
 /** Its descriptor. */
 #define MIP_TOOLS_SETTINGS_RESPONSE_DESCRIPTOR 0x82
@@ -408,7 +408,7 @@ struct mip_tools_set_time {
     uint32_t value;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_SET_TIME 0x0103
 /** Its descriptor. */
 #define MIP_TOOLS_SET_TIME_DESCRIPTOR 0x03
@@ -482,7 +482,7 @@ struct mip_tools_set_time_fast_response {
     uint32_t value;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE 0x0183
 /** Its descriptor. */
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE_DESCRIPTOR 0x83
@@ -516,7 +516,7 @@ struct mip_tools_set_time_slow_response {
     uint32_t value;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE 0x0184
 /** Its descriptor. */
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR 0x84
@@ -557,7 +557,7 @@ struct mip_tools_status {
     uint8_t selector;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_STATUS 0x0104
 /** Its descriptor. */
 #define MIP_TOOLS_STATUS_DESCRIPTOR 0x04
@@ -611,8 +611,8 @@ struct mip_tools_status_paged {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_STATUS_PAGED 0x0190
 /** Its descriptor. */
@@ -654,8 +654,8 @@ struct mip_tools_status_short {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_STATUS_SHORT 0x0190
 /** Its descriptor. */
@@ -700,8 +700,8 @@ struct mip_tools_status_long {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_STATUS_LONG 0x0190
 /** Its descriptor. */
@@ -743,8 +743,8 @@ struct mip_tools_status_old {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_STATUS_OLD 0x0190
 /** Its descriptor. */
@@ -790,8 +790,8 @@ struct mip_tools_full {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key gives them. Other layouts have the same: _decode
- * refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
+ * _decode refuses them with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_FULL 0x0190
 /** Its descriptor. */
@@ -837,7 +837,7 @@ struct mip_tools_bias {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_BIAS 0x0105
 /** Its descriptor. */
 #define MIP_TOOLS_BIAS_DESCRIPTOR 0x05
@@ -908,7 +908,7 @@ struct mip_tools_bias_vector {
     float bias[3];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_BIAS_VECTOR 0x019B
 /** Its descriptor. */
 #define MIP_TOOLS_BIAS_VECTOR_DESCRIPTOR 0x9B
@@ -945,7 +945,7 @@ struct mip_tools_capture_bias {
     uint16_t time;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_CAPTURE_BIAS 0x0106
 /** Its descriptor. */
 #define MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR 0x06
@@ -997,7 +997,7 @@ struct mip_tools_formats {
     struct mip_segment segments[25];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_FORMATS 0x0107
 /** Its descriptor. */
 #define MIP_TOOLS_FORMATS_DESCRIPTOR 0x07
@@ -1076,7 +1076,7 @@ struct mip_tools_choice {
     union mip_tools_choice_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_CHOICE 0x0108
 /** Its descriptor. */
 #define MIP_TOOLS_CHOICE_DESCRIPTOR 0x08
@@ -1157,7 +1157,7 @@ struct mip_tools_choice_response {
     union mip_tools_choice_response_parameters parameters;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_CHOICE_RESPONSE 0x0188
 /** Its descriptor. */
 #define MIP_TOOLS_CHOICE_RESPONSE_DESCRIPTOR 0x88
@@ -1202,7 +1202,7 @@ struct mip_tools_list {
     uint16_t items[125];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_LIST 0x0109
 /** Its descriptor. */
 #define MIP_TOOLS_LIST_DESCRIPTOR 0x09
@@ -1264,7 +1264,7 @@ struct mip_tools_list_response {
     uint16_t items[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_LIST_RESPONSE 0x0189
 /** Its descriptor. */
 #define MIP_TOOLS_LIST_RESPONSE_DESCRIPTOR 0x89
@@ -1301,7 +1301,7 @@ struct mip_tools_stock {
     uint8_t empty;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_STOCK 0x010A
 /** Its descriptor. */
 #define MIP_TOOLS_STOCK_DESCRIPTOR 0x0A
@@ -1338,7 +1338,7 @@ struct mip_tools_stock_response {
     uint16_t descriptors[126];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_STOCK_RESPONSE 0x018A
 /** Its descriptor. */
 #define MIP_TOOLS_STOCK_RESPONSE_DESCRIPTOR 0x8A
@@ -1385,7 +1385,7 @@ struct mip_tools_pin {
     uint8_t use;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_PIN 0x010B
 /** Its descriptor. */
 #define MIP_TOOLS_PIN_DESCRIPTOR 0x0B
@@ -1450,7 +1450,7 @@ struct mip_tools_pin_response {
     uint8_t use;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_PIN_RESPONSE 0x018B
 /** Its descriptor. */
 #define MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR 0x8B
@@ -1493,7 +1493,7 @@ struct mip_tools_hello {
     double later[2];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_HELLO 0x010C
 /** Its descriptor. */
 #define MIP_TOOLS_HELLO_DESCRIPTOR 0x0C
@@ -1529,7 +1529,7 @@ struct mip_tools_hello_response {
     uint32_t seen;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_HELLO_RESPONSE 0x018C
 /** Its descriptor. */
 #define MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR 0x8C
@@ -1564,7 +1564,7 @@ struct mip_tools_readings {
     uint8_t drive;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_READINGS 0x010D
 /** Its descriptor. */
 #define MIP_TOOLS_READINGS_DESCRIPTOR 0x0D
@@ -1620,7 +1620,7 @@ struct mip_tools_readings_response {
     struct mip_tools_reading last;
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_READINGS_RESPONSE 0x018D
 /** Its descriptor. */
 #define MIP_TOOLS_READINGS_RESPONSE_DESCRIPTOR 0x8D
@@ -1661,7 +1661,7 @@ struct mip_tools_poll {
     uint8_t descriptors[250];
 };
 
-/** Descriptor set and descriptor, as mip_field_key gives them. */
+/** Descriptor set and descriptor, as mip_field_key returns them. */
 #define MIP_TOOLS_POLL 0x010E
 /** Its descriptor. */
 #define MIP_TOOLS_POLL_DESCRIPTOR 0x0E

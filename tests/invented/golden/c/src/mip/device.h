@@ -1,0 +1,259 @@
+/**
+ * @file
+ * A device at a port: one call for each command, and handlers for its data.
+ *
+ * The caller provides three functions: read, write, and a clock. Then a call of mip/..._commands.h
+ * sends a command, waits for its answer, and returns the outcome:
+ *
+ *     mip_device_init(&device, &port, MIP_ARRAY(handlers));
+ *     if (mip_succeeded(mip_call_3dm_..._read(&device, &response))) { ... }
+ *     while (mip_device_poll(&device)) { ... }
+ *
+ * Programs with an event loop of their own, or with several commands in one packet, use
+ * mip/client.h, on which this is built.
+ */
+#ifndef MIP_DEVICE_H
+#define MIP_DEVICE_H
+
+#include "mip/client.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** After how many milliseconds without a byte an incomplete packet is discarded: a little more
+ * than the longest packet takes at 9600 Bd. */
+#define MIP_DEFAULT_SILENCE 300
+
+/** For how many milliseconds a call waits longer than `timeout`, at most: as long as each read
+ * fills all the room that it is given, so that the answer may already be waiting behind it. */
+#define MIP_BACKLOG 250
+
+/** The port of a device, and a clock. */
+struct mip_port {
+    /**
+     * Reads up to `size` bytes that have arrived, and stores their number in `*count`, which is 0
+     * before. It may wait for a while if there are none, but must then return: a call that waits
+     * for an answer does nothing but read. False if the port is gone and no more bytes will arrive;
+     * those that it has stored are still handled. A terminal that was hung up returns no bytes, as
+     * a silent one does: only poll() tells, by POLLHUP (see examples/posix.c).
+     */
+    bool (*read)(void *user, uint8_t *bytes, size_t size, size_t *count);
+    /** Sends all of these bytes. False if that failed. */
+    bool (*write)(void *user, const uint8_t *bytes, size_t size);
+    /** A time in milliseconds that only increases and is never set; it may wrap around. */
+    uint32_t (*now)(void *user);
+    /** Is passed to these functions. */
+    void *user;
+};
+
+/** For `type` of a handler: every field without an earlier entry. Not 0, so that an entry that was
+ * left empty is for none. */
+#define MIP_ANY_FIELD (&mip_any_field)
+/** It is not a wire format: only its address counts. */
+extern MIP_API const struct mip_codec mip_any_field;
+/** For `descriptor_set` of a handler: every set in which the type occurs. */
+#define MIP_ANY_SET 0
+
+/** What to do with a received field. */
+struct mip_handler {
+    /** Which type of field: its codec, such as &mip_sensor_scaled_accel_codec, or MIP_ANY_FIELD. */
+    const struct mip_codec *type;
+    /** In which descriptor set, such as that of one of two receivers, or MIP_ANY_SET. */
+    uint8_t descriptor_set;
+    /**
+     * Is called with it; NULL to ignore it. The `descriptor_set` of the field says in which set it
+     * came, if the type occurs in several. `arrived` is the time, by the clock of the port, when
+     * the last bytes of its packet had been read. The data of the field is valid until it returns.
+     * It must not wait: the answer to a command may be next. It cannot call a command of this
+     * device, which would return MIP_BUSY, nor poll the device.
+     */
+    void (*handle)(void *user, const struct mip_field *field, uint32_t arrived);
+    /** Is passed to it. */
+    void *user;
+};
+
+struct mip_device;
+
+/** Is told of packets, for programs that handle all fields of a packet together. */
+struct mip_observer {
+    /**
+     * Is called twice for each packet: before its fields are handled, and after that, with `ends`.
+     * `device->packet` is the packet, and `device->heard` the time when its last bytes had been
+     * read. mip_gap counts the bytes before it that are not part of a packet, such as an NMEA
+     * sentence or a damaged packet. What handlers must not do, it must not do either.
+     */
+    void (*packet)(void *user, const struct mip_device *device, bool ends);
+    /** Is passed to it. */
+    void *user;
+};
+
+/** A device and the state of its stream. Several can be used at the same time. */
+struct mip_device {
+    /** How it is reached. */
+    struct mip_port port;
+    /** The first of these that matches a field is called; if none does, the field is dropped. */
+    const struct mip_handler *handlers;
+    /** How many there are. */
+    size_t handler_count;
+    /** The parser time-out: when no byte has arrived for this many milliseconds, an incomplete
+     * packet is discarded, and packets after its first bytes are found. 0: never. */
+    uint32_t silence;
+    /** When the last bytes arrived. */
+    uint32_t heard;
+    /** The packet whose field a handler is called with: there, mip_walk_packet finds the fields
+     * that belong together, such as a time stamp and the values of that time. NULL outside
+     * handlers and observers. */
+    const struct mip_packet *packet;
+    /** Is told where each packet begins and ends; NULL, unless the program sets it. It stays where
+     * it is, and may be constant. */
+    const struct mip_observer *observer;
+    /** Its `timeout` is how long the device may take to answer. */
+    struct mip_client client;
+    /** It holds the bytes of an incomplete packet. */
+    struct mip_parser parser;
+};
+
+/** How many bytes that are not part of a packet have been skipped since the last call with the same
+ * `seen`, which is 0 before the first one. */
+static inline uint32_t mip_gap(const struct mip_device *device, uint32_t *seen) {
+    const uint32_t gap = device->parser.skipped - *seen;
+    *seen = device->parser.skipped;
+    return gap;
+}
+
+/** The outcome of a command. */
+enum mip_outcome {
+    /** It was not sent: its values do not fit into a packet (`error` says why), or, if that is
+     * MIP_OK, the port could not write. */
+    MIP_NOT_SENT = 0,
+    /** The device has carried it out, and its response has been stored, if it has one. */
+    MIP_ACKNOWLEDGED,
+    /** It was sent; devices do not answer it. */
+    MIP_SENT,
+    /** The device has rejected it: `code` is the reason. */
+    MIP_REFUSED,
+    /** No reply arrived in time. If it arrives later, it is handled as data. */
+    MIP_TIMED_OUT,
+    /** The device has acknowledged it without sending its response. */
+    MIP_MISSING_RESPONSE,
+    /** The device has sent a response that cannot be decoded: `error` is the reason. */
+    MIP_UNDECODABLE,
+    /** The port was gone before the answer came. */
+    MIP_CLOSED,
+    /** It was not sent, because it was called from a handler of the same device. */
+    MIP_BUSY,
+    /** Nothing was sent to change the stream: the device does not have a rate. See
+     * mip_device_stream. */
+    MIP_NO_SUCH_RATE
+};
+
+/** The outcome of a command, and the reason. */
+struct MIP_WORD mip_result {
+    /** The outcome. */
+    enum mip_outcome outcome;
+    /** The acknowledge code of the answer, if there was one: a value of enum mip_ack_code. */
+    uint8_t code;
+    /** A mip_error, with MIP_NOT_SENT and MIP_UNDECODABLE. */
+    uint8_t error;
+    /** Has the response been stored? */
+    bool responded;
+};
+
+/** Has the command been carried out, as far as is known? */
+static inline bool mip_succeeded(struct mip_result result) {
+    return result.outcome == MIP_ACKNOWLEDGED || result.outcome == MIP_SENT;
+}
+
+/**
+ * How often a command is sent, and after which outcomes it is sent again.
+ *
+ *     struct mip_retry retry = MIP_RETRY;
+ *     do {
+ *         result = mip_call_...(&device, ...);
+ *     } while (mip_again(&retry, result));
+ */
+struct mip_retry {
+    /** How often it is still sent, at most. */
+    unsigned attempts;
+    /** A bit for each outcome after which it is sent again: 1u << MIP_TIMED_OUT. */
+    unsigned outcomes;
+};
+
+/** Three times, after outcomes that noise on the line can cause. A command that was not answered
+ * may have been carried out. */
+#define MIP_RETRY {3, 1u << MIP_TIMED_OUT | 1u << MIP_MISSING_RESPONSE | 1u << MIP_UNDECODABLE}
+
+/** Is the command to be sent again? Counts the attempts. */
+static inline bool mip_again(struct mip_retry *retry, struct mip_result result) {
+    if (retry->attempts > 0) {
+        retry->attempts--;
+    }
+    return retry->attempts > 0 && (retry->outcomes >> result.outcome & 1u) != 0;
+}
+
+/** The outcome in words: "timed out". */
+MIP_API const char *mip_outcome_name(enum mip_outcome outcome);
+
+/** Why a command was refused or not sent, or why its response could not be decoded: the name of
+ * the acknowledge code or of the error; "unknown" for a code without a name, whose number is in
+ * `code`; "" if there is no reason. */
+MIP_API const char *mip_result_reason(struct mip_result result);
+
+/**
+ * Initializes a device. The port is copied; the handlers stay where they are, and may be constant,
+ * or NULL if there are none. Nothing is sent or read.
+ */
+MIP_API void mip_device_init(struct mip_device *device, const struct mip_port *port,
+                             size_t handler_count, const struct mip_handler *handlers);
+
+/**
+ * Reads once, at most as many bytes as the longest packet has, and calls the handlers of the fields
+ * that are now complete. Programs that wait for data call it repeatedly; the same happens while a
+ * command waits for its answer. False if the port is gone, or if it is called from a handler.
+ */
+MIP_API bool mip_device_poll(struct mip_device *device);
+
+/**
+ * Sends a command, and waits for its answer. The functions mip_call_... call this with the types of
+ * each command. `value` is the structure of the command, or NULL if it has no parameters. The
+ * response is stored in `response`, the structure of `codec`, or not stored if that is NULL. It is
+ * zeroed first, and stays zeroed unless the command succeeds and requests this response.
+ *
+ * After a command that was not answered, its answer may still come. The next one is therefore sent
+ * behind a barrier (see mip_client_barrier), and what comes before the answer of that is data: a
+ * late answer is never taken for that of another command. This costs a packet each way, and no
+ * further wait.
+ *
+ * It waits at most as long as the `timeout` of the client, or that of the command if it is longer,
+ * and on a flooded line MIP_BACKLOG more. A read that waits adds its own time.
+ */
+MIP_API struct mip_result mip_device_call(struct mip_device *device,
+                                          const struct mip_command *command, const void *value,
+                                          const struct mip_codec *codec, void *response);
+
+/** For `data` of a command that has none: any address. */
+#define MIP_NO_DATA(exchange) (&(exchange).descriptor)
+
+/**
+ * Sends a command whose answer is an acknowledge, whatever its values are. Its data is given as it
+ * is sent, without its structure; the address is never NULL. Functions mip_call_... that take plain
+ * values call this, or mip_device_request, so that a program with only these links nothing that
+ * encodes. If there are more than MIP_MAX_FIELD_DATA bytes, it is not sent: MIP_ERROR_COUNT.
+ */
+MIP_API struct mip_result mip_device_send(struct mip_device *device,
+                                          const struct mip_exchange *exchange, const uint8_t *data,
+                                          size_t size);
+
+/** The same with a command that is answered by a response, whatever its values are: one of those of
+ * `exchange`. */
+MIP_API struct mip_result mip_device_request(struct mip_device *device,
+                                             const struct mip_exchange *exchange,
+                                             const uint8_t *data, size_t size,
+                                             const struct mip_codec *codec, void *response);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
