@@ -35,7 +35,7 @@ struct mip_port {
      * Reads up to `size` bytes that have arrived, and stores their number in `*count`, which is 0
      * before. It may wait for a while if there are none, but must then return: a call that waits
      * for an answer does nothing but read. False if the port is gone and no more bytes will arrive;
-     * those that it has stored are still handled. A terminal that was hung up returns no bytes, as a
+     * those that it has stored are still handled. A terminal that was hung up has no bytes, as a
      * silent one does: only poll() tells, by POLLHUP (see examples/posix.c).
      */
     bool (*read)(void *user, uint8_t *bytes, size_t size, size_t *count);
