@@ -29,7 +29,7 @@ fn each(packet: &Packet<'_>, decode: impl Fn(&RawField<'_>) -> bool) -> usize {
 }
 
 fn whole(packet: &Packet<'_>) -> usize {
-    black_box(packet);
+    black_box(packet.bytes());
     1
 }
 
@@ -65,7 +65,7 @@ fn got<T: Field>(field: &RawField<'_>) -> bool {
 fn used<T, E>(value: Option<Result<T, E>>) -> bool {
     match value {
         Some(Ok(value)) => {
-            black_box(&value);
+            black_box(value);
             true
         }
         _ => false,
@@ -206,7 +206,8 @@ fn encode(data: &[u8]) -> usize {
 fn next(mut data: &[u8]) -> Option<(&[u8], &[u8])> {
     loop {
         let length = usize::from(*data.get(3)?);
-        if data[0] == 0x75 && data[1] == 0x65 && data.len() >= length + 6 {
+        let is_header = data[0] == 0x75 && data[1] == 0x65 && !matches!(data[2], 0 | 0xFF);
+        if is_header && data.len() >= length + 6 {
             let (packet, rest) = data.split_at(length + 6);
             let (mut a, mut b, mut left) = (0_u16, 0_u16, (length + 4) as u16);
             for byte in &packet[..length + 4] {
@@ -229,6 +230,30 @@ fn bare(mut data: &[u8]) -> usize {
         (data, count) = (rest, count + 1);
     }
     count
+}
+
+/// The same for bytes that arrive in pieces: what is left of one is moved to the front, the next goes behind it.
+fn pieces(data: &[u8], size: usize) -> usize {
+    let (mut held, mut count) = (Vec::with_capacity(1024), 0);
+    for piece in data.chunks(size) {
+        held.extend_from_slice(piece);
+        let mut rest = &held[..];
+        while let Some((behind, packet)) = next(rest) {
+            black_box(packet);
+            (rest, count) = (behind, count + 1);
+        }
+        let used = held.len() - rest.len();
+        held.drain(..used);
+    }
+    count
+}
+
+fn bare_parse(data: &[u8]) -> usize {
+    pieces(data, CHUNK)
+}
+
+fn bare_small(data: &[u8]) -> usize {
+    pieces(data, 64)
 }
 
 fn floats<const N: usize>(data: &[u8]) -> [f32; N] {
@@ -256,16 +281,28 @@ fn bare_get(mut data: &[u8]) -> usize {
             let Some(value) = payload.get(2..usize::from(length)) else { break };
             payload = &payload[usize::from(length)..];
             match (packet[2], descriptor) {
-                (0x80, 0x04 | 0x05 | 0x07 | 0x08) if value.len() >= 12 => {
+                (0x80, 0x04) if value.len() >= 12 => {
                     black_box(floats::<3>(value));
                 }
-                (_, 0xD0) if !value.is_empty() => {
+                (0x80, 0x05) if value.len() >= 12 => {
+                    black_box(floats::<3>(value));
+                }
+                (0x80, 0x07) if value.len() >= 12 => {
+                    black_box(floats::<3>(value));
+                }
+                (0x80, 0x08) if value.len() >= 12 => {
+                    black_box(floats::<3>(value));
+                }
+                (_, 0xD0) if value.len() >= 1 => {
                     black_box(value[0]);
                 }
                 (_, 0xD3) if value.len() >= 12 => {
                     black_box((doubles::<1>(value), words::<2>(&value[8..])));
                 }
-                (_, 0xD5 | 0xD6) if value.len() >= 8 => {
+                (_, 0xD5) if value.len() >= 8 => {
+                    black_box(long(value));
+                }
+                (_, 0xD6) if value.len() >= 8 => {
                     black_box(long(value));
                 }
                 (0x82, 0x03) if value.len() >= 18 => {
@@ -274,7 +311,13 @@ fn bare_get(mut data: &[u8]) -> usize {
                 (0x82, 0x01) if value.len() >= 26 => {
                     black_box((doubles::<3>(value), words::<1>(&value[24..])));
                 }
-                (0x82, 0x02 | 0x0D | 0x0E) if value.len() >= 14 => {
+                (0x82, 0x02) if value.len() >= 14 => {
+                    black_box((floats::<3>(value), words::<1>(&value[12..])));
+                }
+                (0x82, 0x0D) if value.len() >= 14 => {
+                    black_box((floats::<3>(value), words::<1>(&value[12..])));
+                }
+                (0x82, 0x0E) if value.len() >= 14 => {
                     black_box((floats::<3>(value), words::<1>(&value[12..])));
                 }
                 (0x82, 0x10) if value.len() >= 6 => {
@@ -374,6 +417,8 @@ const ROWS: &[Row] = &[
     ("view", view),
     ("encode", encode),
     ("bare", bare),
+    ("bare_parse", bare_parse),
+    ("bare_small", bare_small),
     ("bare_get", bare_get),
     ("bare_find", bare_find),
     ("bare_view", bare_view),
