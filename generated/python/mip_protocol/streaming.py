@@ -45,7 +45,7 @@ class Session:
 def steps(
     session: Session | None, rates: Mapping[type[Field], float], set: int | None
 ) -> Dialog[dict[type[Field], float]]:
-    """The commands that start data at these rates, which are returned."""
+    """Yields the commands that start data at these rates; returns the rates of the device."""
     if session is None:
         raise NotImplementedError("the specification of this package names no commands for it")
     number = set_of(rates, set)

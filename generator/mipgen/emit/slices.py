@@ -45,7 +45,7 @@ _GETTERS = {cls: attrgetter(*names) for cls, names in _NAMES.items() if names}
 
 
 class _Addresses(dict[Read, Address | None]):
-    """Where to find again what was read; None if its object is not of the model, but made of what is."""
+    """The address of what was read; None if its object is computed and not part of the model."""
 
     def __init__(self, slices: Slices) -> None:
         self.model = id(slices.model)

@@ -42,7 +42,7 @@ def test_fields_at_rates(place: str) -> None:
 
 
 def test_a_time_comes_along(place: str) -> None:
-    """That of a clock that is always valid, without being asked for."""
+    """Data is streamed with the time of a clock that is always valid, although nobody has requested it."""
     words = ("stream", place, "sensor.scaled_accel@50", "--packets", "3")
     code, out, error = mip(*words, "--format", "csv")
     assert (code, error) == (0, "")

@@ -33,7 +33,7 @@ export function cProgram(names, field, calls) {
             `struct ${type} value;`,
             `if (${type}_decode(&value, &field) == ${names.package.toUpperCase()}_OK) {`,
             `    /* ${read || "it holds nothing"} */`,
-            ...(field.occurrences?.length > 1 ? ["    /* field.descriptor_set is the set in which it came */"] : []),
+            ...(field.occurrences?.length > 1 ? ["    /* field.descriptor_set is the set of its packet */"] : []),
             "}",
         ].join("\n");
     }

@@ -25,7 +25,7 @@ function reading(names, c, field, header) {
         `#include "${header}.hpp"`,
         `if (const auto value = field.as<${names.type(field)}>()) {`,
         `    // ${read || "it holds nothing"}`,
-        ...(field.occurrences?.length > 1 ? ["    // field.descriptor_set is the set in which it came"] : []),
+        ...(field.occurrences?.length > 1 ? ["    // field.descriptor_set is the set of its packet"] : []),
         "}",
     ].join("\n");
 }

@@ -52,7 +52,7 @@ class Programs:
             f'#include "mip/{module(f.family)}.hpp"',
             f"if (const auto value = field.as<{qualified(f)}>()) {{",
             f"    // {read or 'it holds nothing'}",
-            *(["    // field.descriptor_set is the set in which it came"] if len(f.occurrences) > 1 else []),
+            *(["    // field.descriptor_set is the set of its packet"] if len(f.occurrences) > 1 else []),
             "}",
         ])  # fmt: skip
 

@@ -49,7 +49,7 @@ class Programs:
             f"struct {field_name(f)} value;",
             f"if ({field_name(f)}_decode(&value, &field) == MIP_OK) {{",
             f"    /* {read or 'it holds nothing'} */",
-            *(["    /* field.descriptor_set is the set in which it came */"] if len(f.occurrences) > 1 else []),
+            *(["    /* field.descriptor_set is the set of its packet */"] if len(f.occurrences) > 1 else []),
             "}",
         ])  # fmt: skip
 
