@@ -32,8 +32,8 @@ static size_t keep(struct mip_stream *stream) {
     return held;
 }
 
-/** Divides the bytes that the parser has skipped, which precede a packet that it may have found:
- * first those that it held, then those of the caller. */
+/** Divides the bytes that the parser has skipped: first those that it held, then those of the
+ * caller. A packet that it may have found follows them. */
 static void divide(struct mip_stream *stream, size_t held, size_t given) {
     const size_t left = held_by(&stream->parser) + (stream->found ? stream->packet.size : 0);
     const size_t skipped = held + given - left;
