@@ -270,7 +270,7 @@ def difference(mutant: Mutant) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--count", type=int, default=100, help="mutants in all, as many of each part (100)")
-    parser.add_argument("--seed", type=int, default=1, help="another seed takes other mutants (1)")
+    parser.add_argument("--seed", type=int, default=1, help="another seed selects other mutants (1)")
     parser.add_argument(
         "--part", action="append", choices=sorted(PARTS), help="all parts without it; may be given again"
     )

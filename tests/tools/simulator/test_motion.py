@@ -291,7 +291,7 @@ def test_descriptions_that_are_wrong(text: str, message: str) -> None:
         ("47,8,400\n47.1,8,400\n47,8,400", "",
          "at waypoint 2 the way turns back by 180 degrees; put another waypoint beside it"),
         ("47,8,400\n47.0001,8,500", "",
-         "from waypoint 1 the way climbs 100 m in 11 m; put the waypoints farther apart"),
+         "from waypoint 1 the path climbs 100 m in 11 m; put the waypoints farther apart"),
         ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8, 400; use degrees, with a latitude of -89 to 89"),
         ("47,8,400,0\n47.1,8,400", "", "the speed at waypoint 1 is 0 m/s; it must be above 0"),
         ("47,8,nan\n47.1,8,400", "", "waypoint 1 has a value that is not a number"),

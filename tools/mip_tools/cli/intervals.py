@@ -16,7 +16,7 @@ GAP = 1.5
 KEPT = 10
 
 
-#: Below so many nanoseconds, different steps are different in seconds, too.
+#: Steps shorter than this, in nanoseconds, that differ also differ in seconds.
 _EXACT = 2**51
 
 

@@ -143,7 +143,7 @@ class Track:
         way = legs[i][0] - cut - end_cut + (arc + end_arc) / 2
         if 1.875 * climb > STEEPEST * way:
             raise MotionError(
-                f"track: from waypoint {i + 1} the way climbs {climb:g} m in {way:.0f} m; "
+                f"track: from waypoint {i + 1} the path climbs {climb:g} m in {way:.0f} m; "
                 "put the waypoints farther apart"
             )
         return min(speed, sqrt(self._limit * way * way / (5.7736 * climb))) if climb else speed
