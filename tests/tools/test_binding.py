@@ -101,6 +101,8 @@ print(mip_tools.read_log(bytes(data.packet()) * 3)["measurements.temperature"]["
         (["fields", "--package", "json"], "mip fields: json is not a package that mipgen has generated"),
         (["fields", "--package", "no_such"], "mip fields: no_such is neither an installed package nor a folder; "
                                              "install it, or name its folder"),
+        (["fields", "--definitions", "mip.md"], "mip fields: mip.md is neither a package nor a file of "
+                                                     "definitions, whose name ends in .json"),
         (["fields", "--package", "."], f"mip fields: {ROOT / 'docs'} contains no package that mipgen has generated"),
         (["fields", "--package"], "mip fields: --package needs the name or the folder of a generated package"),
     ],

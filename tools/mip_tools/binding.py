@@ -73,6 +73,8 @@ def _generated(wanted: str) -> str:
     if wanted == USUAL:
         remedy = f"name yours with --package NAME, {VARIABLE}=NAME or mip_tools.use(NAME)"
         raise NoBinding(f"{USUAL} is not installed; install the generated Python package, or {remedy}")
+    if Path(wanted).is_file():
+        raise NoBinding(f"{wanted} is neither a package nor a file of definitions, whose name ends in {DEFINITIONS}")
     raise NoBinding(f"{wanted} is neither an installed package nor a folder; install it, or name its folder")
 
 

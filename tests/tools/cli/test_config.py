@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -260,6 +261,20 @@ def test_no_file_of_settings(at: At, tmp_path: Path, text: str, said: str) -> No
     path.write_text(text)
     code, _, error = mip("config", "push", "PORT", path)
     assert code == 1 and str(path) in error and said in error and at.commands == []
+
+
+def test_what_is_no_text(at: At, tmp_path: Path) -> None:
+    path = tmp_path / "log.bin"
+    path.write_bytes(b"\xff")
+    master, slave = os.openpty()
+    try:  # port and file in the wrong order: a port would be read without end
+        port = os.ttyname(slave)
+        assert mip("config", "push", path, port) == (1, "", f"mip config: {port} is a port, not a file\n")
+    finally:
+        os.close(master)
+        os.close(slave)
+    assert mip("config", "push", "PORT", path) == (1, "", f"mip config: {path} is not a text file in UTF-8\n")
+    assert at.commands == []
 
 
 def test_another_model(at: At, tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ import io
 import json
 import os
 import random
+import re
 import resource
 import shlex
 import signal
@@ -430,6 +431,15 @@ def test_commands_and_answers_are_exported_if_they_are_named(form: str, path: Pa
     mixed.write_bytes(answers)
     what = "no data (commands and replies must be named); `mip info` lists the fields that it has"
     assert mip("export", mixed, "-o", out[1]) == (1, "", f"mip export: {mixed} has {what}\n")
+
+
+@pytest.mark.parametrize("form", ["csv", "npz", "mcap"])
+def test_a_log_without_packets(form: str, tmp_path: Path) -> None:
+    path = tmp_path / "log.bin"
+    path.write_bytes(b"no MIP")
+    code, out, error = mip("export", path, "--format", form, "-o", tmp_path / "out")
+    assert (code, out) == (1, "") and re.search(r"has no packets?\b", error), error
+    assert list(tmp_path.iterdir()) == [path]
 
 
 # --------------------------------------------------------------------------- whole files, or none

@@ -143,6 +143,15 @@ def rotated(q: axes.Quaternion, v: axes.Vector) -> list[float]:
     return [sum(row[i] * v[i] for i in range(3)) for row in axes.matrix(q)]
 
 
+@heavy("rosbags")
+def test_a_bag_that_cannot_be_written(tmp_path: Path) -> None:
+    path, file = tmp_path / "log.bin", tmp_path / "file"
+    path.write_bytes(log(0.5))
+    file.write_bytes(b"")
+    said = f"mip export: {file}/bag cannot be written: Not a directory\n"
+    assert mip("export", path, "--format", "ros2", "-o", f"{file}/bag") == (1, "", said)
+
+
 def test_attitudes_of_rep_103() -> None:
     half = math.sqrt(0.5)
     assert axes.attitude((1, 0, 0, 0)) == pytest.approx((half, 0, 0, half))  # north is at +90 degrees

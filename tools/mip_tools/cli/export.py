@@ -97,6 +97,8 @@ def run(options: argparse.Namespace) -> int:
             with outputs.whole(options.output) as out, writers.FORMS[form](out) as write:
                 write(_sentences(options, log))
             return 0
+        if not log.packets:
+            raise Failure(f"{options.file} has no packets")
         job = _job(options, selection, log)
         if not job.kinds:
             _nothing(options, selection)

@@ -57,7 +57,7 @@ def check(clock: str | None, options: argparse.Namespace) -> None:
     if options.time not in (None, "utc", "clock"):
         raise Misuse(f"--time {options.time} is for tables; messages have the time of the clock")
     if clock is None:
-        raise Failure("the log has no valid times, which messages must have; csv and jsonl need none")
+        raise Failure("the log has no packet with a valid time, which messages must have; csv and jsonl need none")
     if options.time == "utc" and not dated(clock):
         raise Failure("the log has no dates; use --time clock")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import shutil
 from collections.abc import Sequence
 from importlib import import_module
@@ -40,13 +41,15 @@ class Job:
     def write(self, path: str, types: Sequence[Occurrence]) -> None:
         """Writes a bag, a folder that must not exist. Raises Failure."""
         folder = Path(path)
-        if folder.exists():
+        if os.path.lexists(path):
             raise Failure(f"{path} exists; name another folder")
         packets = kept(samples(inputs.pieces(self._name), types, self._selection, self._clock), self._options.invalid)
         try:
             self._write(folder, packets)
-        except BaseException:
+        except BaseException as error:
             shutil.rmtree(folder, ignore_errors=True)
+            if isinstance(error, OSError):
+                raise Failure(f"{path} cannot be written: {error.strerror or error}") from None
             raise
 
     def _write(self, folder: Path, packets: Any) -> None:

@@ -8,6 +8,7 @@ import sys
 
 from . import outputs, signals
 from .arguments import positive
+from .inputs import counted
 
 EPILOG = """\
 examples:
@@ -81,9 +82,10 @@ def run(options: argparse.Namespace) -> int:
             outputs.progress("")
     for name, why in sorted(built.failed.items()):
         print(f"mip fleet: {name}: {why}", file=sys.stderr)
-    manifest = built.manifest
+    added, known, failed = len(built.added), len(built.known), len(built.failed)
+    rows, logs, files = built.manifest.rows, len(built.manifest.logs), len(built.manifest.files)
     print(
-        f"{options.output}: {len(built.added)} logs added, {len(built.known)} known, {len(built.failed)} failed; "
-        f"{manifest.rows} rows of {len(manifest.logs)} logs in {len(manifest.files)} files"
+        f"{options.output}: {counted(added, 'log')} added, {known} known, {failed} failed; "
+        f"{counted(rows, 'row')} of {counted(logs, 'log')} in {counted(files, 'file')}"
     )
     return 1 if built.failed else 0

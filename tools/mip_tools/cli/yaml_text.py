@@ -127,12 +127,14 @@ class YamlFile:
 
 def contents(path: Path) -> str:
     """The text of a file. Raises Failure."""
+    if path.is_char_device():  # reading it would wait
+        raise Failure(f"{path} is a port, not a file")
     try:
         return path.read_bytes().decode("utf-8")
     except OSError as error:
         raise Failure(f"{path} cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
-        raise Failure(f"{path} is not UTF-8; save it as UTF-8") from None
+        raise Failure(f"{path} is not a text file in UTF-8") from None
 
 
 def composed(text: str, path: Path, more: str = "") -> Any:
