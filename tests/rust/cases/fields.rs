@@ -297,6 +297,8 @@ fn tuples_convert_to_structures() {
     assert_eq!(Point::from((1, -2)), Point::new(1, -2));
     let stripes: tools::Stripes = (0.5, 2.0).into();
     assert_eq!((stripes.width, stripes.angle), (0.5, 2.0));
+    let path = tools::Path::new(true, [(1, -2).into()]);
+    assert_eq!(path.points[..], [Point::new(1, -2)]);
 }
 
 #[test]
