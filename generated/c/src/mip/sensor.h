@@ -178,7 +178,7 @@ mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value, struct mip_bui
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-45, 3DM-GQ7-GNSS/INS,
  * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
- * It is the opposite of the gravity vector.
+ * At rest, it is the opposite of the gravity vector.
  *
  * - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
  * - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
