@@ -238,10 +238,6 @@ impl<V: Visitor> fmt::Debug for Own<V> {
 ///     const SETS: &'static [u8] = &[0x80];
 ///     const DESCRIPTOR: u8 = 0xCF;
 ///     const NAME: &'static str = "own.wind";
-///
-///     fn occurs_in(set: u8) -> bool {
-///         set == 0x80
-///     }
 /// }
 ///
 /// /// A line of text for any field.

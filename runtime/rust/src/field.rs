@@ -24,8 +24,11 @@ pub trait Field: Wire {
     const SIZES: RangeInclusive<usize> = 0..=usize::MAX;
 
     /// Does it occur in this descriptor set?
+    #[inline]
     #[must_use]
-    fn occurs_in(set: u8) -> bool;
+    fn occurs_in(set: u8) -> bool {
+        Self::SETS.contains(&set)
+    }
 
     /// Decodes the data of a field, the bytes after its descriptor.
     ///
