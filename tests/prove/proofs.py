@@ -48,6 +48,21 @@ CORE = {
     "packet": ("up to 16 bytes", "--unwind 17"),
     "checksum": ("up to 16 bytes, byte by byte", "--unwind 17"),
 }
+#: The same of the stream parser as firmware compiles it.
+PARSER = {
+    "parser_init": ("the first state", "--unwind 1"),
+    "parser_next": ("any state, any piece of up to 600 bytes", "--unwind 3"),
+    "parser_flush": ("any state", "--unwind 3"),
+}
+#: The same of the client.
+CLIENT = {
+    "client_poll": ("up to three requests, any time", "--unwind 5"),
+    "client_cancel": ("up to three requests", "--unwind 5"),
+    "client_wait": ("up to three requests", "--unwind 5"),
+    "client_barrier": ("up to three requests", "--unwind 5 --unwindset mip_client_barrier.1:65"),
+}
+#: Harnesses that include what they prove.
+WHOLE = ("core.c", "parser.c", "client.c")
 #: What the harness looks at of an array whose length varies: up to so many items.
 ITEMS = 3
 
@@ -70,9 +85,14 @@ class Result:
 
 
 def core() -> Iterator[Proof]:
-    for name, (bounds, options) in CORE.items():
-        given = ("-DMIP_CHECKSUM=0", "-DLARGEST=16", *options.split())
-        yield Proof(name, bounds, "core.c", name, given, ("core.c", "core.h", "checksum.h"))
+    for source, group, given in (
+        ("core.c", CORE, ("-DMIP_CHECKSUM=0", "-DLARGEST=16")),
+        ("parser.c", PARSER, ("-DMIP_CHECKSUM=0", "-DLARGEST=600", "-D__OPTIMIZE_SIZE__")),
+        ("client.c", CLIENT, ()),
+    ):
+        headers = ("client.h", "core.h") if source == "client.c" else ("core.h", "checksum.h")
+        for name, (bounds, options) in group.items():
+            yield Proof(name, bounds, source, name, (*given, *options.split()), (source, *headers))
 
 
 def layouts() -> Iterator[Proof]:
@@ -156,7 +176,7 @@ def prover() -> str | None:
 
 def key(proof: Proof, sources: Path, cbmc: str) -> str:
     digest = hashlib.sha256(repr((proof.function, proof.options, version(cbmc))).encode())
-    harness = [proof.harness] if proof.harness == "core.c" else [proof.harness, "layout.h"]
+    harness = [proof.harness] if proof.harness in WHOLE else [proof.harness, "layout.h"]
     for path in (*(HERE / name for name in harness), *(sources / "mip" / name for name in proof.sources)):
         digest.update(without_comments(path.read_text("utf-8")).encode())
     return digest.hexdigest()[:24]
@@ -174,7 +194,7 @@ def version(cbmc: str, known: dict[str, str] = {}) -> str:  # noqa: B006
 
 def prove(proof: Proof, cbmc: str, seconds: int, sources: Path = SOURCES) -> Result:
     """Proves it, or finds what refutes it, within so many seconds of processor time."""
-    linked = [] if proof.harness == "core.c" else [n for n in proof.sources if n.endswith(".c")]
+    linked = [] if proof.harness in WHOLE else [n for n in proof.sources if n.endswith(".c")]
     also = [sources / "mip" / name for name in linked]
     command = [cbmc, HERE / proof.harness, *also, "-I", sources, "--function", proof.function, "--json-ui",
                "--unwinding-assertions", "--drop-unused-functions", *proof.options]  # fmt: skip
@@ -249,6 +269,18 @@ PLANTS = [
     ("checksum.h", "s.b += s.a;", "s.b += bytes[i];", "checksum"),
     ("checksum.h", "size_t i = 0; i < size; i++", "size_t i = 1; i < size; i++", "checksum"),
     ("checksum.h", "(s.a & 0xFFU) << 8 | (s.b & 0xFFU)", "(s.b & 0xFFU) << 8 | (s.a & 0xFFU)", "checksum"),
+    ("parser.c", "*size < missing ? *size : missing", "missing", "parser_next"),
+    ("parser.c", "(uint16_t)(left + count)", "(uint16_t)(left + missing)", "parser_next"),
+    ("parser.c", "(uint16_t)(parser->done + goal)", "(uint16_t)(parser->done + goal + 1)", "parser_next"),
+    ("parser.c", "goal > 0 && goal <= size", "goal > 0", "parser_next"),
+    ("parser.c", "parser->skipped++;", "", "parser_next"),
+    ("parser.c", "+ MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;", "+ MIP_HEADER_SIZE;", "parser_next"),
+    ("parser.c", "parser->skipped += parser->length;", "", "parser_flush"),
+    ("parser.c", "(uint16_t)(at + goal)", "(uint16_t)goal", "parser_flush"),
+    ("client.c", "*at = request->next;", "", "client_cancel"),
+    ("client.c", "client->behind / 2U", "client->behind", "client_barrier"),
+    ("client.c", "next < FIRST_BARRIER ? FIRST_BARRIER : next", "next", "client_poll"),
+    ("client.c", "MIP_REQUEST_SILENT;\n        return;", "MIP_REQUEST_SILENT;", "client_wait"),
     ("codec.c", "codec->numbers > field->size", "codec->numbers > field->size + 1", "sensor.scaled_accel, decode"),
     ("codec.c", "left -= codec->numbers;", "left -= 1;", "sensor.scaled_accel, decode"),
     ("codec.c", "start + size + MIP_CHECKSUM_SIZE > builder->capacity", "start + size > builder->capacity + 1",
