@@ -2,18 +2,25 @@
 
 import gc
 import io
+import os
 import sys
+from typing import NoReturn
 
 from mipgen.cli import main
 
 
-def run() -> int:
+def run() -> NoReturn:
     for stream in (sys.stdout, sys.stderr):  # a name that the terminal cannot show is shown in another way
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
     gc.disable()  # a run is short, and little of it becomes garbage; looking for it takes a tenth of a second
-    return main()
+    status = main()
+    try:
+        sys.stdout.flush()
+    except OSError:  # the reader has stopped, or the disk is full
+        status = status or 1
+    os._exit(status)  # freeing a model, object by object, takes as long as a target
 
 
 if __name__ == "__main__":
-    sys.exit(run())
+    run()
