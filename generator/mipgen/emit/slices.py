@@ -30,7 +30,7 @@ Value = TypeVar("Value")
 
 #: A number made of a part of the model, the place of an object in the walk over it, and a detail.
 Address = int
-_PART, _PLACE = 32, 6  # how far the first two are shifted
+_PART, _PLACE = 26, 6  # how far the first two are shifted, so that all fit into 31 bits, which are quick to store
 _WHOLE = (1 << _PART) - 1  # in place of object and detail: the shape of the part
 
 #: What is made besides files: that no name is wrong, and the list of the files. No file has such a path.
@@ -120,6 +120,7 @@ class Slices:
 
         def reduce(thing: Any) -> tuple[Any, ...]:
             part = self.part
+            assert len(part.objects) < 1 << _PART - _PLACE
             place = self.places.setdefault(id(thing), part.number << _PART | len(part.objects) << _PLACE)
             if place >> _PART != part.number:
                 return str, (f"{cls.__name__} {getattr(thing, 'full_name', getattr(thing, 'name', ''))}",)
@@ -157,7 +158,7 @@ class Slices:
         now = set(map(self.addresses.__getitem__, (r for r in read if r.__class__ is tuple)))
         return {a for a in now if a is not None}.union(*earlier)
 
-    def differ(self, read: frozenset[Address]) -> bool:
+    def differ(self, read: Iterable[Address]) -> bool:
         """Has any of this changed since the last run?"""
         shapes = self.reshaped
         return not self.changed.isdisjoint(read) or (bool(shapes) and any(a >> _PART in shapes for a in read))
@@ -204,7 +205,7 @@ class Pieces:
 
     def text(self, name: str, place: Address, make: Callable[..., str], *arguments: object) -> str:
         known = self.before.get(name)
-        if known is not None and not self.slices.differ(known[1] | {place}):
+        if known is not None and not (self.slices.differ(known[1]) or self.slices.differ((place,))):
             reads.note(known[1])
         else:
             text, read = reads.during(make, *arguments)
