@@ -51,6 +51,14 @@ def watch(cls: type, names: Iterable[str]) -> None:
         setattr(cls, name, _Slot(name, cls.__dict__[name]) if hasattr(cls, "__slots__") else _Attribute(name))
 
 
+def unnoticed(cls: type, names: list[str]) -> Callable[[Any], tuple[Any, ...]]:
+    """Reads attributes of an object of a class that is watched, without a note."""
+    if not hasattr(cls, "__slots__"):
+        return lambda owner: tuple([owner.__dict__[name] for name in names])
+    slots = [cls.__dict__[name].get for name in names]
+    return lambda owner: tuple([get(owner) for get in slots])
+
+
 class _Attribute:
     """In the `__dict__` of its object."""
 

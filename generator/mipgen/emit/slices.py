@@ -41,7 +41,6 @@ PLAN = "/plan"
 #: The details of the objects of a class, and the number of each.
 _NAMES = {cls: details.names(cls) for cls in details.CLASSES}
 _NUMBERS = {name: i for i, name in enumerate(sorted({name for names in _NAMES.values() for name in names}))}
-_GETTERS = {cls: attrgetter(*names) for cls, names in _NAMES.items() if names}
 
 
 class _Addresses(dict[Read, Address | None]):
@@ -74,17 +73,9 @@ class Part:
         self.details: list[tuple[Any, ...]] = []
 
 
-def _details(thing: Any) -> tuple[Any, ...]:
-    """The details of an object, so that equal ones are of the same kind."""
-    values = _GETTERS[type(thing)](thing)
-    several = values if len(_NAMES[type(thing)]) > 1 else (values,)
-    return tuple([x if x is None or x.__class__ is str else _plain(x) for x in several])
-
-
 def _plain(value: Any) -> Any:
     """Of a position the file, because no output holds lines; numbers as text, because 1 and 1.0 are equal."""
-    kind = value.__class__
-    return value if kind is str or value is None else value.file if kind is m.Position else (repr(value),)
+    return value.file if value.__class__ is m.Position else (repr(value),)
 
 
 class Slices:
@@ -115,22 +106,25 @@ class Slices:
 
     def _reducer(self, cls: type) -> Callable[[Any], tuple[Any, ...]]:
         """How an object becomes a piece of the shape. One that an earlier part holds is there by its name."""
-        has_details = bool(_NAMES[cls])
-        contents = attrgetter("__class__.__name__", *(f.name for f in fields(cls) if f.name not in _NAMES[cls]))
+        names, places = _NAMES[cls], self.places
+        read = reads.unnoticed(cls, names)
+        contents = attrgetter("__class__.__name__", *(f.name for f in fields(cls) if f.name not in names))
 
         def reduce(thing: Any) -> tuple[Any, ...]:
             part = self.part
-            assert len(part.objects) < 1 << _PART - _PLACE
-            place = self.places.setdefault(id(thing), part.number << _PART | len(part.objects) << _PLACE)
-            if place >> _PART != part.number:
+            here = part.number << _PART | len(part.objects) << _PLACE
+            place = places.setdefault(id(thing), here)
+            if place != here and place >> _PART != part.number:
                 return str, (f"{cls.__name__} {getattr(thing, 'full_name', getattr(thing, 'name', ''))}",)
-            item = thing
-            while isinstance(item, m.Parameter) and item.several:
-                item = item.item  # it has the details of its parameter
-                self.places[id(item)] = place
-            if has_details:
+            if cls is m.Parameter:
+                item = thing
+                while item.several:
+                    item = item.item  # it has the details of its parameter
+                    places[id(item)] = place
+            if names:
                 part.objects.append(thing)
-                part.details.append(_details(thing))
+                values = [x if x is None or x.__class__ is str else _plain(x) for x in read(thing)]
+                part.details.append(tuple(values))
             return tuple, ((contents(thing),),)
 
         return reduce
