@@ -14,12 +14,7 @@ def run() -> NoReturn:
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
     gc.disable()  # a run is short, and little of it becomes garbage; looking for it takes a tenth of a second
-    status = main()
-    try:
-        sys.stdout.flush()
-    except OSError:  # the reader has stopped, or the disk is full
-        status = status or 1
-    os._exit(status)  # freeing a model, object by object, takes as long as a target
+    os._exit(main())  # freeing a model, object by object, takes as long as a target
 
 
 if __name__ == "__main__":

@@ -251,6 +251,17 @@ def test_the_folders_of_the_current_folder(tmp_path: Path) -> None:
     assert sorted(p.name for p in tmp_path.iterdir()) == ["generated", "spec"]
 
 
+def test_all_that_is_printed_arrives_or_is_missed() -> None:
+    """A run ends without the rest of Python's own end."""
+    command = [sys.executable, "-m", "mipgen"]
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "generator"), "PYTHONUNBUFFERED": ""}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, arguments.parser().format_help(), "")
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(command, env=environment, stdout=full, stderr=subprocess.PIPE, text=True)
+    assert (done.returncode, done.stderr) == (1, "mipgen: error: No space left on device\n")
+
+
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as end:
         cli.main(["--version"])

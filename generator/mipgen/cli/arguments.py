@@ -54,13 +54,11 @@ COMPLETION = """\
 def main(arguments: list[str] | None = None) -> int:
     known = parser()
     options = known.parse_args(arguments)
-    if options.run is None:
-        known.print_help()
-        return 0
     try:
-        from . import commands
-
-        return int(getattr(commands, options.run)(options))
+        try:
+            return _run(known, options)
+        finally:
+            sys.stdout.flush()
     except Failure as failure:
         print(failure, file=sys.stderr)
         count = len(getattr(failure, "problems", ()))
@@ -76,6 +74,15 @@ def main(arguments: list[str] | None = None) -> int:
     except OSError as error:
         print(f"{error.filename or 'mipgen'}: error: {error.strerror or error}", file=sys.stderr)
         return 1
+
+
+def _run(known: argparse.ArgumentParser, options: argparse.Namespace) -> int:
+    if options.run is None:
+        known.print_help()
+        return 0
+    from . import commands
+
+    return int(getattr(commands, options.run)(options))
 
 
 class _Layout(argparse.RawDescriptionHelpFormatter):
