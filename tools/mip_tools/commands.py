@@ -12,7 +12,7 @@ COMMANDS = {
     "dump": ("cli.dump", "show packets with names, values and units"),
     "info": ("cli.info", "show what is in a log: types, rates, gaps, damage"),
     "doctor": ("cli.doctor", "find out what is wrong with a device or a log, and why"),
-    "export": ("cli.export", "write a log as csv, jsonl, npz, parquet, arrow, mcap or ros2"),
+    "export": ("cli.export", "write csv, jsonl, npz, parquet, arrow, mcap or ros2"),
     "fleet": ("cli.fleet", "write many logs as one Parquet data set, in parallel"),
     "plot": ("cli.plot", "plot values of a log over time"),
     "cut": ("cli.cut", "copy a part of a log"),

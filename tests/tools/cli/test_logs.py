@@ -24,7 +24,7 @@ from mip_protocol import Packet, PacketBuilder, Parser, base, filter_data, gnss_
 from mip_tools.cli import outputs
 from mip_tools.errors import Failure
 from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, run, running
-from support import rounds
+from support import heavy, rounds
 
 NOISE = b"$GPGGA,123519,4807.038,N*27\r\n"
 
@@ -433,7 +433,7 @@ def test_commands_and_answers_are_exported_if_they_are_named(form: str, path: Pa
     assert mip("export", mixed, "-o", out[1]) == (1, "", f"mip export: {mixed} has {what}\n")
 
 
-@pytest.mark.parametrize("form", ["csv", "npz", "mcap"])
+@pytest.mark.parametrize("form", ["csv", "npz", pytest.param("mcap", marks=heavy("mcap"))])
 def test_a_log_without_packets(form: str, tmp_path: Path) -> None:
     path = tmp_path / "log.bin"
     path.write_bytes(b"no MIP")
