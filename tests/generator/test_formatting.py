@@ -10,6 +10,7 @@ import pytest
 from mipgen.base import cache
 from mipgen.emit import formatting
 from mipgen.emit.formatting import CLANG_FORMAT, RUFF, FormatError, Formatter, formatted
+from support import ROOT
 
 C = {".clang-format": b"BasedOnStyle: LLVM\nIndentWidth: 4\n", "a.c": b"int  f(void){return 1;}\n", "b.txt": b"a  b"}
 PYTHON = {"pyproject.toml": b"[tool.ruff]\nline-length = 100\n", "p/a.py": b"import sys\nimport os\nx = [os,sys]\n"}
@@ -117,3 +118,15 @@ def test_a_missing_formatter_or_style_is_reported(no_programs: None) -> None:
         formatted(formatting.Formatter("no-such-formatter", str, (".c",), ".clang-format", ()), C)
     with pytest.raises(FormatError, match=r"needs \.clang-format in the output"):
         formatted(CLANG_FORMAT, {"a.c": b""})
+
+
+# --------------------------------------------------------------------------- what no formatter sees
+
+
+def test_lines_of_templates_are_short() -> None:
+    """A line that the output needs longer goes on behind `{# -#}`, which joins it with the next."""
+    files = [path for path in sorted((ROOT / "templates").rglob("*")) if path.is_file()]
+    assert len(files) > 50
+    numbered = ((path, i, line) for path in files for i, line in enumerate(path.read_text("utf-8").splitlines(), 1))
+    long = [f"{path.relative_to(ROOT)}:{i}: {len(line)} characters" for path, i, line in numbered if len(line) > 120]
+    assert not long, f"lines of templates over 120 characters: {', '.join(long)}"

@@ -126,15 +126,6 @@ def test_generated_text_says_nothing_of_the_machine(first: Path) -> None:
         assert str(Path.home()) not in text and str(ROOT) not in text, name
 
 
-def test_lines_of_templates_are_short() -> None:
-    """A line that the output needs longer goes on behind `{# -#}`, which joins it with the next."""
-    files = [path for path in sorted((ROOT / "templates").rglob("*")) if path.is_file()]
-    assert len(files) > 50
-    numbered = ((path, i, line) for path in files for i, line in enumerate(path.read_text("utf-8").splitlines(), 1))
-    long = [f"{path.relative_to(ROOT)}:{i}: {len(line)} characters" for path, i, line in numbered if len(line) > 120]
-    assert not long, f"lines of templates over 120 characters: {', '.join(long)}"
-
-
 def test_every_folder_stands_alone(first: Path) -> None:
     for name in render.names():
         folder = first / name
