@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
+import random
 import socket
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -16,10 +17,12 @@ import pytest
 from mip_protocol import PacketBuilder, Parser, base, mip_3dm, shared, types
 from mip_tools.cli.scan import Scanner
 from mip_tools.doctor import findings
+from mip_tools.doctor.events import Event, merged
 from mip_tools.doctor.port import why_not_open
 from mip_tools.doctor.stream import Examination, Examined
 from mip_tools.simulator import VirtualDevice
 from program import DEVICE, mip, simulated
+from support import SEED
 
 Rates = dict[int, tuple[tuple[int, int], ...]]
 RATES: Rates = {
@@ -163,6 +166,36 @@ def test_several_causes_in_one_log() -> None:
     device = VirtualDevice(DEVICE)
     found = examined(bytes(data) + sent(device, started(device), 3))
     assert [e.cause for e in found.events] == ["overload", "line damage", "reset"]
+
+
+def test_events_that_meet_are_merged() -> None:
+    """As if each were compared with all: first what explains it, in the order of causes, then the stream's."""
+    dice = random.Random(SEED)
+    order = ["reset", "clock step", "line damage", "changed format", "pause", "overload"]
+    seen: set[tuple[str, str]] = set()
+    for _ in range(300):
+        made = [(dice.choice(order), at := dice.randrange(60_000), at + dice.randrange(3000)) for _ in range(30)]
+        groups: list[list[Any]] = []  # cause, begin, end, what it is made of or explains
+        for cause, begin, end in sorted(made, key=lambda e: (order.index(e[0]), e[1])):
+            for group in groups:
+                slack = 4096 if cause == group[0] == "changed format" else 0
+                if begin > group[2] + slack or group[1] > end + slack:
+                    continue
+                if cause == group[0]:
+                    group[1:3] = min(begin, group[1]), max(end, group[2])
+                elif cause not in ("pause", "overload") and (
+                    group[0] != "reset" or cause not in ("clock step", "changed format")
+                ):
+                    continue
+                group[3].add(begin)
+                seen.add((group[0], cause))
+                break
+            else:
+                groups.append([cause, begin, end, {begin}])
+        found = merged(Event(cause, begin, end, None, sets={begin}) for cause, begin, end in made)
+        wanted = sorted(groups, key=lambda group: group[1])
+        assert [[e.cause, e.begin, e.end, e.sets] for e in found] == wanted
+    assert len(seen) == 6 + 5 + 4 + 2
 
 
 def test_without_a_time() -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from itertools import chain
 
 #: Cause -> what it means, and what to do.
 CAUSES = {
@@ -33,7 +35,7 @@ class Event:
     details: list[str] = field(default_factory=list)
 
     def overlaps(self, other: Event) -> bool:
-        slack = _NEAR if self.cause == other.cause == "changed format" else 0
+        slack = _slack(self.cause, other.cause)
         return self.begin <= other.end + slack and other.begin <= self.end + slack
 
     def absorb(self, other: Event) -> None:
@@ -47,29 +49,40 @@ class Event:
 
 def merged(events: Iterable[Event]) -> list[Event]:
     """Events of one cause that overlap are one. A gap is explained by what else happened in it."""
-    apart: list[Event] = []
+    apart: dict[str, list[Event]] = {cause: [] for cause in _RANK}  # no two of a cause overlap
     for event in sorted(events, key=lambda e: (_RANK[e.cause], e.begin)):
-        other = next((e for e in apart if e.overlaps(event) and (e.cause == event.cause or explains(e, event))), None)
+        near = (_first(apart[cause], event) for cause in _RANK if cause == event.cause or explains(cause, event.cause))
+        other = next((e for e in near if e is not None), None)
         if other is None:
-            apart.append(event)
+            apart[event.cause].append(event)
         elif other.cause == event.cause:
             other.absorb(event)
         else:
             other.seconds = max(other.seconds, event.seconds)
             other.sets |= event.sets
             other.time = event.time if other.time is None else other.time
-    return sorted(apart, key=lambda e: e.begin)
+    return sorted(chain.from_iterable(apart.values()), key=lambda e: e.begin)
+
+
+def _first(events: list[Event], event: Event) -> Event | None:
+    """The first, of events of one cause, that overlaps another one."""
+    at = bisect_left(events, event.begin, key=lambda e: e.end + _slack(e.cause, event.cause))
+    return events[at] if at < len(events) and events[at].overlaps(event) else None
+
+
+def _slack(cause: str, other: str) -> int:
+    return _NEAR if cause == other == "changed format" else 0
 
 
 #: What explains others comes first.
 _RANK = {"reset": 0, "clock step": 1, "line damage": 2, "changed format": 3, "pause": 4, "overload": 5}
 
 
-def explains(event: Event, gap: Event) -> bool:
-    """Is a gap, or a format that changes with a reset, what the event has caused?"""
-    if gap.cause in ("pause", "overload"):
-        return _RANK[event.cause] < _RANK[gap.cause]
-    return event.cause == "reset" and gap.cause in ("clock step", "changed format")
+def explains(cause: str, other: str) -> bool:
+    """Can a gap, or a format that changes with a reset, be what the cause brings about?"""
+    if other in ("pause", "overload"):
+        return _RANK[cause] < _RANK[other]
+    return cause == "reset" and other in ("clock step", "changed format")
 
 
-__all__ = ["CAUSES", "Event", "explains", "merged"]
+__all__ = ["CAUSES", "Event", "merged"]
