@@ -335,15 +335,15 @@ def test_values_in_a_pipe(place: str) -> None:
     assert re.search(r"scaled_accel = \(x=\S+, y=\S+, z=-[01]\.\S+\) g$", shown[-1], re.M)
 
 
-def on_a_terminal(words: list[str], end: Callable[[subprocess.Popen[bytes], int], object]) -> bytes:
-    """What a program writes to a terminal until values are there, and then until it has ended."""
+def on_a_terminal(words: list[str], end: Callable[[subprocess.Popen[bytes], int], object], *shown: bytes) -> bytes:
+    """What a program writes to a terminal until these are shown, and then until it has ended."""
     master, slave = pty.openpty()
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 100, 0, 0))
     environment = {**ENVIRONMENT, "TERM": "xterm"}
     with subprocess.Popen(words, stdin=slave, stdout=slave, stderr=slave, env=environment) as process:
         os.close(slave)
         seen = b""
-        while b"Hz" not in seen:
+        while not all(text in seen for text in shown):
             assert select.select([master], [], [], PATIENCE)[0]
             seen += os.read(master, 4096)
         end(process, master)
@@ -360,7 +360,7 @@ def on_a_terminal(words: list[str], end: Callable[[subprocess.Popen[bytes], int]
 def test_values_on_a_terminal(place: str) -> None:
     """With the standard library alone."""
     words = command("monitor", place, extras=False)
-    seen = on_a_terminal(words, lambda process, _: process.send_signal(signal.SIGINT))
+    seen = on_a_terminal(words, lambda process, _: process.send_signal(signal.SIGINT), b"Hz")
     assert seen.startswith(b"\x1b[?1049h\x1b[?25l") and b"\x1b[H" in seen
     _, restored, last = seen.rpartition(b"\x1b[?25h\x1b[?1049l")
     assert restored and b"scaled_accel = (x=" in last and b"Traceback" not in seen
@@ -369,7 +369,7 @@ def test_values_on_a_terminal(place: str) -> None:
 @heavy("textual")
 @pytest.mark.parametrize("key", [b"q", b"\x03"])
 def test_values_on_all_of_a_terminal(place: str, key: bytes) -> None:
-    seen = on_a_terminal(command("monitor", place), lambda _, terminal: os.write(terminal, key))
+    seen = on_a_terminal(command("monitor", place), lambda _, terminal: os.write(terminal, key), b"Hz", b"Filter")
     _, restored, last = seen.rpartition(b"\x1b[?1049l")
     assert restored and b"scaled_accel = (x=" in last and b"Traceback" not in seen and b"Filter" in seen
 

@@ -53,7 +53,7 @@ class Server:
         self.token = token or secrets.token_urlsafe(16)
         self._taken = threading.Lock()
         self._stopped = False
-        self._clients: set[socket.socket] = set()
+        self._pages: set[_Page] = set()
         self._listener = socket.socket()
         try:
             self._listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -93,10 +93,10 @@ class Server:
         with suppress(OSError):
             self._listener.shutdown(socket.SHUT_RDWR)
         self._listener.close()
-        for client in list(self._clients):
+        for page in list(self._pages):
             with suppress(OSError):
-                client.sendall(closing(GOING, "mip serve has ended"))
-                client.shutdown(socket.SHUT_RDWR)
+                page.end(closing(GOING, "mip serve has ended"))
+                page.client.shutdown(socket.SHUT_RDWR)
 
     def _serve(self, client: socket.socket) -> None:
         with client:
@@ -115,11 +115,12 @@ class Server:
                     "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
                     f"Sec-WebSocket-Accept: {accept_key(key)}\r\n\r\n".encode()
                 )
-                self._clients.add(client)
+                page = _Page(client)
+                self._pages.add(page)
                 try:
-                    client.sendall(self._talk(client))
+                    page.end(self._talk(page))
                 finally:
-                    self._clients.discard(client)
+                    self._pages.discard(page)
 
     def _key(self, lines: list[str]) -> str:
         """The key of a handshake by a page that knows the token. Raises Refused."""
@@ -140,7 +141,7 @@ class Server:
             raise Refused("426 Upgrade Required")
         return key
 
-    def _talk(self, client: socket.socket) -> bytes:
+    def _talk(self, page: _Page) -> bytes:
         """Passes bytes on, both ways. Returns the last message, which says why it ends."""
         if not self._taken.acquire(blocking=False):
             return closing(TRY_AGAIN, "another page is connected; disconnect it first")
@@ -152,7 +153,7 @@ class Server:
                 return closing(TRY_AGAIN, str(failure))
             self._say("a page is connected")
             try:
-                return self._pass_on(client, port)
+                return self._pass_on(page, port)
             finally:
                 with suppress(Exception):
                     port.close()
@@ -160,39 +161,34 @@ class Server:
         finally:
             self._taken.release()
 
-    def _pass_on(self, client: socket.socket, port: Port) -> bytes:
+    def _pass_on(self, page: _Page, port: Port) -> bytes:
         ended = threading.Event()
-        sending = threading.Lock()
-
-        def send(data: bytes) -> None:
-            with sending:
-                client.sendall(data)
 
         def to_page() -> None:
             try:
                 while not ended.is_set():
                     if data := port.read(_AT_ONCE):
-                        send(frame(BINARY, bytes(data)))
+                        page.send(frame(BINARY, bytes(data)))
             except Exception as error:  # of the port, or of a page that takes nothing
                 with suppress(OSError):
-                    send(closing(GOING, f"the port is lost: {error}"))
-                    client.shutdown(socket.SHUT_RDWR)
+                    page.end(closing(GOING, f"the port is lost: {error}"))
+                    page.client.shutdown(socket.SHUT_RDWR)
 
         reader = threading.Thread(target=to_page, daemon=True)
         reader.start()
         try:
-            return self._from_page(client, port, send)
+            return self._from_page(page, port)
         finally:
             ended.set()
             reader.join()
 
-    def _from_page(self, client: socket.socket, port: Port, send: Callable[[bytes], None]) -> bytes:
+    def _from_page(self, page: _Page, port: Port) -> bytes:
         frames = Frames()
         with selectors.DefaultSelector() as selector:
-            selector.register(client, selectors.EVENT_READ)
+            selector.register(page.client, selectors.EVENT_READ)
             while True:
                 selector.select()
-                data = client.recv(_AT_ONCE)
+                data = page.client.recv(_AT_ONCE)
                 if not data:
                     return b""
                 try:
@@ -200,13 +196,33 @@ class Server:
                         if kind == CLOSE:
                             return closing(NORMAL)
                         if kind == PING:
-                            send(frame(PONG, payload))
+                            page.send(frame(PONG, payload))
                         if kind == BINARY:
                             _write(port, payload)
                 except Wrong as wrong:
                     return closing(wrong.code, str(wrong))
                 except OSError as error:
                     return closing(GOING, f"the port is lost: {error}")
+
+
+class _Page:
+    """The connection with a page: whole frames of several threads, and nothing after the one that ends it."""
+
+    def __init__(self, client: socket.socket) -> None:
+        self.client = client
+        self._sending = threading.Lock()
+        self._ended = False
+
+    def send(self, data: bytes) -> None:
+        with self._sending:
+            if not self._ended:
+                self.client.sendall(data)
+
+    def end(self, last: bytes) -> None:
+        with self._sending:
+            if not self._ended:
+                self._ended = True
+                self.client.sendall(last)
 
 
 def _request(client: socket.socket) -> list[str]:
