@@ -14,7 +14,7 @@ from mip_protocol import base
 from mip_tools.errors import Failure
 from mip_tools.simulator import LivePort, VirtualDevice
 from mip_tools.web.frames import BINARY, CLOSE, LONGEST, PING, PONG, TEXT, Frames, Wrong, frame
-from mip_tools.web.server import Server
+from mip_tools.web.server import Connection, Server
 from program import DEVICE, PATIENCE, mip, running, simulated
 
 PING_COMMAND = bytes(base.Ping().packet())
@@ -236,6 +236,19 @@ def test_the_command() -> None:
         assert message[1][2:] == b"mip serve has ended"
         page.close()
         assert process.wait(PATIENCE) == 0
+
+
+def test_nothing_follows_the_last_frame() -> None:
+    """The server may stop while the port is lost and the page leaves."""
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        page = Connection(ours)
+        page.send(frame(BINARY, b"data"))
+        page.end(frame(CLOSE, b"\x03\xe9"))
+        page.send(frame(BINARY, b"more"))
+        page.end(frame(CLOSE, b"\x03\xe8"))
+        ours.shutdown(socket.SHUT_WR)
+        assert theirs.recv(99) == frame(BINARY, b"data") + frame(CLOSE, b"\x03\xe9")
 
 
 @pytest.mark.parametrize(

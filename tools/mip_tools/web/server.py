@@ -53,7 +53,7 @@ class Server:
         self.token = token or secrets.token_urlsafe(16)
         self._taken = threading.Lock()
         self._stopped = False
-        self._pages: set[_Page] = set()
+        self._pages: set[Connection] = set()
         self._listener = socket.socket()
         try:
             self._listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -115,7 +115,7 @@ class Server:
                     "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
                     f"Sec-WebSocket-Accept: {accept_key(key)}\r\n\r\n".encode()
                 )
-                page = _Page(client)
+                page = Connection(client)
                 self._pages.add(page)
                 try:
                     page.end(self._talk(page))
@@ -141,7 +141,7 @@ class Server:
             raise Refused("426 Upgrade Required")
         return key
 
-    def _talk(self, page: _Page) -> bytes:
+    def _talk(self, page: Connection) -> bytes:
         """Passes bytes on, both ways. Returns the last message, which says why it ends."""
         if not self._taken.acquire(blocking=False):
             return closing(TRY_AGAIN, "another page is connected; disconnect it first")
@@ -161,7 +161,7 @@ class Server:
         finally:
             self._taken.release()
 
-    def _pass_on(self, page: _Page, port: Port) -> bytes:
+    def _pass_on(self, page: Connection, port: Port) -> bytes:
         ended = threading.Event()
 
         def to_page() -> None:
@@ -182,7 +182,7 @@ class Server:
             ended.set()
             reader.join()
 
-    def _from_page(self, page: _Page, port: Port) -> bytes:
+    def _from_page(self, page: Connection, port: Port) -> bytes:
         frames = Frames()
         with selectors.DefaultSelector() as selector:
             selector.register(page.client, selectors.EVENT_READ)
@@ -205,7 +205,7 @@ class Server:
                     return closing(GOING, f"the port is lost: {error}")
 
 
-class _Page:
+class Connection:
     """The connection with a page: whole frames of several threads, and nothing after the one that ends it."""
 
     def __init__(self, client: socket.socket) -> None:
@@ -242,4 +242,4 @@ def _write(port: Port, data: bytes) -> None:
         data = data[len(data) if done is None else done :]
 
 
-__all__ = ["HOST", "Port", "Server"]
+__all__ = ["HOST", "Connection", "Port", "Server"]
