@@ -45,8 +45,8 @@ ROWS = (
     Measured("parse, in chunks of 64 bytes", "small", "bare", "ours_small", "peer"),
     Measured("parse, byte by byte", "bytewise", "bare", "ours_bytewise", "peer"),
     Measured("parse: `PacketReader`", "reader", "bare", "ours_read", "peer"),
-    Measured("in chunks of 4 KiB, as the plain loop", "parse", "bare_parse"),
-    Measured("in chunks of 64 bytes, as the plain loop", "small", "bare_small"),
+    Measured("parse, in chunks of 4 KiB that the plain loop joins", "parse", "bare_parse"),
+    Measured("parse, in chunks of 64 bytes that the plain loop joins", "small", "bare_small"),
     Measured("parse, decode every field: `get`", "get", "bare_get", peer="peer_get"),
     Measured("parse, decode every field: `Visitor`", "visitor", "bare_get", "ours_registry", "peer_get"),
     Measured("parse, decode every field: `AnyField`", "any", "bare_get", "ours_registry", "peer_get"),
@@ -292,7 +292,7 @@ def report(readme: bool = False) -> str:
     out += f"[{PEER}](https://crates.io/crates/{PEER}) {PEER_VERSION}, which takes single bytes; or how many times\n"
     out += f"as many instructions those execute. The stream is like a recording: {SIZE // 1_000_000} MB, more than a\n"
     out += "cache holds, and 43 % of its fields are shared ones. Shuffled, no branch predictor knows what comes.\n"
-    out += "Chunks cut packets, which have to be joined: the plain loop does so in two rows, with a `Vec`.\n\n"
+    out += "Chunks cut packets. In two rows the plain loop joins them, too, with a `Vec`.\n\n"
     out += table(heads[:columns], [row[:columns] for row in rows])
     if missing:
         out += f"\nThe other crate, {PEER}, cannot be fetched, and its columns are empty: {missing}\n"

@@ -445,7 +445,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     }
 
     /// The answer to one command of [`Device::send_all`]; it is available until the next command.
-    /// The ticket of an earlier one returns [`Answer::TimedOut`].
+    /// That of an earlier one is [`Answer::TimedOut`].
     pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
         self.core.answer(ticket)
     }

@@ -136,7 +136,7 @@ where
     }
 
     /// The answer to one command of [`AsyncDevice::send_all`]; it is available until the next
-    /// command. The ticket of an earlier one returns [`Answer::TimedOut`].
+    /// command. That of an earlier one is [`Answer::TimedOut`].
     pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
         self.core.answer(ticket)
     }
