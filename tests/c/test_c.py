@@ -388,15 +388,15 @@ def accessor_checks(t: m.Bitfield) -> Iterator[str]:
                 )
             if b.width > 1:  # all of the bits, not any
                 yield f"{{ {start}({ones & ~(1 << b.last)}); CHECK(!mip_has(f, {c}) && (f & {c}) != 0); }}"
-        if not members.has_accessor(b, t):
+        if t.scalar and not members.has_accessor(b, t):
             continue
-        put, take = (names.accessor(t, verb, b) for verb in ("set", "get"))
         most = (1 << b.width) - 1
         for start in (0, ones):
             for value in {0, 1, most, most >> 1}:
                 result = start & ~b.mask | value << b.first
-                shown = f"UINT64_C({value})" if b.width > 1 else ("true" if value else "false")
+                shown = f"UINT64_C({value})"
                 if t.scalar:
+                    put, take = (names.accessor(t, verb, b) for verb in ("set", "get"))
                     kind = members.bits_type(b)
                     yield (
                         f"{{ {name} f = (({name})UINT64_C({start})); {put}(&f, ({kind}){shown}); "
@@ -404,10 +404,11 @@ def accessor_checks(t: m.Bitfield) -> Iterator[str]:
                     )
                 else:
                     expected = ", ".join(str(x) for x in result.to_bytes(t.size, "little"))
+                    c = names.constant(t, b)
                     yield (
                         f"{{ struct {name} f; static const uint8_t e[] = {{{expected}}}; memset(&f, {start & 255}, "
-                        f"sizeof(f)); {put}(&f, {shown}); "
-                        f"CHECK(memcmp(f.bytes, e, sizeof(e)) == 0 && {take}(&f) == {shown}); }}"
+                        f"sizeof(f)); mip_set_bits(f.bytes, {c}, {shown}); "
+                        f"CHECK(memcmp(f.bytes, e, sizeof(e)) == 0 && mip_get_bits(f.bytes, {c}) == {shown}); }}"
                     )
 
 

@@ -125,8 +125,7 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
         elif isinstance(t, m.Bitfield):
             for b in t.bits:
                 told = [prose(b.description, of), *said(describe.bits(b, of)), *in_full(b)]
-                if t.scalar:
-                    yield names.constant(t, b), told
+                yield names.constant(t, b), told
                 if members.has_accessor(b, t):
                     yield names.accessor(t, "get", b), told
     for d in of.devices:

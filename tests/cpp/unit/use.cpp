@@ -64,7 +64,7 @@ void flags() {
     using rtk = mip::rtk_status_flags;
     CHECK(mip::get(static_cast<rtk>(MIP_RTK_STATUS_FLAGS_RSSI), rtk::rssi) == 0xFF);
     mip::gq7_continuous_built_in_test test = {};
-    mip_set_bits(test.bytes, 127, 1, 1);
+    mip_set_bits(test.bytes, MIP_BITS(127, 1), 1);
     using bits = mip::gq7_continuous_built_in_test_bits;
     CHECK(!mip::has(test, static_cast<bits>(1 << 8)) && mip::get(test, static_cast<bits>(127 | 1 << 8)) == 1);
 }

@@ -563,11 +563,13 @@ static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags & ~bits);
 }
 
-/** Gets a number in a bitfield of bytes, least significant byte first: `width` bits, at most 64,
- * starting with bit `first`. */
-MIP_API uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width);
-/** Sets a number in a bitfield of bytes: `width` bits, starting with bit `first`. */
-MIP_API void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value);
+/** Bits of a bitfield in bytes, least significant byte first: `width` of them, at most 64, starting
+ * with bit `first`. */
+#define MIP_BITS(first, width) ((unsigned)(first) | (unsigned)(width) << 8)
+/** Gets the number in these bits: mip_get_bits(status.bytes, MIP_..._GYRO_FAULT). */
+MIP_API uint64_t mip_get_bits(const uint8_t *bytes, unsigned bits);
+/** Sets the number in these bits. */
+MIP_API void mip_set_bits(uint8_t *bytes, unsigned bits, uint64_t value);
 
 /* ----------------------------------------------------------------- arguments of constructors */
 

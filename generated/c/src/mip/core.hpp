@@ -217,7 +217,7 @@ constexpr std::underlying_type_t<E> get(E flags, E mask) {
 /** Bits of a bitfield in bytes: a flag is 0 or 1. */
 template <class Flags, class E, class = detail::if_bits<E>>
 std::uint64_t get(const Flags &flags, E bits) {
-    return mip_get_bits(flags.bytes, number(bits) & 0xFFU, number(bits) >> 8);
+    return mip_get_bits(flags.bytes, number(bits));
 }
 
 /** Is this flag of a bitfield in bytes set, or any bit of this number in it? */

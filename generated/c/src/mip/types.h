@@ -75,495 +75,117 @@ struct mip_cv7_continuous_built_in_test {
     /** Least significant byte first. */
     uint8_t bytes[16];
 };
-
 /** Bit 0. The system clock does not work properly. */
-static inline bool mip_cv7_continuous_built_in_test_get_system_clock_failure(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 0, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_system_clock_failure(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 0, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_SYSTEM_CLOCK_FAILURE MIP_BITS(0, 1)
 /** Bit 1. The supply voltage is out of range, or an internal supply has failed. */
-static inline bool mip_cv7_continuous_built_in_test_get_power_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 1, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_power_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 1, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_POWER_FAULT MIP_BITS(1, 1)
 /** Bit 4. The firmware encountered an unexpected condition. */
-static inline bool mip_cv7_continuous_built_in_test_get_firmware_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 4, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_firmware_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 4, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FIRMWARE_FAULT MIP_BITS(4, 1)
 /** Bit 5. The processor cannot keep up. */
-static inline bool mip_cv7_continuous_built_in_test_get_timing_overload(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 5, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_timing_overload(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 5, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_TIMING_OVERLOAD MIP_BITS(5, 1)
 /** Bit 6. A data buffer was full and data may be lost. */
-static inline bool mip_cv7_continuous_built_in_test_get_buffer_overrun(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 6, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_buffer_overrun(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 6, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_BUFFER_OVERRUN MIP_BITS(6, 1)
 /** Bit 16. The inertial sensor subsystem is not running or did not start. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_process_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 16, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_imu_process_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 16, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_PROCESS_FAULT MIP_BITS(16, 1)
 /** Bit 17. The processing of sensor data took too long. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_data_process_time_exceeded(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 17, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_imu_data_process_time_exceeded(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 17, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_DATA_PROCESS_TIME_EXCEEDED MIP_BITS(17, 1)
 /** Bit 18. Sensor data is not produced at its base rate. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_data_rate_error(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 18, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_imu_data_rate_error(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 18, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_DATA_RATE_ERROR MIP_BITS(18, 1)
 /** Bit 19. The inertial sensor subsystem produces no data. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_stall(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 19, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_imu_stall(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 19, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_STALL MIP_BITS(19, 1)
 /** Bits 20 to 23. Set if any filter fault (bits 20-23) is set. Overlaps other bits. */
-static inline uint8_t mip_cv7_continuous_built_in_test_get_filter_process_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_filter_process_fault(
-    struct mip_cv7_continuous_built_in_test *flags, uint8_t value) {
-    mip_set_bits(flags->bytes, 20, 4, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FILTER_PROCESS_FAULT MIP_BITS(20, 4)
 /** Bit 20. Fault of the major cycle of the filter; bits 22 and 23 show which fault. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_major_cycle_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 20, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_filter_major_cycle_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 20, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FILTER_MAJOR_CYCLE_FAULT MIP_BITS(20, 1)
 /** Bit 21. Fault of the minor cycle of the filter; bits 22 and 23 show which fault. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_minor_cycle_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 21, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_filter_minor_cycle_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 21, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FILTER_MINOR_CYCLE_FAULT MIP_BITS(21, 1)
 /** Bit 22. A filter process misses its base rate; bits 20 and 21 show which. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_data_rate_error(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 22, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_filter_data_rate_error(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 22, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FILTER_DATA_RATE_ERROR MIP_BITS(22, 1)
 /** Bit 23. A filter process produces no data; bits 20 and 21 show which. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_process_stall(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 23, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_filter_process_stall(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 23, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FILTER_PROCESS_STALL MIP_BITS(23, 1)
 /** Bits 24 to 27. Set if any GNSS fault (bits 24-27) is set. Overlaps other bits. */
-static inline uint8_t mip_cv7_continuous_built_in_test_get_gnss_subsystem_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_gnss_subsystem_fault(
-    struct mip_cv7_continuous_built_in_test *flags, uint8_t value) {
-    mip_set_bits(flags->bytes, 24, 4, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GNSS_SUBSYSTEM_FAULT MIP_BITS(24, 4)
 /** Bit 24. The main GNSS process did not run in time. */
-static inline bool mip_cv7_continuous_built_in_test_get_gnss_main_process_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 24, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_gnss_main_process_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 24, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GNSS_MAIN_PROCESS_FAULT MIP_BITS(24, 1)
 /** Bit 25. No data from internal receiver 1 in time. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_1_stall(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 25, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_1_stall(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 25, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GNSS_RECEIVER_1_STALL MIP_BITS(25, 1)
 /** Bit 26. No data from internal receiver 2 in time. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_2_stall(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 26, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_2_stall(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 26, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GNSS_RECEIVER_2_STALL MIP_BITS(26, 1)
 /** Bit 33. No communication with the inertial sensors. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_comm_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 33, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_imu_comm_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 33, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_COMM_FAULT MIP_BITS(33, 1)
 /** Bit 34. Inertial sensor processes take longer than their time slot. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_timing_overrun(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 34, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_imu_timing_overrun(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 34, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_TIMING_OVERRUN MIP_BITS(34, 1)
 /** Bit 36. Accelerometer calibration fault. Concerns mip_sensor_scaled_accel. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_accel(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 36, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_accel(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 36, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_ACCEL MIP_BITS(36, 1)
 /** Bit 37. Gyroscope calibration fault. Concerns mip_sensor_scaled_gyro. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_gyro(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 37, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_gyro(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 37, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_GYRO MIP_BITS(37, 1)
 /** Bit 38. Magnetometer calibration fault. Concerns mip_sensor_scaled_mag. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_mag(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 38, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_mag(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 38, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_MAG MIP_BITS(38, 1)
 /** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
-static inline bool mip_cv7_continuous_built_in_test_get_accel_general_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 40, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_accel_general_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 40, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_ACCEL_GENERAL_FAULT MIP_BITS(40, 1)
 /**
  * Bit 41. The acceleration along an axis is near or outside the selected range. Concerns
  * mip_sensor_scaled_accel.
  */
-static inline bool mip_cv7_continuous_built_in_test_get_accel_over_range(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 41, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_accel_over_range(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 41, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_ACCEL_OVER_RANGE MIP_BITS(41, 1)
 /**
  * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit.
  * Concerns mip_sensor_scaled_accel.
  */
-static inline bool mip_cv7_continuous_built_in_test_get_accel_self_test_fail(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 42, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_accel_self_test_fail(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 42, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_ACCEL_SELF_TEST_FAIL MIP_BITS(42, 1)
 /** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyro_general_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 44, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_gyro_general_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 44, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GYRO_GENERAL_FAULT MIP_BITS(44, 1)
 /**
  * Bit 45. The angular rate about an axis is near or outside the selected range. Concerns
  * mip_sensor_scaled_gyro.
  */
-static inline bool mip_cv7_continuous_built_in_test_get_gyro_over_range(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 45, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_gyro_over_range(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 45, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GYRO_OVER_RANGE MIP_BITS(45, 1)
 /**
  * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Concerns
  * mip_sensor_scaled_gyro.
  */
-static inline bool mip_cv7_continuous_built_in_test_get_gyro_self_test_fail(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 46, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_gyro_self_test_fail(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 46, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_GYRO_SELF_TEST_FAIL MIP_BITS(46, 1)
 /** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
-static inline bool mip_cv7_continuous_built_in_test_get_mag_general_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 48, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_mag_general_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 48, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_MAG_GENERAL_FAULT MIP_BITS(48, 1)
 /**
  * Bit 49. The magnetic field along an axis is near or outside the supported range. Concerns
  * mip_sensor_scaled_mag.
  */
-static inline bool mip_cv7_continuous_built_in_test_get_mag_over_range(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 49, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_mag_over_range(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 49, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_MAG_OVER_RANGE MIP_BITS(49, 1)
 /**
  * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Concerns
  * mip_sensor_scaled_mag.
  */
-static inline bool mip_cv7_continuous_built_in_test_get_mag_self_test_fail(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 50, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_mag_self_test_fail(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 50, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_MAG_SELF_TEST_FAIL MIP_BITS(50, 1)
 /** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
-static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_general_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 52, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_general_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 52, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_GENERAL_FAULT MIP_BITS(52, 1)
 /** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
-static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_over_range(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 53, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_over_range(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 53, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_OVER_RANGE MIP_BITS(53, 1)
 /**
  * Bit 54. The pressure sensor self-test failed; the commanded built-in test updates this bit.
  * Concerns mip_sensor_scaled_pressure.
  */
-static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_self_test_fail(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 54, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_self_test_fail(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 54, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_SELF_TEST_FAIL MIP_BITS(54, 1)
 /** Bit 56. The device has lost its factory configuration. */
-static inline bool mip_cv7_continuous_built_in_test_get_factory_bits_invalid(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 56, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_factory_bits_invalid(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 56, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FACTORY_BITS_INVALID MIP_BITS(56, 1)
 /** Bit 66. Filter processes take longer than their time slot. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_overrun(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 66, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_filter_timing_overrun(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 66, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FILTER_TIMING_OVERRUN MIP_BITS(66, 1)
 /** Bit 67. Filter processes are skipped. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_underrun(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 67, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_filter_timing_underrun(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 67, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_FILTER_TIMING_UNDERRUN MIP_BITS(67, 1)
 /** Bit 105. No communication with internal receiver 1. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 105, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_receiver_1_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 105, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_FAULT MIP_BITS(105, 1)
 /**
  * Bit 108. Internal receiver 1 has no valid solution; usually for lack of a sky view. Concerns
  * mip_gnss_data_fix_info.
  */
-static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_no_solution(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 108, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_receiver_1_no_solution(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 108, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_NO_SOLUTION MIP_BITS(108, 1)
 /** Bit 110. No communication with internal receiver 2. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 110, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_receiver_2_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 110, 1, value);
-}
-
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_FAULT MIP_BITS(110, 1)
 /**
  * Bit 113. Internal receiver 2 has no valid solution; usually for lack of a sky view. Concerns
  * mip_gnss_data_fix_info.
  */
-static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_no_solution(
-    const struct mip_cv7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 113, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_continuous_built_in_test_set_receiver_2_no_solution(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 113, 1, value);
-}
+#define MIP_CV7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_NO_SOLUTION MIP_BITS(113, 1)
 
 /**
  * Flags of the continuous built-in test of devices of generation 7 without a GNSS receiver: bits
@@ -579,408 +201,97 @@ struct mip_cv7_inertial_bit {
     /** Least significant byte first. */
     uint8_t bytes[16];
 };
-
 /** Bit 0. The system clock does not work properly. */
-static inline bool
-mip_cv7_inertial_bit_get_system_clock_failure(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 0, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_system_clock_failure(struct mip_cv7_inertial_bit *flags,
-                                                                 bool value) {
-    mip_set_bits(flags->bytes, 0, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_SYSTEM_CLOCK_FAILURE MIP_BITS(0, 1)
 /** Bit 1. The supply voltage is out of range, or an internal supply has failed. */
-static inline bool mip_cv7_inertial_bit_get_power_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 1, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_power_fault(struct mip_cv7_inertial_bit *flags,
-                                                        bool value) {
-    mip_set_bits(flags->bytes, 1, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_POWER_FAULT MIP_BITS(1, 1)
 /** Bit 4. The firmware encountered an unexpected condition. */
-static inline bool
-mip_cv7_inertial_bit_get_firmware_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 4, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_firmware_fault(struct mip_cv7_inertial_bit *flags,
-                                                           bool value) {
-    mip_set_bits(flags->bytes, 4, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_FIRMWARE_FAULT MIP_BITS(4, 1)
 /** Bit 5. The processor cannot keep up. */
-static inline bool
-mip_cv7_inertial_bit_get_timing_overload(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 5, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_timing_overload(struct mip_cv7_inertial_bit *flags,
-                                                            bool value) {
-    mip_set_bits(flags->bytes, 5, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_TIMING_OVERLOAD MIP_BITS(5, 1)
 /** Bit 6. A data buffer was full and data may be lost. */
-static inline bool
-mip_cv7_inertial_bit_get_buffer_overrun(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 6, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_buffer_overrun(struct mip_cv7_inertial_bit *flags,
-                                                           bool value) {
-    mip_set_bits(flags->bytes, 6, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_BUFFER_OVERRUN MIP_BITS(6, 1)
 /** Bit 16. The inertial sensor subsystem is not running or did not start. */
-static inline bool
-mip_cv7_inertial_bit_get_imu_process_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 16, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_imu_process_fault(struct mip_cv7_inertial_bit *flags,
-                                                              bool value) {
-    mip_set_bits(flags->bytes, 16, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_PROCESS_FAULT MIP_BITS(16, 1)
 /** Bit 17. Sensor data is not produced at its base rate. */
-static inline bool
-mip_cv7_inertial_bit_get_imu_data_rate_mismatch(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 17, 1);
-}
-/** Sets it. */
-static inline void
-mip_cv7_inertial_bit_set_imu_data_rate_mismatch(struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 17, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_DATA_RATE_MISMATCH MIP_BITS(17, 1)
 /** Bit 18. Sensor data was dropped. */
-static inline bool
-mip_cv7_inertial_bit_get_imu_overrun_dropped_data(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 18, 1);
-}
-/** Sets it. */
-static inline void
-mip_cv7_inertial_bit_set_imu_overrun_dropped_data(struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 18, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_OVERRUN_DROPPED_DATA MIP_BITS(18, 1)
 /** Bit 19. The inertial sensor process is stuck. */
-static inline bool mip_cv7_inertial_bit_get_imu_stuck(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 19, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_imu_stuck(struct mip_cv7_inertial_bit *flags,
-                                                      bool value) {
-    mip_set_bits(flags->bytes, 19, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_STUCK MIP_BITS(19, 1)
 /** Bit 20. The filter process failed. */
-static inline bool
-mip_cv7_inertial_bit_get_filter_process_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 20, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_filter_process_fault(struct mip_cv7_inertial_bit *flags,
-                                                                 bool value) {
-    mip_set_bits(flags->bytes, 20, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_FILTER_PROCESS_FAULT MIP_BITS(20, 1)
 /** Bit 21. The filter dropped data. */
-static inline bool
-mip_cv7_inertial_bit_get_filter_dropped_data(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 21, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_filter_dropped_data(struct mip_cv7_inertial_bit *flags,
-                                                                bool value) {
-    mip_set_bits(flags->bytes, 21, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_FILTER_DROPPED_DATA MIP_BITS(21, 1)
 /** Bit 22. Filter data is not produced at its base rate. */
-static inline bool
-mip_cv7_inertial_bit_get_filter_rate_mismatch(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 22, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_filter_rate_mismatch(struct mip_cv7_inertial_bit *flags,
-                                                                 bool value) {
-    mip_set_bits(flags->bytes, 22, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_FILTER_RATE_MISMATCH MIP_BITS(22, 1)
 /** Bit 23. The filter process is stuck. */
-static inline bool mip_cv7_inertial_bit_get_filter_stuck(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 23, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_filter_stuck(struct mip_cv7_inertial_bit *flags,
-                                                         bool value) {
-    mip_set_bits(flags->bytes, 23, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_FILTER_STUCK MIP_BITS(23, 1)
 /** Bit 32. The inertial sensor clock failed. */
-static inline bool
-mip_cv7_inertial_bit_get_imu_clock_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 32, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_imu_clock_fault(struct mip_cv7_inertial_bit *flags,
-                                                            bool value) {
-    mip_set_bits(flags->bytes, 32, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_CLOCK_FAULT MIP_BITS(32, 1)
 /** Bit 33. No communication with the inertial sensors. */
-static inline bool
-mip_cv7_inertial_bit_get_imu_comm_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 33, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_imu_comm_fault(struct mip_cv7_inertial_bit *flags,
-                                                           bool value) {
-    mip_set_bits(flags->bytes, 33, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_COMM_FAULT MIP_BITS(33, 1)
 /** Bit 34. Inertial sensor processes take longer than their time slot. */
-static inline bool
-mip_cv7_inertial_bit_get_imu_timing_overrun(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 34, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_imu_timing_overrun(struct mip_cv7_inertial_bit *flags,
-                                                               bool value) {
-    mip_set_bits(flags->bytes, 34, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_TIMING_OVERRUN MIP_BITS(34, 1)
 /** Bit 36. Accelerometer calibration fault. Concerns mip_sensor_scaled_accel. */
-static inline bool
-mip_cv7_inertial_bit_get_imu_calibration_error_accel(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 36, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_imu_calibration_error_accel(
-    struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 36, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_CALIBRATION_ERROR_ACCEL MIP_BITS(36, 1)
 /** Bit 37. Gyroscope calibration fault. Concerns mip_sensor_scaled_gyro. */
-static inline bool
-mip_cv7_inertial_bit_get_imu_calibration_error_gyro(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 37, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_imu_calibration_error_gyro(
-    struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 37, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_CALIBRATION_ERROR_GYRO MIP_BITS(37, 1)
 /** Bit 38. Magnetometer calibration fault. Concerns mip_sensor_scaled_mag. */
-static inline bool
-mip_cv7_inertial_bit_get_imu_calibration_error_mag(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 38, 1);
-}
-/** Sets it. */
-static inline void
-mip_cv7_inertial_bit_set_imu_calibration_error_mag(struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 38, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_IMU_CALIBRATION_ERROR_MAG MIP_BITS(38, 1)
 /** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
-static inline bool
-mip_cv7_inertial_bit_get_accel_general_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 40, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_accel_general_fault(struct mip_cv7_inertial_bit *flags,
-                                                                bool value) {
-    mip_set_bits(flags->bytes, 40, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_ACCEL_GENERAL_FAULT MIP_BITS(40, 1)
 /**
  * Bit 41. The acceleration along an axis is near or outside the selected range. Concerns
  * mip_sensor_scaled_accel.
  */
-static inline bool
-mip_cv7_inertial_bit_get_accel_over_range(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 41, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_accel_over_range(struct mip_cv7_inertial_bit *flags,
-                                                             bool value) {
-    mip_set_bits(flags->bytes, 41, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_ACCEL_OVER_RANGE MIP_BITS(41, 1)
 /**
  * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit.
  * Concerns mip_sensor_scaled_accel.
  */
-static inline bool
-mip_cv7_inertial_bit_get_accel_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 42, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_accel_self_test_fail(struct mip_cv7_inertial_bit *flags,
-                                                                 bool value) {
-    mip_set_bits(flags->bytes, 42, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_ACCEL_SELF_TEST_FAIL MIP_BITS(42, 1)
 /** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
-static inline bool
-mip_cv7_inertial_bit_get_gyro_general_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 44, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_gyro_general_fault(struct mip_cv7_inertial_bit *flags,
-                                                               bool value) {
-    mip_set_bits(flags->bytes, 44, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_GYRO_GENERAL_FAULT MIP_BITS(44, 1)
 /**
  * Bit 45. The angular rate about an axis is near or outside the selected range. Concerns
  * mip_sensor_scaled_gyro.
  */
-static inline bool
-mip_cv7_inertial_bit_get_gyro_over_range(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 45, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_gyro_over_range(struct mip_cv7_inertial_bit *flags,
-                                                            bool value) {
-    mip_set_bits(flags->bytes, 45, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_GYRO_OVER_RANGE MIP_BITS(45, 1)
 /**
  * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Concerns
  * mip_sensor_scaled_gyro.
  */
-static inline bool
-mip_cv7_inertial_bit_get_gyro_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 46, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_gyro_self_test_fail(struct mip_cv7_inertial_bit *flags,
-                                                                bool value) {
-    mip_set_bits(flags->bytes, 46, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_GYRO_SELF_TEST_FAIL MIP_BITS(46, 1)
 /** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
-static inline bool
-mip_cv7_inertial_bit_get_mag_general_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 48, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_mag_general_fault(struct mip_cv7_inertial_bit *flags,
-                                                              bool value) {
-    mip_set_bits(flags->bytes, 48, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_MAG_GENERAL_FAULT MIP_BITS(48, 1)
 /**
  * Bit 49. The magnetic field along an axis is near or outside the supported range. Concerns
  * mip_sensor_scaled_mag.
  */
-static inline bool
-mip_cv7_inertial_bit_get_mag_over_range(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 49, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_mag_over_range(struct mip_cv7_inertial_bit *flags,
-                                                           bool value) {
-    mip_set_bits(flags->bytes, 49, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_MAG_OVER_RANGE MIP_BITS(49, 1)
 /**
  * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Concerns
  * mip_sensor_scaled_mag.
  */
-static inline bool
-mip_cv7_inertial_bit_get_mag_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 50, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_mag_self_test_fail(struct mip_cv7_inertial_bit *flags,
-                                                               bool value) {
-    mip_set_bits(flags->bytes, 50, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_MAG_SELF_TEST_FAIL MIP_BITS(50, 1)
 /** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
-static inline bool
-mip_cv7_inertial_bit_get_pressure_sensor_general_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 52, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_pressure_sensor_general_fault(
-    struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 52, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_PRESSURE_SENSOR_GENERAL_FAULT MIP_BITS(52, 1)
 /** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
-static inline bool
-mip_cv7_inertial_bit_get_pressure_sensor_over_range(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 53, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_pressure_sensor_over_range(
-    struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 53, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_PRESSURE_SENSOR_OVER_RANGE MIP_BITS(53, 1)
 /**
  * Bit 54. The pressure sensor self-test failed; the commanded built-in test updates this bit.
  * Concerns mip_sensor_scaled_pressure.
  */
-static inline bool
-mip_cv7_inertial_bit_get_pressure_sensor_self_test_fail(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 54, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_pressure_sensor_self_test_fail(
-    struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 54, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_PRESSURE_SENSOR_SELF_TEST_FAIL MIP_BITS(54, 1)
 /** Bit 56. The device has lost its factory configuration. */
-static inline bool
-mip_cv7_inertial_bit_get_factory_bits_invalid(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 56, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_factory_bits_invalid(struct mip_cv7_inertial_bit *flags,
-                                                                 bool value) {
-    mip_set_bits(flags->bytes, 56, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_FACTORY_BITS_INVALID MIP_BITS(56, 1)
 /** Bit 64. The filter does not work normally. */
-static inline bool mip_cv7_inertial_bit_get_filter_fault(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 64, 1);
-}
-/** Sets it. */
-static inline void mip_cv7_inertial_bit_set_filter_fault(struct mip_cv7_inertial_bit *flags,
-                                                         bool value) {
-    mip_set_bits(flags->bytes, 64, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_FILTER_FAULT MIP_BITS(64, 1)
 /** Bit 66. Filter processes take longer than their time slot. */
-static inline bool
-mip_cv7_inertial_bit_get_filter_timing_overrun(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 66, 1);
-}
-/** Sets it. */
-static inline void
-mip_cv7_inertial_bit_set_filter_timing_overrun(struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 66, 1, value);
-}
-
+#define MIP_CV7_INERTIAL_BIT_FILTER_TIMING_OVERRUN MIP_BITS(66, 1)
 /** Bit 67. Filter processes are skipped. */
-static inline bool
-mip_cv7_inertial_bit_get_filter_timing_underrun(const struct mip_cv7_inertial_bit *flags) {
-    return (bool)mip_get_bits(flags->bytes, 67, 1);
-}
-/** Sets it. */
-static inline void
-mip_cv7_inertial_bit_set_filter_timing_underrun(struct mip_cv7_inertial_bit *flags, bool value) {
-    mip_set_bits(flags->bytes, 67, 1, value);
-}
+#define MIP_CV7_INERTIAL_BIT_FILTER_TIMING_UNDERRUN MIP_BITS(67, 1)
 
 /**
  * Flags of the continuous built-in test of the 3DM-GQ7: bits 0-31 system, 32-63 inertial sensors,
@@ -994,555 +305,123 @@ struct mip_gq7_continuous_built_in_test {
     /** Least significant byte first. */
     uint8_t bytes[16];
 };
-
 /** Bit 0. The system clock does not work properly. */
-static inline bool mip_gq7_continuous_built_in_test_get_system_clock_failure(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 0, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_system_clock_failure(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 0, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_SYSTEM_CLOCK_FAILURE MIP_BITS(0, 1)
 /** Bit 1. The supply voltage is out of range, or an internal supply has failed. */
-static inline bool mip_gq7_continuous_built_in_test_get_power_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 1, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_power_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 1, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_POWER_FAULT MIP_BITS(1, 1)
 /** Bit 4. The firmware encountered an unexpected condition. */
-static inline bool mip_gq7_continuous_built_in_test_get_firmware_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 4, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_firmware_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 4, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_FIRMWARE_FAULT MIP_BITS(4, 1)
 /** Bit 5. The processor cannot keep up. */
-static inline bool mip_gq7_continuous_built_in_test_get_timing_overload(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 5, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_timing_overload(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 5, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_TIMING_OVERLOAD MIP_BITS(5, 1)
 /** Bit 6. A data buffer was full and data may be lost. */
-static inline bool mip_gq7_continuous_built_in_test_get_buffer_overrun(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 6, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_buffer_overrun(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 6, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_BUFFER_OVERRUN MIP_BITS(6, 1)
 /** Bits 16 to 19. System to inertial sensor processor link faults. */
-static inline uint8_t mip_gq7_continuous_built_in_test_get_imu_ipc_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (uint8_t)mip_get_bits(flags->bytes, 16, 4);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_imu_ipc_fault(
-    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
-    mip_set_bits(flags->bytes, 16, 4, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_IPC_FAULT MIP_BITS(16, 4)
 /** Bits 20 to 23. System to filter processor link faults. */
-static inline uint8_t mip_gq7_continuous_built_in_test_get_filter_ipc_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_filter_ipc_fault(
-    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
-    mip_set_bits(flags->bytes, 20, 4, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_FILTER_IPC_FAULT MIP_BITS(20, 4)
 /** Bits 24 to 27. System to GNSS processor link faults. */
-static inline uint8_t mip_gq7_continuous_built_in_test_get_gnss_ipc_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_gnss_ipc_fault(
-    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
-    mip_set_bits(flags->bytes, 24, 4, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GNSS_IPC_FAULT MIP_BITS(24, 4)
 /** Bit 32. The inertial sensor clock failed. */
-static inline bool mip_gq7_continuous_built_in_test_get_imu_clock_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 32, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_imu_clock_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 32, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_CLOCK_FAULT MIP_BITS(32, 1)
 /** Bit 33. No communication with the inertial sensors. */
-static inline bool mip_gq7_continuous_built_in_test_get_imu_comm_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 33, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_imu_comm_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 33, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_COMM_FAULT MIP_BITS(33, 1)
 /** Bit 34. Inertial sensor processes take longer than their time slot. */
-static inline bool mip_gq7_continuous_built_in_test_get_imu_timing_overrun(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 34, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_imu_timing_overrun(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 34, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_TIMING_OVERRUN MIP_BITS(34, 1)
 /** Bit 36. Accelerometer calibration fault. Concerns mip_sensor_scaled_accel. */
-static inline bool mip_gq7_continuous_built_in_test_get_imu_calibration_error_accel(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 36, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_imu_calibration_error_accel(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 36, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_ACCEL MIP_BITS(36, 1)
 /** Bit 37. Gyroscope calibration fault. Concerns mip_sensor_scaled_gyro. */
-static inline bool mip_gq7_continuous_built_in_test_get_imu_calibration_error_gyro(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 37, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_imu_calibration_error_gyro(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 37, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_GYRO MIP_BITS(37, 1)
 /** Bit 38. Magnetometer calibration fault. Concerns mip_sensor_scaled_mag. */
-static inline bool mip_gq7_continuous_built_in_test_get_imu_calibration_error_mag(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 38, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_imu_calibration_error_mag(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 38, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_IMU_CALIBRATION_ERROR_MAG MIP_BITS(38, 1)
 /** Bit 40. The accelerometer failed to initialize. Concerns mip_sensor_scaled_accel. */
-static inline bool mip_gq7_continuous_built_in_test_get_accel_general_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 40, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_accel_general_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 40, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ACCEL_GENERAL_FAULT MIP_BITS(40, 1)
 /**
  * Bit 41. The acceleration along an axis is near or outside the selected range. Concerns
  * mip_sensor_scaled_accel.
  */
-static inline bool mip_gq7_continuous_built_in_test_get_accel_over_range(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 41, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_accel_over_range(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 41, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ACCEL_OVER_RANGE MIP_BITS(41, 1)
 /**
  * Bit 42. The accelerometer self-test failed; the commanded built-in test updates this bit.
  * Concerns mip_sensor_scaled_accel.
  */
-static inline bool mip_gq7_continuous_built_in_test_get_accel_self_test_fail(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 42, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_accel_self_test_fail(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 42, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ACCEL_SELF_TEST_FAIL MIP_BITS(42, 1)
 /** Bit 44. The gyroscope failed to initialize. Concerns mip_sensor_scaled_gyro. */
-static inline bool mip_gq7_continuous_built_in_test_get_gyro_general_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 44, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_gyro_general_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 44, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GYRO_GENERAL_FAULT MIP_BITS(44, 1)
 /**
  * Bit 45. The angular rate about an axis is near or outside the selected range. Concerns
  * mip_sensor_scaled_gyro.
  */
-static inline bool mip_gq7_continuous_built_in_test_get_gyro_over_range(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 45, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_gyro_over_range(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 45, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GYRO_OVER_RANGE MIP_BITS(45, 1)
 /**
  * Bit 46. The gyroscope self-test failed; the commanded built-in test updates this bit. Concerns
  * mip_sensor_scaled_gyro.
  */
-static inline bool mip_gq7_continuous_built_in_test_get_gyro_self_test_fail(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 46, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_gyro_self_test_fail(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 46, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GYRO_SELF_TEST_FAIL MIP_BITS(46, 1)
 /** Bit 48. The magnetometer failed to initialize. Concerns mip_sensor_scaled_mag. */
-static inline bool mip_gq7_continuous_built_in_test_get_mag_general_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 48, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_mag_general_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 48, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_MAG_GENERAL_FAULT MIP_BITS(48, 1)
 /**
  * Bit 49. The magnetic field along an axis is near or outside the supported range. Concerns
  * mip_sensor_scaled_mag.
  */
-static inline bool mip_gq7_continuous_built_in_test_get_mag_over_range(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 49, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_mag_over_range(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 49, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_MAG_OVER_RANGE MIP_BITS(49, 1)
 /**
  * Bit 50. The magnetometer self-test failed; the commanded built-in test updates this bit. Concerns
  * mip_sensor_scaled_mag.
  */
-static inline bool mip_gq7_continuous_built_in_test_get_mag_self_test_fail(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 50, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_mag_self_test_fail(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 50, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_MAG_SELF_TEST_FAIL MIP_BITS(50, 1)
 /** Bit 52. The pressure sensor failed to initialize. Concerns mip_sensor_scaled_pressure. */
-static inline bool mip_gq7_continuous_built_in_test_get_pressure_sensor_general_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 52, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_pressure_sensor_general_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 52, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_GENERAL_FAULT MIP_BITS(52, 1)
 /** Bit 53. The pressure is outside the supported range. Concerns mip_sensor_scaled_pressure. */
-static inline bool mip_gq7_continuous_built_in_test_get_pressure_sensor_over_range(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 53, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_pressure_sensor_over_range(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 53, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_OVER_RANGE MIP_BITS(53, 1)
 /**
  * Bit 54. The pressure sensor self-test failed; the commanded built-in test updates this bit.
  * Concerns mip_sensor_scaled_pressure.
  */
-static inline bool mip_gq7_continuous_built_in_test_get_pressure_sensor_self_test_fail(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 54, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_pressure_sensor_self_test_fail(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 54, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_PRESSURE_SENSOR_SELF_TEST_FAIL MIP_BITS(54, 1)
 /** Bit 64. The filter clock failed. */
-static inline bool mip_gq7_continuous_built_in_test_get_filter_clock_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 64, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_filter_clock_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 64, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_FILTER_CLOCK_FAULT MIP_BITS(64, 1)
 /** Bit 65. Filter processor fault. */
-static inline bool mip_gq7_continuous_built_in_test_get_filter_hardware_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 65, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_filter_hardware_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 65, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_FILTER_HARDWARE_FAULT MIP_BITS(65, 1)
 /** Bit 66. Filter processes take longer than their time slot. */
-static inline bool mip_gq7_continuous_built_in_test_get_filter_timing_overrun(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 66, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_filter_timing_overrun(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 66, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_FILTER_TIMING_OVERRUN MIP_BITS(66, 1)
 /** Bit 67. Filter processes are skipped. */
-static inline bool mip_gq7_continuous_built_in_test_get_filter_timing_underrun(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 67, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_filter_timing_underrun(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 67, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_FILTER_TIMING_UNDERRUN MIP_BITS(67, 1)
 /** Bits 68 to 71. Filter communication errors. */
-static inline uint8_t mip_gq7_continuous_built_in_test_get_filter_comm_error(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (uint8_t)mip_get_bits(flags->bytes, 68, 4);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_filter_comm_error(
-    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
-    mip_set_bits(flags->bytes, 68, 4, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_FILTER_COMM_ERROR MIP_BITS(68, 4)
 /** Bit 96. The GNSS processor clock failed. */
-static inline bool mip_gq7_continuous_built_in_test_get_gnss_clock_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 96, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_gnss_clock_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 96, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GNSS_CLOCK_FAULT MIP_BITS(96, 1)
 /** Bit 97. GNSS processor fault. */
-static inline bool mip_gq7_continuous_built_in_test_get_gnss_hardware_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 97, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_gnss_hardware_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 97, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GNSS_HARDWARE_FAULT MIP_BITS(97, 1)
 /** Bits 98 to 100. GNSS processor communication errors. */
-static inline uint8_t mip_gq7_continuous_built_in_test_get_gnss_comm_error(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (uint8_t)mip_get_bits(flags->bytes, 98, 3);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_gnss_comm_error(
-    struct mip_gq7_continuous_built_in_test *flags, uint8_t value) {
-    mip_set_bits(flags->bytes, 98, 3, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GNSS_COMM_ERROR MIP_BITS(98, 3)
 /** Bit 101. GPS time fault. Concerns mip_gnss_data_gps_time. */
-static inline bool mip_gq7_continuous_built_in_test_get_gps_time_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 101, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_gps_time_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 101, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GPS_TIME_FAULT MIP_BITS(101, 1)
 /** Bit 102. A GNSS processor cycle exceeded its time slot. */
-static inline bool mip_gq7_continuous_built_in_test_get_gnss_timing_overrun(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 102, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_gnss_timing_overrun(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 102, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_GNSS_TIMING_OVERRUN MIP_BITS(102, 1)
 /** Bit 104. Receiver 1 power supply fault. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_continuous_built_in_test_get_receiver_1_power_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 104, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_receiver_1_power_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 104, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_POWER_FAULT MIP_BITS(104, 1)
 /** Bit 105. No communication with internal receiver 1. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_continuous_built_in_test_get_receiver_1_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 105, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_receiver_1_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 105, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_FAULT MIP_BITS(105, 1)
 /** Bit 106. Antenna 1 is shorted. Concerns mip_gnss_data_hardware_status. */
-static inline bool mip_gq7_continuous_built_in_test_get_antenna_1_shorted(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 106, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_antenna_1_shorted(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 106, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ANTENNA_1_SHORTED MIP_BITS(106, 1)
 /** Bit 107. Antenna 1 is not connected. Concerns mip_gnss_data_hardware_status. */
-static inline bool mip_gq7_continuous_built_in_test_get_antenna_1_open(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 107, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_antenna_1_open(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 107, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ANTENNA_1_OPEN MIP_BITS(107, 1)
 /** Bit 108. Receiver 1 has no solution. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_continuous_built_in_test_get_receiver_1_solution_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 108, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_receiver_1_solution_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 108, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_1_SOLUTION_FAULT MIP_BITS(108, 1)
 /** Bit 109. Receiver 2 power supply fault. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_continuous_built_in_test_get_receiver_2_power_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 109, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_receiver_2_power_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 109, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_POWER_FAULT MIP_BITS(109, 1)
 /** Bit 110. No communication with internal receiver 2. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_continuous_built_in_test_get_receiver_2_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 110, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_receiver_2_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 110, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_FAULT MIP_BITS(110, 1)
 /** Bit 111. Antenna 2 is shorted. Concerns mip_gnss_data_hardware_status. */
-static inline bool mip_gq7_continuous_built_in_test_get_antenna_2_shorted(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 111, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_antenna_2_shorted(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 111, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ANTENNA_2_SHORTED MIP_BITS(111, 1)
 /** Bit 112. Antenna 2 is not connected. Concerns mip_gnss_data_hardware_status. */
-static inline bool mip_gq7_continuous_built_in_test_get_antenna_2_open(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 112, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_antenna_2_open(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 112, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_ANTENNA_2_OPEN MIP_BITS(112, 1)
 /** Bit 113. Receiver 2 has no solution. Concerns mip_gnss_data_fix_info. */
-static inline bool mip_gq7_continuous_built_in_test_get_receiver_2_solution_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 113, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_receiver_2_solution_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 113, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RECEIVER_2_SOLUTION_FAULT MIP_BITS(113, 1)
 /** Bit 114. RTCM communication fault. Concerns mip_gnss_data_rtk_corrections_status. */
-static inline bool mip_gq7_continuous_built_in_test_get_rtcm_comm_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 114, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_rtcm_comm_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 114, 1, value);
-}
-
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RTCM_COMM_FAULT MIP_BITS(114, 1)
 /** Bit 115. RTK modem fault. Concerns mip_rtk_get_status_flags. */
-static inline bool mip_gq7_continuous_built_in_test_get_rtk_dongle_fault(
-    const struct mip_gq7_continuous_built_in_test *flags) {
-    return (bool)mip_get_bits(flags->bytes, 115, 1);
-}
-/** Sets it. */
-static inline void mip_gq7_continuous_built_in_test_set_rtk_dongle_fault(
-    struct mip_gq7_continuous_built_in_test *flags, bool value) {
-    mip_set_bits(flags->bytes, 115, 1, value);
-}
+#define MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_RTK_DONGLE_FAULT MIP_BITS(115, 1)
 
 /**
  * Kind of an event trigger.

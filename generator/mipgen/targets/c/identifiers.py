@@ -62,8 +62,7 @@ def of_type(t: m.Type) -> Iterator[Identifier]:
             yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", v.position)
     elif isinstance(t, m.Bitfield):
         for b in t.bits:
-            if t.scalar:
-                yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", b.position)
+            yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", b.position)
             for verb in ("get", "set") if has_accessor(b, t) else ():
                 yield Identifier("C", accessor(t, verb, b), f"{t.name}.{b.name}", b.position)
     elif isinstance(t, m.Struct):

@@ -151,11 +151,9 @@ def _function(x: m.Function) -> Test:
 
 def bits_type(b: m.Bits) -> str:
     """The type of a number inside a bitfield."""
-    if b.width == 1:
-        return "bool"
     return f"uint{next(n for n in (8, 16, 32, 64) if b.width <= n)}_t"
 
 
 def has_accessor(b: m.Bits, t: m.Bitfield) -> bool:
-    """Flags of a number are constants; numbers inside a bitfield, and bits of bytes, need functions."""
-    return t.scalar is None or (b.width > 1 and not b.alias)
+    """A number inside a bitfield has functions. Flags are constants, and so are bits of bytes."""
+    return t.scalar is not None and b.width > 1 and not b.alias

@@ -193,7 +193,7 @@ static void put_flags(const struct mip_print *print, const struct mip_names *nam
         const struct mip_named_bits *b = &names->bits[i];
         const bool number = b->width > 1 || b->names != NULL;
         const bool inside = (size_t)b->first + b->width <= 8 * size;
-        const uint64_t value = inside ? mip_get_bits(bytes, b->first, b->width) : 0;
+        const uint64_t value = inside ? mip_get_bits(bytes, MIP_BITS(b->first, b->width)) : 0;
         if (!inside || (!number && value == 0)) {
             continue;
         }

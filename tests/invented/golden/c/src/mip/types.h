@@ -91,60 +91,18 @@ struct mip_health {
     /** Least significant byte first. */
     uint8_t bytes[16];
 };
-
 /** Bit 0. The clock has failed. */
-static inline bool mip_health_get_clock(const struct mip_health *flags) {
-    return (bool)mip_get_bits(flags->bytes, 0, 1);
-}
-/** Sets it. */
-static inline void mip_health_set_clock(struct mip_health *flags, bool value) {
-    mip_set_bits(flags->bytes, 0, 1, value);
-}
-
+#define MIP_HEALTH_CLOCK MIP_BITS(0, 1)
 /** Bit 1. Too hot. Uncertain: The limit; 85 degrees is likely. */
-static inline bool mip_health_get_hot(const struct mip_health *flags) {
-    return (bool)mip_get_bits(flags->bytes, 1, 1);
-}
-/** Sets it. */
-static inline void mip_health_set_hot(struct mip_health *flags, bool value) {
-    mip_set_bits(flags->bytes, 1, 1, value);
-}
-
+#define MIP_HEALTH_HOT MIP_BITS(1, 1)
 /** Bits 4 to 6. A number from 0 to 7. */
-static inline uint8_t mip_health_get_level(const struct mip_health *flags) {
-    return (uint8_t)mip_get_bits(flags->bytes, 4, 3);
-}
-/** Sets it. */
-static inline void mip_health_set_level(struct mip_health *flags, uint8_t value) {
-    mip_set_bits(flags->bytes, 4, 3, value);
-}
-
+#define MIP_HEALTH_LEVEL MIP_BITS(4, 3)
 /** Bit 9. The supply is out of range. */
-static inline bool mip_health_get_power(const struct mip_health *flags) {
-    return (bool)mip_get_bits(flags->bytes, 9, 1);
-}
-/** Sets it. */
-static inline void mip_health_set_power(struct mip_health *flags, bool value) {
-    mip_set_bits(flags->bytes, 9, 1, value);
-}
-
+#define MIP_HEALTH_POWER MIP_BITS(9, 1)
 /** Bits 30 to 33. A number across two bytes. Full name: count. */
-static inline uint8_t mip_health_get_num(const struct mip_health *flags) {
-    return (uint8_t)mip_get_bits(flags->bytes, 30, 4);
-}
-/** Sets it. */
-static inline void mip_health_set_num(struct mip_health *flags, uint8_t value) {
-    mip_set_bits(flags->bytes, 30, 4, value);
-}
-
+#define MIP_HEALTH_NUM MIP_BITS(30, 4)
 /** Bit 127. The very last bit. */
-static inline bool mip_health_get_last(const struct mip_health *flags) {
-    return (bool)mip_get_bits(flags->bytes, 127, 1);
-}
-/** Sets it. */
-static inline void mip_health_set_last(struct mip_health *flags, bool value) {
-    mip_set_bits(flags->bytes, 127, 1, value);
-}
+#define MIP_HEALTH_LAST MIP_BITS(127, 1)
 
 /** A place in a plane. */
 struct mip_point {

@@ -69,14 +69,14 @@ inline flag_names names_of(state_flags) {
 
 /** mip_health: health */
 using health = ::mip_health;
-/** Its bits: the first one, and 256 times how many. */
+/** Its bits, for mip::get and mip::has. */
 enum class health_bits : std::uint16_t {
-    clock = 0 | 1 << 8,
-    hot = 1 | 1 << 8,
-    level = 4 | 3 << 8,
-    power = 9 | 1 << 8,
-    count = 30 | 4 << 8,
-    last = 127 | 1 << 8,
+    clock = MIP_HEALTH_CLOCK,
+    hot = MIP_HEALTH_HOT,
+    level = MIP_HEALTH_LEVEL,
+    power = MIP_HEALTH_POWER,
+    count = MIP_HEALTH_NUM,
+    last = MIP_HEALTH_LAST,
 };
 inline bit_names names_of(health_bits) {
     return {::mip_names_health};
