@@ -26,7 +26,7 @@ from random_values import chance
 from reference import REAL, manual_of, navigation, real_site
 from searches import FIELDS, WORDS
 from searches import PAGES as WANTED_PAGES
-from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, rounds, tree
+from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, nightly, rounds, tree
 from workbench import workbench
 
 pytestmark = pytest.mark.xdist_group("site")  # which is built once
@@ -752,6 +752,7 @@ def test_no_serious_findings_of_axe(page: browser.Page) -> None:
     assert found == []
 
 
+@nightly("pictures of the site")
 @in_browser
 def test_pictures_can_be_taken(tmp_path: Path) -> None:
     """`make pictures` takes them; it fails if a script of a page does, or if a picture is too large."""

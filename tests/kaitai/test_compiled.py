@@ -127,7 +127,7 @@ def test_awkward_names_and_layouts(language: str, tmp_path: Path) -> None:
     assert not wrong, wrong
 
 
-@specs
+@pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=nightly("all languages of Kaitai"))])
 def test_every_language_of_the_compiler(spec: str, tmp_path: Path) -> None:
     """All but one accept the file; the README names it."""
     modules = compiled(file(spec).parent, spec, "python").parent / "modules"

@@ -18,7 +18,7 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from support import SPECS, heavy, model, mypy, small
+from support import SPECS, heavy, model, mypy, nightly, small
 from test_python import REAL, Package, mip, real, reply, user
 
 PACKAGES = {"invented": mip, "real": real}
@@ -544,7 +544,7 @@ def test_type_checkers_see_the_modules_and_the_elements(tmp_path: Path) -> None:
 
 
 @heavy("pyright")
-@both
+@pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=nightly("pyright on the real package"))])
 def test_pyright_finds_nothing(spec: str, tmp_path: Path) -> None:
     """What editors show to users; mypy is stricter in other things."""
     folder = SPECS[spec][1] / "python"

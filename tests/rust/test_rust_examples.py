@@ -21,8 +21,8 @@ from mipgen.emit import output
 from mipgen.targets import rust as target
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Records
-from support import PATIENCE, heavy, locked, model, need, simulated, small
-from test_rust import EMBEDDED, HERE, LONG, embedded
+from support import PATIENCE, heavy, locked, model, need, nightly, simulated, small
+from test_rust import EMBEDDED, HERE, embedded
 
 HEAD = """//! Made by test_rust_examples.py.
 
@@ -181,7 +181,7 @@ def test_the_examples_are_these() -> None:
     assert "dev-dependencies" not in rendered("invented")["Cargo.toml"].decode()
 
 
-@heavy(LONG)
+@nightly("lints of the example programs of Rust")
 def test_lints_of_examples() -> None:
     lint = ("clippy", "--quiet", "--locked", "--examples", "--features", FEATURES)
     passes(crate(), *lint, "--", "-D", "warnings")
