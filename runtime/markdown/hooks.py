@@ -46,6 +46,8 @@ _BEGINNINGS = {
     "devices/": 120,
 }
 _TABLES = re.compile(r"(?:packets|units)\.md$")  # pages with tables that can be found
+_LONG = 10  # rows from which a table is laid out only when it is near the window
+_TABLE = re.compile(r"<table>(.*?)</table>", re.S)
 _LEFT_OUT = re.compile(r"<(pre|table)\b.*?</\1>", re.S)
 
 _frames: dict[str, dict[str, str]] = {}  # "command" or "data" -> a complete program in each language
@@ -75,6 +77,7 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
 def on_page_content(content: str, page: Any, **_: Any) -> str:
     """Keeps the text of a page for the search, which finds what indexes lead to and not these. Colours packets."""
     path = page.file.src_uri
+    content = _TABLE.sub(_sized, content)
     if path.startswith("indexes/"):
         return content
     if path.startswith("fields/"):
@@ -87,6 +90,11 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
     kept = [[anchor, heading, text[:cut]] for anchor, heading, text in [["", "", title[2]], *parts]]
     _texts[page.url] = [page.url, title[1] or page.title, kept]
     return content
+
+
+def on_post_page(output: str, **_: Any) -> str:
+    """Gives a page the classes that scripts of the theme give it after it is styled: all its styles would be computed again."""
+    return output.replace("<head>", '<head><script>document.documentElement.className = "js js-focus-visible"</script>', 1)
 
 
 def on_post_build(config: Any) -> None:
@@ -165,6 +173,12 @@ def _plain(markup: str) -> str:
     """The text of HTML. Inline elements do not part words."""
     apart = re.sub(r"</?(?:code|em|strong|a|span|sub|sup)\b[^>]*>", "", markup)
     return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", apart)).split())
+
+
+def _sized(table: re.Match[str]) -> str:
+    """Notes the number of rows of a long table: site.css computes its height from it until it is near the window."""
+    rows = table[1].count("<tr>")
+    return f'<table style="--rows: {rows}">{table[1]}</table>' if rows >= _LONG else table[0]
 
 
 def _tab(match: re.Match[str]) -> str:

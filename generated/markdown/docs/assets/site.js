@@ -94,14 +94,23 @@
     }
 
     /** What is too wide for the window breaks, and if that is not enough, scrolls by itself and can be reached by the keyboard. */
-    function reachable() {
-        const boxes = document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)");
-        const wide = [...boxes].filter((box) => box.scrollWidth > box.clientWidth);
-        for (const box of wide) for (const table of box.querySelectorAll("table:not([data-narrow])")) breakNames(table);
-        for (const box of boxes) {
-            if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+    function fit(boxes) {
+        const isWide = (box) => box.scrollWidth > box.clientWidth;
+        for (const box of boxes.filter(isWide)) for (const table of box.querySelectorAll("table:not([data-narrow])")) breakNames(table);
+        const wide = boxes.map(isWide); // before the first change: to measure after each would lay out the page each time
+        for (const [i, box] of boxes.entries()) {
+            if (wide[i]) box.tabIndex = 0;
             else box.removeAttribute("tabindex");
         }
+    }
+
+    /** Fits what is near the window, now and after scrolling. The rest has no layout yet. */
+    let near;
+    function fitWhatIsNear() {
+        near?.disconnect();
+        const fitted = (entries) => fit(entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target));
+        near = new IntersectionObserver(fitted, { rootMargin: "50%" });
+        for (const box of document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)")) near.observe(box);
     }
 
     // ------------------------------------------------------------------------------------------------ whole programs
@@ -413,7 +422,7 @@
         offerPrograms();
         beside();
         myDevice();
-        new ResizeObserver(reachable).observe(document.querySelector("article") ?? document.body);
+        new ResizeObserver(fitWhatIsNear).observe(document.querySelector("article") ?? document.body);
     }
 
     if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
