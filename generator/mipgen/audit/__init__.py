@@ -1,1 +1,1 @@
-"""What manuals and other sources contain that the specification does not."""
+"""Facts of manuals and other sources that the specification does not have."""

@@ -18,7 +18,7 @@ from .manuals import Finding
 
 MODELS, DEVICES, WITNESS = "models.yaml", "devices.yaml", "witness.yaml"
 
-#: How sure the source is of a field: read in a manual, or in its contents or concluded from it.
+#: The source's certainty about a field: read in a manual, or in its table of contents, or inferred from it.
 CERTAIN, PERHAPS = ("seen",), ("contents", "inferred")
 
 

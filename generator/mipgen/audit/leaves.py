@@ -12,7 +12,7 @@ from typing import Any
 
 from mipgen import model as m
 
-#: What an array is repeated by: the name of its counter, or REST. None: a single number.
+#: The count of an array: the name of its counter, or REST. None: a single number.
 Repeat = str | None
 
 #: Smallest and largest value, and exclusive bounds.
@@ -143,7 +143,7 @@ def _valid(p: m.Parameter, record: Sequence[m.Parameter], index: int) -> frozens
 
 
 class Reader:
-    """What a witness says, as leaves. Manuals name structures that only another witness defines: it looks in all."""
+    """Reads a witness as leaves. Manuals name structures that only another witness defines: it looks in all."""
 
     def __init__(self, witnesses: Iterable[dict[str, Any]]) -> None:
         self.vectors: dict[str, Any] = {}

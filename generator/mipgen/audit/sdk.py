@@ -365,7 +365,7 @@ class _Definitions:
         return p | self.meaning(text, p, scope.about)
 
     def meaning(self, text: str, p: dict[str, Any], about: str) -> dict[str, Any]:
-        """What the comment says; what is named elsewhere has its meaning there."""
+        """The meaning in the comment; a type that is named has its meaning elsewhere."""
         if {"enum", "bitfield", "struct"} & {*p} or p["type"] == "union":
             return {}
         plain = re.sub(r"<br */?>|</?[bui]>|//$", " ", text)

@@ -190,7 +190,7 @@ def frames(text: str) -> list[str]:
 
 
 def _about(rows: Rows) -> str:
-    """What is said about the whole: description and notes."""
+    """The description and the notes of the whole."""
     return " ".join(cell for row in rows if row[0] in ("Description", "Notes") for cell in row[1:])
 
 
@@ -240,7 +240,7 @@ def _with_defaults(layout: Layout, about: str) -> Layout:
     return layout
 
 
-#: What a text says about the default of all that can be switched.
+#: The default of everything that can be switched, as a text states it.
 _SWITCHED = {
     1: r"default for .{0,20} all .{0,20}enabled|(enabled|filtered) by default|by default filtered",
     0: r"disabled by default",

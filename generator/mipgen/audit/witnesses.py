@@ -32,7 +32,7 @@ _ELEMENTS = frozenset("abcdefghixyzw")
 
 @dataclass(frozen=True)
 class Difference:
-    """What a witness says otherwise, at a field, a type or a descriptor."""
+    """A contradiction of a witness, at a field, a type or a descriptor."""
 
     witness: str
     at: str
@@ -490,7 +490,7 @@ def _composed(span: tuple[int, int], spans: Iterable[tuple[int, int]]) -> bool:
 
 
 def _common(ours: list[Leaf], theirs: list[Leaf]) -> tuple[list[Leaf], list[Leaf]]:
-    """What certainly belongs together where the lengths differ: up to the first number of another type."""
+    """The pairs that certainly correspond where the lengths differ: up to the first number of another type."""
     pairs = takewhile(lambda pair: pair[0].scalar == pair[1].scalar, zip(ours, theirs, strict=False))
     count = len(list(pairs))
     return ours[:count], theirs[:count]

@@ -17,7 +17,7 @@ from .errors import Failure
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
-#: What became of an item: "done" and its result, "failure" and the arguments of one, "crash" and what was printed.
+#: The outcome of an item: "done" and its result, "failure" and the arguments of one, "crash" and what was printed.
 Answer = tuple[str, Any]
 
 _NUMBER = 2  # bytes of the number of an item in the queue
@@ -46,7 +46,7 @@ def _processors() -> int:
 
 
 def _forked(function: Callable[[Item], Result], items: Sequence[Item], count: int) -> dict[int, Answer]:
-    """What became of each item. A process takes the next item when it is done with one."""
+    """The outcome of each item. A process takes the next item when it has finished one."""
     queue, end = os.pipe()
     os.write(end, b"".join(i.to_bytes(_NUMBER, "big") for i in range(len(items))))
     os.close(end)

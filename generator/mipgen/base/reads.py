@@ -1,4 +1,4 @@
-"""What is read while something is made, so that it need not be made again unless that has changed.
+"""Notes what is read to make a result, which is made again only if that has changed.
 
 Watched attributes of a class note that they are read. A result that is kept, by `kept` or in a `Memo`, is kept with
 what was read for it: whoever uses the result has read that too.
@@ -14,7 +14,7 @@ Value = TypeVar("Value")
 
 
 class Earlier:
-    """What was read for a result of an earlier run, as numbers that only those know who use such results."""
+    """The reads of a result of an earlier run, as numbers whose meaning only the users of such results know."""
 
     __slots__ = ("read",)
 

@@ -113,7 +113,7 @@ def _asked(options: Namespace) -> tuple[list[Source], str | None]:
 
 
 def _part(options: Namespace) -> str:
-    """Which part of the specification is selected."""
+    """The selected part of the specification."""
     return repr([getattr(options, name, ()) for name in (*PARTS, "certain")])
 
 

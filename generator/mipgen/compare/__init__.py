@@ -1,1 +1,1 @@
-"""What a change to a specification means for its users."""
+"""The consequences of a change to a specification for its users."""

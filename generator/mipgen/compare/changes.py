@@ -92,7 +92,7 @@ class Report:
         return "\n".join([*map(_annotation, self.changes), self.whole(name)])
 
 
-#: What a workflow on GitHub calls a change of each verdict.
+#: The command of a GitHub workflow for a change of each verdict.
 LEVELS: Final[dict[Verdict, str]] = {"same": "notice", "compatible": "notice", "source": "warning", "wire": "error"}
 
 
@@ -135,7 +135,7 @@ def worst(changes: Iterable[Change]) -> Verdict:
 
 
 def _places(model: m.Model) -> dict[str, m.Position | None]:
-    """Where each subject of a change is defined."""
+    """The place where each subject of a change is defined."""
     places: dict[str, m.Position | None] = {s.name: s.position for s in model.sets}
     places |= {x.name: x.position for x in model.families} | {d.id: d.position for d in model.devices}
     for t in model.all_types:
@@ -263,7 +263,7 @@ def _texts(f: m.Field) -> tuple[object, ...]:
 
 
 def _wire(record: m.Field | m.Struct) -> tuple[object, ...]:
-    """What is on the wire, without names."""
+    """The layout on the wire, without names."""
     order = {p.name: i for i, p in enumerate(record.parameters)}
     forms: list[object] = [_shape(p, order) for p in record.parameters]
     if isinstance(record, m.Field):
@@ -343,8 +343,8 @@ def _parameters(
 
 
 def _variants(subject: str, old: m.Parameter, new: m.Parameter, devices: frozenset[str]) -> Iterator[Change]:
-    """What differs on a device, or with one value of a sibling. What only a new or a removed device says is said of
-    the device."""
+    """Changes of what differs on a device, or with one value of a sibling. For a new or a removed device, the
+    device itself is the change."""
 
     def by_key(p: m.Parameter) -> dict[tuple[str, str, str], m.Variant]:
         return {(v.by, v.key, v.member): v for v in p.variants}
@@ -494,7 +494,7 @@ def _devices(old: m.Model, new: m.Model) -> Iterator[Change]:
 
 
 def _profiles(old: m.Device, new: m.Device) -> list[str]:
-    """What differs between the profiles of a device."""
+    """The differences between the profiles of a device."""
     a, b = _profile(old), _profile(new)
     return [what for what in a if a[what] != b[what]]
 
@@ -531,7 +531,7 @@ def _package(old: m.Model, new: m.Model) -> Iterator[Change]:
 
 
 def _documentation(old: m.Model, new: m.Model) -> Iterator[Change]:
-    """What no program of a user notices."""
+    """Changes that no program of a user notices."""
 
     def quantities(of: m.Model) -> dict[str, object]:
         return {q.name: (q.typical, q.description) for q in of.simulation.quantities}
@@ -559,7 +559,7 @@ def _documentation(old: m.Model, new: m.Model) -> Iterator[Change]:
 
 
 def _plain(x: Any) -> object:
-    """What something says itself; what it refers to is a name."""
+    """The attributes of a thing; each reference is a name."""
     match x:
         case m.Field():
             return x.full_name

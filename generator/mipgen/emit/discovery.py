@@ -46,7 +46,7 @@ class Source:
         return self.module is None and len(self.folders) == 1
 
     def load(self) -> Target:
-        """What the module of the target defines."""
+        """Loads the target that its module defines."""
         from .target import Target, WrongTarget  # slow to import, and a run with nothing to do loads no target
 
         if self.module is None:

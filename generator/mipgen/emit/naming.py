@@ -67,7 +67,7 @@ class Grammar:
     longest: int | None = None  # how many characters of a name count, if that is limited; others may follow
 
     def fault(self, name: str) -> str:
-        """What is wrong with a name; empty if nothing is."""
+        """The fault of a name; empty if it has none."""
         if not re.fullmatch(self.pattern, name, re.ASCII):
             return "is not an identifier"
         return "is a keyword" if name in self.keywords else ""

@@ -28,7 +28,7 @@ _PART = re.compile(r"\.[0-9]+\.part$")
 _BUILT = {"__pycache__", "target", "build", "dist", ".mypy_cache", ".ruff_cache", ".pytest_cache"}
 
 
-#: What a difference is where mipgen did not write the file: it is in the way, or not.
+#: The kind of difference where mipgen did not write the file: it is in the way, or not.
 OTHERS = ("foreign", "untracked")
 
 
@@ -81,7 +81,7 @@ def manifest(paths: Iterable[str]) -> bytes:
 
 
 def compare(made: Mapping[str, Made], folder: Path) -> list[Difference]:
-    """How a folder differs from what it should hold."""
+    """Compares a folder with its intended content."""
     ours = _ours(folder)
     known = ours | made.keys()
     parents = ((p, folder / p) for p in sorted(_parents(made)))

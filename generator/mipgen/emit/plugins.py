@@ -56,7 +56,7 @@ def run(name: str, program: str, document: bytes) -> tuple[str, dict[str, output
 
 
 def _output(program: str, document: bytes, place: str) -> bytes:
-    """What the program writes. It has a process group of its own, so that nothing of it is left if we are stopped."""
+    """Runs the program and returns its output. Its own process group lets us end all of it if we are stopped."""
     try:
         process = subprocess.Popen(
             [program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True

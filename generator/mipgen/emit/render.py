@@ -80,7 +80,7 @@ def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
 
 
 def _plan(source: Source, model: Model) -> tuple[list[File], Templates, Callable[[str], str] | None]:
-    """What all files of a target share, and which there are."""
+    """Collects the files of a target and what they share."""
     from .templating import Templates  # imports Jinja, which checking names does not need
 
     target = source.load()

@@ -33,7 +33,7 @@ Address = int
 _PART, _PLACE = 26, 6  # how far the first two are shifted, so that all fit into 31 bits, which are quick to store
 _WHOLE = (1 << _PART) - 1  # in place of object and detail: the shape of the part
 
-#: What is made besides files: that no name is wrong, and the list of the files. No file has such a path.
+#: Results other than files: the check of the names, and the list of the files. No file has such a path.
 NAMES = "/names"
 PLAN = "/plan"
 
@@ -79,7 +79,7 @@ def _plain(value: Any) -> Any:
 
 
 class Slices:
-    """What the targets made of a specification last time, in a folder, with these options."""
+    """The results of the last run for a specification, a folder and these options."""
 
     def __init__(self, model: m.Model, out: Path, options: str) -> None:
         self.model = model
@@ -105,7 +105,7 @@ class Slices:
         self.reshaped = {a >> _PART for a in self.changed if a & _WHOLE == _WHOLE}
 
     def _reducer(self, cls: type) -> Callable[[Any], tuple[Any, ...]]:
-        """How an object becomes a piece of the shape. One that an earlier part holds is there by its name."""
+        """Turns an object into a piece of the shape. One that an earlier part holds is represented by its name."""
         names, places = _NAMES[cls], self.places
         read = reads.unnoticed(cls, names)
         contents = attrgetter("__class__.__name__", *(f.name for f in fields(cls) if f.name not in names))
@@ -163,7 +163,7 @@ class Slices:
 
 
 class Anew:
-    """What one target makes, if nothing is known of an earlier run."""
+    """The work of one target without an earlier run."""
 
     def unchanged(self, what: str) -> bool:
         """Was it made last time, of the same?"""
@@ -228,7 +228,7 @@ def piece(name: str, make: Callable[..., str], thing: object, *constants: str) -
 
 
 class Slice(Anew):
-    """What one target made last time, and makes now."""
+    """The work of one target, last time and now."""
 
     def __init__(self, slices: Slices, target: str) -> None:
         self.slices = slices

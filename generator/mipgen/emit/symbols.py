@@ -1,4 +1,4 @@
-"""What bindings call the parts of a model: for indexes of symbols, and for tools that write programs."""
+"""Names of the parts of a model in the bindings: for indexes of symbols, and for tools that write programs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the author of a target writes: a `Target`, the files that it makes, and the names that it defines."""
+"""The interface for authors of targets: a `Target`, the files that it makes, and the names that it defines."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = ["OPERATIONS", "File", "Grammar", "Identifier", "Target", "WrongTarget"]
 
-#: What the driver of a target may offer.
+#: Abilities that the driver of a target may have.
 OPERATIONS = ("parse", "decode", "encode", "client", "live")
 
 
@@ -44,7 +44,7 @@ def _no_identifiers(_: Model) -> Iterable[Identifier]:
 class Target:
     """A language, a format or a document that is made of a specification. `TARGET` of its module is one."""
 
-    #: What it is, in few words: "C99". `mipgen generate` shows it.
+    #: A description in few words: "C99". `mipgen generate` shows it.
     title: str
     #: Yields the files to make.
     files: Callable[[Model], Iterable[File]]
@@ -53,7 +53,7 @@ class Target:
     #: Yields every name that the output defines, with its scope, so that names which cannot be are found before
     #: anything is written.
     identifiers: Callable[[Model], Iterable[Identifier]] = _no_identifiers
-    #: Which of these names the language accepts; without it, any.
+    #: Filters the names that the language accepts; without it, all are accepted.
     grammar: Grammar | None = None
     #: Formats the output, so that templates need not care where lines break.
     formatter: Formatter | None = None
@@ -65,13 +65,13 @@ class Target:
     beside: str = ""
     #: The operations that its conformance driver offers; empty if it has no driver.
     conformance: tuple[str, ...] = ()
-    #: What the driver needs besides Python, a C compiler and cargo, in few words; then `make test-all` tests it.
+    #: Requirements of the driver besides Python, a C compiler and cargo, in few words; `make test-all` then tests it.
     needs: str = ""
     #: The program that runs the driver, if it is another one: "node". The driver is tested where the program is.
     program: str = ""
 
     def __new__(cls, *positional: object, **given: object) -> Target:
-        """What is given by the wrong name is said in words before Python says it."""
+        """Reports unknown attributes in words, before Python raises its own error."""
         known = {f.name: f.default is MISSING for f in fields(cls)}
         for name in given:
             if name not in known:
@@ -88,7 +88,7 @@ class Target:
                 raise WrongTarget(f"{name} must be {what}, not {value!r}")
 
     def renaming(self, package: str) -> Callable[[str], str] | None:
-        """What puts the names of a package into a text, if they are not there already."""
+        """Puts the names of a package into a text that does not have them yet."""
         from mipgen.model import OWN_PACKAGE
 
         rename = self.rename
@@ -109,7 +109,7 @@ def _operations(value: object) -> bool:
 
 _FUNCTION = "a function that takes the model"
 
-#: What each attribute must be: a test, and in words.
+#: The requirement of each attribute: as a test, and in words.
 _RIGHT: dict[str, tuple[Callable[[object], bool], str]] = {
     "title": (lambda value: isinstance(value, str) and bool(re.fullmatch(r"\S.*", value)), "a line of text"),
     "files": (callable, _FUNCTION),

@@ -82,8 +82,8 @@ class _Compiled(jinja2.BytecodeCache):
 
 
 def _piece(macro: Any, thing: object, *texts: str) -> str:
-    """What a macro makes of an object of the model, and of texts, which is kept for the next run. Templates call other
-    macros themselves: `slices.piece` says what may be kept."""
+    """Renders an object of the model, and texts, with a macro, and keeps the result for the next run. Templates call
+    other macros themselves: `slices.piece` states what may be kept."""
     return slices.piece(" ".join([macro.name, *texts]), macro, thing, *texts)
 
 

@@ -1,1 +1,1 @@
-"""What is said of each part of a model, composed once for all targets; references in texts; sample values."""
+"""Facts about each part of a model, composed once for all targets; references in texts; sample values."""

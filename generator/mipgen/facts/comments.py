@@ -13,7 +13,7 @@ from .describe import Fact, Ref
 
 
 class Names(Protocol):
-    """What a language calls things: the module `names` of its target."""
+    """The names in a language: the module `names` of its target."""
 
     @property
     def module(self) -> Callable[[str], str]: ...
@@ -77,7 +77,7 @@ class Comments:
         return [f"On the wire only: {p.name}. {text}" if p.derived else text, _items(choices)]
 
     def _case(self, c: m.Case, union: m.Parameter, record: m.Record, model: m.Model) -> str:
-        """What a union holds for one value of its tag."""
+        """The content of a union for one value of its tag."""
         where, p = self.names.home(record), c.parameter
         held = f"If {self.say(describe.case(c, union, record).value, where)}: `{self.alternative(p, record)}`."
         facts = describe.parameter(p, record, model) if p else []
@@ -98,7 +98,7 @@ class Comments:
         return describe.say(text, lambda ref: self._named(ref, where))
 
     def _named(self, ref: Ref, where: str) -> str:
-        """What the module `where` calls something that a text names."""
+        """The name that the module `where` uses for something in a text."""
         names = self.names
         match ref.thing:
             case m.Field() | m.Enum() | m.Bitfield() | m.Struct():

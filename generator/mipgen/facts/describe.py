@@ -86,12 +86,12 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     return model.derived(_Composed).field(f)
 
 
-#: What would take more lines than all else. It is in the reference, and for programs in the metadata of a binding.
+#: Topics that need more lines than all others. The reference has them, and the metadata of a binding for programs.
 _LONG = ("perhaps", "refused", "affected", "flags")
 
 
 def in_code(f: m.Field, model: m.Model) -> list[Fact]:
-    """What a comment in code says of a field besides its description."""
+    """The facts in the comment of a field, besides its description."""
     unsure = model.devices_of(f, certain=False) and not model.devices_of(f)
     said = [fact("unsure", (), "No device is certain to support it.")] if unsure else []
     return said + [x for x in field(f, model) if x.topic not in _LONG]

@@ -1,4 +1,4 @@
-"""What is said about devices, why they are believed to have what they have, and about their manuals."""
+"""Facts about devices and their manuals, and the reasons to believe that a device has a field."""
 
 from __future__ import annotations
 
@@ -61,14 +61,14 @@ def why(e: m.Evidence, model: m.Model) -> str:
 
 
 def known(d: m.Device) -> str:
-    """How much is known of what a device has, in a line: "3dm-gq7: 69 certain, 101 probable; no manual is whole"."""
+    """Summarizes in a line what is known of a device: "3dm-gq7: 69 certain, 101 probable; no manual is whole"."""
     counts = [(len(d.certain), "certain"), (len(d.probable), "probable"), (len(d.refuses), "refused")]
     said = ", ".join(f"{n} {what}" for n, what in counts if n) or "nothing is known"
     return f"{d.id}: {said}{'; there may be more' if d.incomplete else ''}"
 
 
 def lengths(manual: m.Manual, model: m.Model) -> Text:
-    """How a manual counts field lengths, and for how many fields that makes a difference."""
+    """States how a manual counts field lengths, and for how many fields that makes a difference."""
     if manual.lengths == "none":
         return ("not given",)
     if manual.lengths == "wire":

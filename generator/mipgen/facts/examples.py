@@ -1,4 +1,4 @@
-"""Which values of an example a reader would take for typical."""
+"""Selects the values of an example that a reader would take for typical."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said about fields: how they are exchanged, which devices have them, what limits them."""
+"""Facts about fields: their exchange, devices and limits."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def _status(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _exchange(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """What it asks for, and what it answers."""
+    """The response that it requests, and the command that it answers."""
     if f.functions:
         yield fact("functions", functions(f.functions), "Functions: {}.")
     if f.responses:
@@ -76,7 +76,7 @@ def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _relations(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """What it changes, what changes it, and which flags are about it."""
+    """The fields that it changes, those that change it, and the flags that concern it."""
     for certain, topic, word in ((True, "affects", "Changes"), (False, "may_affect", "Probably changes")):
         things = model.affected(f, certain)
         if things:
@@ -108,7 +108,7 @@ def _limits(f: m.Field) -> Iterator[Fact]:
 
 
 def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """Which devices have it, and what differs there."""
+    """The devices that have it, and the differences there."""
     certain, perhaps = model.devices_of(f), model.devices_of(f, certain=False)
     if certain:
         yield fact("devices", joined([(device_ref(d),) for d in certain]), "Supported by {}.")
@@ -125,7 +125,7 @@ def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _evidence(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """Where no manual describes it: what else knows it."""
+    """The other sources of a field that no manual describes."""
     names = {s.manual for s in f.sources}
     cited = [x for x in model.protocol.manuals if x.id in names]
     if cited and all(x.kind == "sdk" for x in cited):

@@ -98,7 +98,7 @@ Literal: TypeAlias = "Decimal | Truth | Whole | Choice | Flags | Octets | Text |
 
 
 def record(parameters: tuple[m.Parameter, ...], values: Mapping[str, Any]) -> dict[str, Literal]:
-    """What there is of some parameters, in wire order."""
+    """The given values of some parameters, in wire order."""
     return {p.name: literal(p, values[p.name]) for p in parameters if p.constant is None and p.name in values}
 
 

@@ -1,4 +1,4 @@
-"""What is said about values: elements, unit, frame, range, default, and what says that they are valid."""
+"""Facts about values: elements, unit, frame, range, default, and the flag that marks them as valid."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Ite
 
 
 def rest(p: m.Parameter) -> str:
-    """What a level device at rest shows: "x 0, y 0, z -1"."""
+    """The values of a level device at rest: "x 0, y 0, z -1"."""
     if not p.elements:
         return number(p.at_rest[0])
     pairs = zip(p.elements, p.at_rest, strict=True)

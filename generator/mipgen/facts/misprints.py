@@ -1,4 +1,4 @@
-"""How the bytes that a manual prints differ from the right ones."""
+"""Differences between the bytes that a manual prints and the correct ones."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from mipgen import model as m
 
 
 def differences(e: m.Example) -> list[str]:
-    """How the bytes of an example in the manual differ from the correct ones."""
+    """The differences between the bytes of an example in the manual and the correct ones."""
     right = e.packet[4:-2] if e.role == "field" else e.packet
     sentences = []
     if e.string is not None:

@@ -1,4 +1,4 @@
-"""What is said about parameters: what they refer to, when they are there, what they measure."""
+"""Facts about parameters: their references, conditions and measures."""
 
 from __future__ import annotations
 

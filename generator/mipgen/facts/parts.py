@@ -1,4 +1,4 @@
-"""What is said about types and their parts."""
+"""Facts about types and their parts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What texts of a specification name: fields, types and other names in backticks, descriptors in quotations only.
+"""The names in texts of a specification: fields, types and other names in backticks, descriptors in quotations only.
 
 A text names a field by its full name, `3dm.pps_source_control`, and a type of a set likewise; `describe` makes
 references of these. Other names in backticks are those of parameters, values and the like. Descriptors, as in

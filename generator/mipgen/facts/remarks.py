@@ -19,10 +19,10 @@ Doubtful = m.Field | m.Family | m.Set | m.Occurrence | m.Parameter | m.Type | m.
 
 
 def uncertain(of: Doubtful, model: m.Model) -> list[Fact]:
-    """What is not sure, each with what is known and what is inferred."""
+    """The uncertainties, each with what is known and what is inferred."""
     return [fact("uncertain", prose(text.rstrip("."), model), "Uncertain: {}.") for text in of.uncertain]
 
 
 def sources(thing: m.Field | m.Occurrence | m.Family | m.Set | m.Type | m.Device) -> list[str]:
-    """Where manuals say it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
+    """The sections of manuals that state it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
     return [f"{s.manual}: {s.section}" for s in thing.sources]

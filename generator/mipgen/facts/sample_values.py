@@ -57,7 +57,7 @@ class SampleValues:
         return chosen | Filled(tuple(needed), self._stated(f), made_up).values()
 
     def _stated(self, f: m.Field) -> codec.Values:
-        """What is known of its values one by one, in the form of the codec; those of structures may lack members."""
+        """Its known values one by one, in the form of the codec; those of structures may lack members."""
         by_name = {p.name: p for p in f.parameters}
         stated: codec.Values = {}
         for name, value in self._initial.get(f.full_name, ()):
@@ -84,7 +84,7 @@ class SampleValues:
         return asked | {c.parameter: c.value for c in f.when if c.parameter in {p.name for p in f.parameters}}
 
     def _simulated(self, f: m.Field) -> codec.Values:
-        """What a simulated device shows, and flags that say that it is valid."""
+        """The values of a simulated device, with the flags that mark them as valid."""
         source = self._sources.get(f.full_name)
         if source is None:
             return {}
@@ -119,7 +119,7 @@ class SampleValues:
         return [c for c in f.calls if c.function is None or c.function in self.model.taken(f)]
 
     def replies(self, f: m.Field, call: m.Call) -> list[m.Reply]:
-        """What answers a command that is sent in this way."""
+        """The responses to a command that is sent in this way."""
         values = self.values(f, call)
         return [
             r
@@ -187,7 +187,7 @@ class GivenValues(SampleValues):
 
 
 def title_of(f: m.Field, given: GivenValues) -> str:
-    """What a line of a program sends, in a comment."""
+    """The comment beside a line of a program that sends a command."""
     return f"{f.title}, {given.call.function.name}" if given.call.function else f.title
 
 

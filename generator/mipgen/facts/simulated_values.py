@@ -1,4 +1,4 @@
-"""What a simulated device shows: quantities as parameters have them, and the flags that vouch for them."""
+"""Values of a simulated device: its quantities as parameters, and the flags that mark them as valid."""
 
 from __future__ import annotations
 

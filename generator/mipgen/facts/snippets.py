@@ -28,7 +28,7 @@ class Program(Protocol):
 class Statements(ABC):
     samples: SampleValues
 
-    #: What begins a comment.
+    #: The beginning of a comment.
     remark: ClassVar[str] = "//"
 
     @abstractmethod

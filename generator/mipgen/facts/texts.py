@@ -1,6 +1,6 @@
-"""What facts are made of: words and references, in order.
+"""The parts of facts: words and references, in order.
 
-A target only decides what words and references look like in its language; see `say`.
+A target only decides the form of words and references in its language; see `say`.
 """
 
 from __future__ import annotations

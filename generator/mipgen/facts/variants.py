@@ -1,4 +1,4 @@
-"""What is said about parameters that differ on a device, or with the value of a sibling."""
+"""Facts about parameters that differ on a device, or with the value of a sibling."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .texts import Fact, Ref, Text, device_ref, interleaved, joined, prose
 
 
 def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tuple[m.Variant, ...], Fact]]:
-    """What is different on devices, or with values of a sibling: one fact for all devices where it is the same."""
+    """The differences on devices, or with values of a sibling: one fact for all devices that share it."""
     groups: list[list[m.Variant]] = []
     for v in p.variants:
         same = next((g for g in groups if v.by_device and replace(g[0], key=v.key) == v), None)
@@ -29,7 +29,7 @@ def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tup
 
 
 def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
-    """What a variant says, in words; it may be about a member of a structure."""
+    """A variant in words; it may be about a member of a structure."""
     within = p.element if v.member and isinstance(p.element, m.Struct) else None
     if within is not None:
         p = next(q for q in within.parameters if q.name == v.member)
@@ -61,7 +61,7 @@ def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -
 
 
 def usual(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
-    """What a parameter has in general where a variant of it differs, in words."""
+    """The general case of a parameter, in words, as far as a variant of it differs."""
     if v.member:
         return ("as on its page",)
     parts: list[Text] = []
@@ -85,7 +85,7 @@ def usual(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Tex
 
 
 def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record: m.Record) -> Text:
-    """What says that the value is valid, on one device or in general."""
+    """The flag that marks the value as valid, on one device or in general."""
     if not valid:
         return ("no flag says whether it is valid",)
     vouching = validity(valid, p, record, device)
@@ -95,7 +95,7 @@ def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record
 
 
 def _condition(group: Sequence[m.Variant], record: m.Record, model: m.Model) -> Text:
-    """Where variants hold: "On the 3DM-GX5-15", "If mode is fast"."""
+    """The condition of variants: "On the 3DM-GX5-15", "If mode is fast"."""
     v = group[0]
     if v.by_device:
         devices = [(x.key, model.device(x.key)) for x in group]

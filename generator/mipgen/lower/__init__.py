@@ -1,1 +1,1 @@
-"""What every codec needs: sizes, lengths, runs, memory, the reference codec. Knows bytes, and nothing of text."""
+"""The needs of every codec: sizes, lengths, runs, memory, the reference codec. Knows bytes, and nothing of text."""

@@ -13,5 +13,5 @@ def constructors(record: m.Record) -> tuple[m.Call, ...]:
 
 
 def replies(f: m.Field, function: m.Function | None, model: m.Model) -> list[m.Reply]:
-    """What may answer a command that is sent with this function."""
+    """The possible responses to a command with this function."""
     return [r for r in model.replies(f) if function is None or function in r.functions]

@@ -170,7 +170,7 @@ def _record(parameters: Iterable[m.Parameter], reader: _Reader) -> Values:
 
 
 def _chosen(union: m.Union, values: Values) -> tuple[m.Parameter, ...]:
-    """What the alternative holds that the tag selects: one parameter, or nothing."""
+    """The content of the alternative that the tag selects: one parameter, or nothing."""
     return tuple(c.parameter for c in union.cases if c.parameter and c.tag.value == values[union.tag])
 
 

@@ -1,4 +1,4 @@
-"""How many bytes things take on the wire: the fewest, the most, and formulas where counters decide.
+"""Sizes on the wire: the least, the greatest, and formulas where counters decide.
 
 All sizes follow from `extents`; what a target shows of them is up to the target.
 """

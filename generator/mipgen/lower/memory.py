@@ -1,4 +1,4 @@
-"""How records lie in the memory of a program in C, whatever the compiler.
+"""The layout of records in the memory of a program in C, whatever the compiler.
 
 A record holds what the caller cannot derive: no constants, but counters and tags. A text ends with a NUL, what fills
 a field has its number of elements in front of it, and a field whose parameters may be absent begins with their number.

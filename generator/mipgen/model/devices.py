@@ -120,7 +120,7 @@ class Support:
 
 @dataclass(frozen=True, slots=True)
 class Rate:
-    """How often a device samples the fields of a data set."""
+    """The rate at which a device samples the fields of a data set."""
 
     set: Set
     hertz: Detail[float | int]  # 0: sent as the data arise
@@ -167,12 +167,12 @@ class Device:
 
     @property
     def certain(self) -> tuple[Support, ...]:
-        """What it supports without a doubt."""
+        """The fields that it certainly supports."""
         return tuple(s for s in self.supports if s.certain)
 
     @property
     def probable(self) -> tuple[Support, ...]:
-        """What it probably supports."""
+        """The fields that it probably supports."""
         return tuple(s for s in self.supports if not s.certain)
 
     @property

@@ -1,4 +1,4 @@
-"""What the manuals print: example packets, and the mistakes found in them."""
+"""Evidence in the manuals: example packets, and the mistakes found in them."""
 
 from __future__ import annotations
 

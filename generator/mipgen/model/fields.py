@@ -18,7 +18,7 @@ RESPONSE: Final = "response"
 DATA: Final = "data"
 Role = Literal["command", "response", "data"]
 
-#: What a set or a family holds; shared data occurs in every data set.
+#: The content of a set or a family; shared data occurs in every data set.
 Kind = Literal["command", "data", "shared"]
 
 #: The sets of commands, and those of data.
@@ -48,7 +48,7 @@ class Call:
 
     @property
     def given(self) -> tuple[Parameter, ...]:
-        """What a caller must give who also fills in counters and tags: neither constants nor reserved values."""
+        """Parameters from a caller who also fills in counters and tags: neither constants nor reserved values."""
         return tuple(p for p in self.required if p.constant is None and p.reserved is None)
 
     @property
@@ -160,7 +160,7 @@ class Field:
 
     @property
     def owner(self) -> str:
-        """What defines it, as of a type: its family."""
+        """Its family, which defines it as it does a type."""
         return self.family
 
     @property
@@ -195,7 +195,7 @@ class Field:
         )
 
     def required(self, function: int | None = None) -> int:
-        """How many parameters (the selector not counted) must be there; an unknown function requires none."""
+        """The number of required parameters, without the selector; an unknown function requires none."""
         return self.requires.get(function if self.selector else None, 0)
 
     @cached_property
@@ -243,7 +243,7 @@ class Field:
         return tuple(constants)
 
 
-#: What has parameters.
+#: Anything that has parameters.
 Record = Field | Struct
 
 

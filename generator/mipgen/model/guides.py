@@ -73,7 +73,7 @@ class Sequence:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """What replaces fields of one device on another."""
+    """The replacement of fields of one device on another."""
 
     fields: tuple[Field, ...]
     by: tuple[Field, ...]

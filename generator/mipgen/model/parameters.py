@@ -12,10 +12,10 @@ from mipgen.read.position import Position
 from .details import Detail, Prose
 from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, Struct, Type, Vector
 
-#: How a number that people know in hexadecimal is meant: as such, as that of a descriptor set, as a field descriptor.
+#: The meaning of a number in hexadecimal: a plain number, a descriptor set, or a field descriptor.
 Shown = Literal["hex", "set", "field"]
 
-#: How a parameter is read and written: what a codec has one branch, or one word, for.
+#: The way to read and write a parameter: a codec has one branch, or one word, for each.
 Shape = Literal["scalar", "constant", "counter", "bits", "text", "array", "struct", "switch"]
 
 #: The length of an array or a text that fills the field.
@@ -54,7 +54,7 @@ def alike(cases: Sequence[Case], others: Sequence[Case]) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Variant:
-    """How a parameter differs on one device, or with one value of a sibling. Attributes not given are unchanged."""
+    """A parameter on one device, or with one value of a sibling. Attributes not given are unchanged."""
 
     by: str  # "device", or the name of a parameter of the same record
     key: str  # a device id, or a value name of that parameter's enumeration

@@ -65,7 +65,7 @@ class Clock:
 
 @dataclass(frozen=True, slots=True)
 class Older:
-    """How older devices start the data of one set: full names of commands."""
+    """The way to start the data of one set on older devices: full names of commands."""
 
     set: str
     base_rate: str
@@ -76,7 +76,7 @@ class Older:
 
 @dataclass(frozen=True, slots=True)
 class Session:
-    """What a program sends to get to know a device and to start its data: full names of commands."""
+    """The commands that identify a device and start its data: their full names."""
 
     baud: int  # of a new device
     ping: str

@@ -1,4 +1,4 @@
-"""What a simulated device knows and does: the part of the model that `spec/simulation` defines.
+"""The knowledge and behaviour of a simulated device: the part of the model that `spec/simulation` defines.
 
 The simulated world, such as a motion, is not described here; its *quantities* are named, and each value of a data
 field or of a response shows one of them. Likewise a command has an *effect* by name.
@@ -36,7 +36,7 @@ class Effect:
 
 @dataclass(frozen=True, slots=True)
 class Value:
-    """What a parameter shows: a quantity, times `factor`, a constant, or a parameter of the command."""
+    """The value of a parameter: a quantity, times `factor`, a constant, or a parameter of the command."""
 
     path: str  # parameter, or parameter.member of a structure
     quantity: str = ""
@@ -50,8 +50,8 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """What the values of a data field or of a response show: in all its sets that have no source of their own, or in
-    one."""
+    """The source of the values of a data field or of a response: in all its sets that have no source of their own, or
+    in one."""
 
     field: Field
     set: int | None
@@ -62,7 +62,7 @@ class Source:
 
 @dataclass(frozen=True, slots=True)
 class Behavior:
-    """What a command does besides storing a setting, and how the setting is stored."""
+    """The effects of a command besides storing a setting, and the way the setting is stored."""
 
     command: Field
     effect: str = ""

@@ -35,7 +35,7 @@ class Model:
     programs: tuple[tuple[str, str], ...] = ()  # programs that show the bindings with fields of this specification
 
     def derived(self, make: Callable[[Model], Item]) -> Item:
-        """What a class or a function makes of this model: once, and kept with it."""
+        """The result of a class or a function for this model: made once, and kept with it."""
         derived: Item = self._derived.get(make, make, self)
         return derived
 
@@ -109,7 +109,7 @@ class Model:
         return range(first, min((n for n in others if n > f.min_size), default=MAX_FIELD_DATA + 1))
 
     def responses(self, command: Field) -> tuple[Field, ...]:
-        """What a command may be answered with."""
+        """The possible responses to a command."""
         return tuple(self._fields[f"{command.family}.{name}"] for name in command.responses)
 
     def replies(self, command: Field) -> tuple[Reply, ...]:

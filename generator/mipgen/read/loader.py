@@ -25,7 +25,7 @@ _SUFFIX = ".schema.json"
 #: Words that other YAML parsers read as true and false.
 BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
 
-#: Which files a specification has: kind of schema -> pattern below its folder.
+#: The files of a specification: kind of schema -> pattern below its folder.
 LAYOUT = {
     "protocol": "protocol.yaml",
     "manual": "manuals/*.yaml",
@@ -121,7 +121,7 @@ def _key(path: Path, kind: str, over: bool) -> str:
 
 
 def _schema(kind: str, root: Node, over: bool) -> str:
-    """Which schema judges a file: one that extends another, or has several devices, has its own."""
+    """The schema for a file: one that extends another, or has several devices, has its own."""
     extension = f"{kind}_extension"
     if (over or extension in overlay.WITHIN) and "extend" in root and extension in overlay.EXTENSIONS:
         return extension
@@ -205,7 +205,7 @@ _ALONE = "; write the number alone if the name says it all"
 
 
 def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
-    """What is wrong and what would be right, in words, each with the key in question, if it is about one."""
+    """The errors with their corrections, in words, each with the key in question, if it is about one."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     inside = _inside(list(error.absolute_path), root)
     if "propertyNames" in error.absolute_schema_path:
@@ -248,13 +248,13 @@ def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
 
 
 def _inside(path: list[str | int], root: str) -> str:
-    """What an error is about: a key, or the item of a list."""
+    """The subject of an error: a key, or the item of a list."""
     key = next((f"'{p}'" for p in reversed(path) if isinstance(p, str)), root)
     return f"item {path[-1] + 1} of {key}" if path and isinstance(path[-1], int) else key
 
 
 def _instead(value: Any, kinds: list[str]) -> str:
-    """What to write in place of a value of the wrong kind, where that is plain.
+    """The right form of a value of the wrong kind, where it is plain.
 
     >>> _instead("yes", ["boolean"]), _instead(7, ["string"]), _instead("8C", ["integer"]), _instead("−3", ["integer"])
     ('; write true', '; put it in quotes', '; write 0x8C', "; '−' is a minus sign (U+2212), write '-'")

@@ -193,7 +193,7 @@ class _Reader:
         return node
 
     def check(self, text: str) -> None:
-        """What no text may hold, because languages refuse it even in comments: a line break is the only control."""
+        """Finds what languages reject even in comments: the only control character allowed is a line break."""
         if not text.isprintable():
             for sign in sorted({c for c in text if c != "\n" and unicodedata.category(c) in _CONTROLS}):
                 name = unicodedata.name(sign, "a control character").lower()
@@ -253,7 +253,7 @@ def _scalar(text: str) -> Any:
 
 
 def _rewritten(text: str) -> str | None:
-    """How to write a number that programs read in different ways, or not as a number; None if it is clear.
+    """The right form of a number that programs read in different ways, or not as a number; None if it is clear.
 
     >>> [_rewritten(t) for t in ("0211", "0o17", "1_000", ".5", "1.", "+7", "-007.50", "0X1F", "0b11")]
     ['211 or 0x211', '15', '1000', '0.5', '1', '7', '-7.50', '0x1F', '3']

@@ -24,7 +24,7 @@ class Fault(NamedTuple):
     message: str
 
 
-#: What the parser says -> what to do about it. {c}: the character at which it stopped, {line}: where a block begins.
+#: Message of the parser -> remedy. {c}: the character at which it stopped, {line}: where a block begins.
 _REMEDIES = {
     "cannot start any token": "a text cannot begin with {c}; put it in quotes",
     "did not find expected comment or line break": "a text cannot begin with | or >; put it in quotes",
@@ -43,7 +43,7 @@ _UNCLOSED_QUOTE = "the quote that opens here is not closed on this line; close i
 _OPENING = (yaml.FlowSequenceStartToken, yaml.FlowMappingStartToken)
 _CLOSING = {yaml.FlowSequenceEndToken: _OPENING[0], yaml.FlowMappingEndToken: _OPENING[1]}
 
-#: What may follow a quoted text: the end of its line, a comment, or the rest of a bracket.
+#: The text that may follow a quoted one: the end of its line, a comment, or the rest of a bracket.
 _BEHIND_QUOTE = re.compile(r"[ \t]*(?:$|[,\]}\r]|[ \t]#)", re.MULTILINE)
 _BEHIND_KEY = re.compile(r"[ \t]*:")
 

@@ -16,7 +16,7 @@ COMMAND_DESCRIPTORS = range(0x01, 0x80)
 DATA_DESCRIPTORS = range(0x01, 0xD0)
 
 
-#: What each command of a session takes: the types of its parameters, and what that means.
+#: The parameters of each command of a session: their types, and in words.
 SESSION = {
     "ping": ((), "no parameters"),
     "idle": ((), "no parameters"),
@@ -33,10 +33,10 @@ OLDER = {
     "format": (("u8", "[u8 u16]"), "a count, and that many descriptors with decimations"),
 }
 
-#: What the response of such a command has.
+#: The parameters in the response to such a command.
 ANSWERS = {"identify": "the texts of `model_numbers`", "base_rate": "one parameter in Hz"}
 
-#: What the parameters of a timestamp are in.
+#: The units of the parameters of a timestamp.
 TIME_UNITS = {"week", "s", "ms", "us", "ns"}
 
 

@@ -15,7 +15,7 @@ from .types import Types
 from .variation import variant
 from .vocabulary import sentences, sources
 
-#: What a profile must have, unless it says what is not known of the device.
+#: The keys of a profile that does not state what is not known of the device.
 REQUIRED = ("supports", "base_rates", "ack_codes")
 
 
@@ -125,7 +125,7 @@ def _with_variants(model: m.Model, variants: list[tuple[str, m.Variant]]) -> m.M
 
 
 def _by_device(model: m.Model) -> dict[str, list[m.DeviceVariant]]:
-    """What parameters are on each device."""
+    """The parameters as they are on each device."""
     by_device: dict[str, list[m.DeviceVariant]] = {}
     for f in (model.protocol.acknowledge, *model.fields):
         for p in f.parameters:
@@ -136,7 +136,7 @@ def _by_device(model: m.Model) -> dict[str, list[m.DeviceVariant]]:
 
 
 def _asked(model: m.Model) -> dict[int, dict[str, m.Field]]:
-    """What a device may have, its commands and data, by set and name."""
+    """The commands and data that a device may have, by set and name."""
     return {s.number: {f.name: f for f in model.fields_in(s) if f.role != m.RESPONSE} for s in model.sets}
 
 
@@ -155,7 +155,7 @@ class _Device:
         return str(self.node["device"].value)
 
     def place(self, key: str) -> m.Position:
-        """Where something is missing: at the key that should have it, else at the device."""
+        """The place of an omission: the key that should have it, else the device."""
         return self.node.keys.get(key, self.node.position)
 
     def resolve(self) -> m.Device:
@@ -244,7 +244,7 @@ class _Device:
         )
 
     def undefined(self, node: Node) -> Iterator[tuple[int, int]]:
-        """What the device has and the specification has not."""
+        """The fields of the device that the specification does not have."""
         known = {s.name: s for s in self.model.sets}
         for name, entries in node.items():
             number = known[name].number if name in known else _number(name)

@@ -13,9 +13,9 @@ from mipgen import model as m
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
-#: What is inherited unless it is given.
+#: Keys that are inherited unless they are given.
 TAKEN = ("generation", "description", "ack_codes", "incomplete", "uncertain")
-#: What is inherited entry by entry: by the name of a field, a parameter or a set.
+#: Keys that are inherited entry by entry: by the name of a field, a parameter or a set.
 KEYED = ("functions", "deprecated", "firmware", "varies", "base_rates")
 #: The same for lists, by the name of each entry.
 NAMED = ("ports", "limits", "notes")
@@ -90,7 +90,7 @@ class _Heir:
 
     @cached_property
     def kinds(self) -> dict[str, str]:
-        """What the other profile says of each field."""
+        """The statement of the other profile about each field."""
         return _kinds(self.parent)
 
     def node(self) -> Node:
@@ -131,7 +131,7 @@ class _Heir:
         return names
 
     def supports(self, lacked: set[str]) -> Node:
-        """What the other supports and is not lacked, then what is added."""
+        """The fields that the other supports, without those that are lacked, then those that are added."""
         by_set: dict[str, list[Node]] = {}
         inherited = _fields(self.parent.get("supports"))
         added = _listed(self.own.get("supports"))

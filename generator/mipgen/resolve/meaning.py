@@ -96,7 +96,7 @@ def frame(node: Node, known: Collection[str], problem: Problem) -> str | None:
 
 
 def elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
-    """What a vector has in a frame, if not the elements of its type; matrices and quaternions have the same in all."""
+    """The elements of a vector in a frame that has its own; matrices and quaternions have the same in all."""
     own = p.element.elements if isinstance(p.element, m.Vector) else ()
     wanted = frames.get(frame or "", ())
     return wanted if len(wanted) == len(own) and wanted != own else ()
@@ -126,7 +126,7 @@ def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None,
 def open_limits(
     node: Node, p: m.Parameter, low: Number | None, high: Number | None, problem: Problem
 ) -> tuple[Number | None, Number | None]:
-    """What the value must be greater than, and less than."""
+    """The limits between which the value must be, themselves excluded."""
     scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
     bounds: dict[str, Number] = {}
     for key, closed in (("above", low), ("below", high)):
@@ -200,7 +200,7 @@ def default(node: Node, p: m.Parameter, problem: Problem) -> object:
 
 
 def at_rest(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, ...]:
-    """What a device shows that lies level and does not move: one number, or one for each element of a vector."""
+    """The value of a level device at rest: one number, or one for each element of a vector."""
     given = node.get("at_rest")
     if given is None:
         return ()

@@ -338,7 +338,7 @@ class Families:
 
 
 def _title(node: Node) -> str:
-    """What it is called in headings: its name in words, if nothing else."""
+    """Its title in headings: its name in words, if nothing else."""
     return str(node.scalar("title", node["name"].value.replace("_", " ").capitalize()))
 
 
@@ -395,7 +395,7 @@ class _Places:
         return occurrences
 
     def sources(self, node: Node, field: Node, s: m.Set | None = None) -> tuple[m.Source, ...]:
-        """What states a field, or what it is in one set."""
+        """The sources of a field, or of what it is in one set."""
         heading = _heading(field, (s or self.sets[0]).number)
         return sources(node, self.types.vocabulary, self.problems, heading=heading)
 
@@ -415,7 +415,7 @@ class _Places:
         return m.Occurrence(s.number, s.name, title, stated, sentences(own, "uncertain"), own.position)
 
     def cited(self, node: Node, occurrences: tuple[m.Occurrence, ...]) -> tuple[m.Source, ...]:
-        """What states the field itself; only if nothing does, what states all fields of a set."""
+        """The sources of the field itself; if there are none, those of all fields of a set."""
         own = node.get("in")
         cited = list(self.sources(node, node))
         cited += [s for o in occurrences if own and o.set_name in own for s in o.sources]

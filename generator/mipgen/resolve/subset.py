@@ -192,7 +192,7 @@ def _only(model: m.Model, needed: dict[str, m.Field], devices: tuple[m.Device, .
 
 
 def _guides(guides: tuple[Guide, ...], fields: dict[str, m.Field], devices: tuple[m.Device, ...]) -> tuple[Guide, ...]:
-    """What remains of the guides; they name only each other."""
+    """The remaining guides; they name only each other."""
     kept = [g for guide in guides if (g := guide.only(fields, {d.id: d for d in devices})) is not None]
     names = {g.name for g in kept}
     return tuple(replace(g, see=tuple(x for x in g.see if "." in x or x in names)) for g in kept)

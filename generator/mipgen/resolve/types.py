@@ -15,7 +15,7 @@ from .layout import Layout, Record
 from .variation import Scope
 from .vocabulary import Vocabulary, sentences, short_name, sources
 
-#: How deep structures may be nested: far beyond need, and short of Python's own limit.
+#: The greatest depth of nested structures: far beyond need, and below Python's own limit.
 MAX_NESTING = 16
 
 
@@ -45,7 +45,7 @@ class Types:
                 known[name] = Node(node.value, place, node.keys)
 
     def scope(self, owner: str | None) -> Scope:
-        """What a parameter of that owner may refer to."""
+        """The names that a parameter of that owner may refer to."""
         return Scope(self.vocabulary, partial(self.find, owner=owner), self.problems.add)
 
     def of(self, owner: str | None) -> tuple[m.Type, ...]:

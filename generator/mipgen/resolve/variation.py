@@ -1,4 +1,4 @@
-"""What differs: by device, or with one value of a sibling.
+"""Differences by device, or with one value of a sibling.
 
 A variant says the same things as a parameter (unit, frame, range, default, description, ...). It may
 name the type that defines the meaning of a plain number, or state which values there are, or that they are
@@ -27,7 +27,7 @@ UNKNOWN = "unknown"
 
 @dataclass(frozen=True, slots=True)
 class Scope:
-    """What a variant may refer to where it is given."""
+    """The names that a variant may refer to where it is given."""
 
     words: Vocabulary
     find: Callable[[str, m.Position | None], m.Type | None]  # a type by its name

@@ -113,7 +113,7 @@ def present(made: list[File]) -> list[str]:
 
 
 def packages(model: m.Model, made: list[File]) -> Iterator[File]:
-    """What build systems and package managers read: version, sources and headers, of the runtime too."""
+    """The input of build systems and package managers: version, sources and headers, of the runtime too."""
     names = present(made)
     facts = {
         "sources": [name for name in names if name.endswith(".c")],

@@ -1,5 +1,5 @@
-"""What other targets may ask of C: its names of fields and types, what writes programs needs, and programs in C and
-C++."""
+"""The interface of C for other targets: names of fields and types, programs in C and C++, and data for tools that write
+programs."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def cpp_symbols(model: m.Model) -> Iterator[Symbols]:
 
 
 def writing(model: m.Model) -> dict[str, Any]:
-    """What writes programs needs: names that C writes in another way than the specification, and what it calls."""
+    """Data for tools that write programs: names that C writes in another way than the specification, and its calls."""
     words, commands = parameters(model), [f for f in model.fields if f.role == m.COMMAND]
     return {
         "scalars": {name: names.c_type(scalar) for name, scalar in m.SCALARS.items()},

@@ -102,7 +102,7 @@ def is_numbers(f: m.Field, layouts: Sequence[m.Field]) -> bool:
 
 
 def interpreter(f: m.Field, layouts: Sequence[m.Field]) -> str:
-    """What runs the program of a field."""
+    """The function that runs the program of a field."""
     if is_numbers(f, layouts):
         return "NULL"
     return "&mip_layout" if len(layouts) > 1 else "&mip_program"

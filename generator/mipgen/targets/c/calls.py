@@ -1,4 +1,4 @@
-"""What a program does with a command: send it, or call it, and get its response."""
+"""The ways to use a command: send it, or call it, and get its response."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ class Older:
 
 @dataclass(frozen=True, slots=True)
 class Session:
-    """What mip_device_connect and mip_device_stream call: names of functions, structures and members."""
+    """The names that mip_device_connect and mip_device_stream use: functions, structures and members."""
 
     headers: tuple[str, ...]
     bauds: tuple[int, ...]
@@ -276,7 +276,7 @@ def _data(f: m.Field, function: m.Function | None, asked: tuple[m.Parameter, ...
 
 
 def _elements(p: m.Parameter, at: int, value: str) -> list[Put]:
-    """What is written for each element of an array; nothing if that is not just numbers."""
+    """The text for each element of an array; nothing if the elements are not numbers."""
     parts = p.item.struct.parameters if p.item.struct else (p.item,)
     if not all(q.kind in ("scalar", "counter") and q.reserved is None for q in parts):
         return []

@@ -14,7 +14,7 @@ from . import names
 from .literals import hexadecimal
 from .members import last_present
 
-#: Where clang-format breaks lines, too; it only moves comments.
+#: The line length of clang-format, which only moves comments.
 WIDTH = 100
 
 
@@ -50,7 +50,7 @@ def _wrapped(paragraph: str, width: int) -> list[str]:
 
 
 def reference(r: describe.Ref) -> str:
-    """How a comment names a thing."""
+    """The name of a thing in a comment."""
     match r.thing, r.within:
         case m.Field() as f, _:
             return names.field_name(f)

@@ -127,7 +127,7 @@ def commands(f: m.Field, model: m.Model) -> list[Command]:
 
 
 def whole_response(f: m.Field, model: m.Model) -> m.Field | None:
-    """What answers a command that is given by its structure of C."""
+    """The response to a command that is passed as its structure of C."""
     responses = model.responses(f)
     return responses[0] if len(responses) == 1 else None
 

@@ -1,4 +1,4 @@
-"""How a program in C++ uses a field: a few lines for documentation, with sample values."""
+"""Programs in C++ that use a field: a few lines for documentation, with sample values."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Programs:
 
 
 def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
-    """What must be declared before, and the call, whose result is assigned."""
+    """The declarations before a call, and the call, whose result is assigned."""
     values = literals.record(f.parameters, samples.values(f, shown))
     chosen = snippets.call_of(f, shown, samples)
     before: list[Expression] = []
@@ -80,7 +80,7 @@ def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: 
 
 
 def _argument(p: m.Parameter, x: Literal) -> tuple[list[Expression], Expression]:
-    """What must be declared before, and the member of the command."""
+    """The declarations before a command, and its member."""
     match x:
         case literals.Choice(known=None):
             return [], f"static_cast<{qualified(x.type)}>({x.number.value})"

@@ -1,4 +1,4 @@
-"""What structures hold, and what the functions that fill them take."""
+"""Members of structures, and arguments of the functions that fill them."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def _constructor(f: m.Field, way: m.Call) -> Constructor:
 
 
 def argument(p: m.Parameter, f: m.Field) -> str:
-    """What a function takes for a parameter: one argument, or a count and the elements."""
+    """The arguments for a parameter: one, or a count and the elements."""
     name = argument_name(p.name)
     if p.element is None:
         return f"const union {union_name(p, f)} *{name}"
@@ -122,7 +122,7 @@ class Reply:
 
 
 def replies(f: m.Field, model: m.Model) -> list[Reply]:
-    """How a device answers a command: the layouts of a response, each with one test of the command. If there are more
+    """The replies to a command: the layouts of a response, each with one test of the command. If there are more
     of one than of the other, the last is repeated."""
     ways: list[tuple[list[Test], tuple[m.Field, ...]]] = [([_function(x)], ()) for x in f.functions if not x.reply]
     if f.silent_when:

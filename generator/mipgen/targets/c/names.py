@@ -1,4 +1,4 @@
-"""What things are called in C."""
+"""Names in C."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _argument = Escape(frozenset(LANGUAGE["arguments"]), digit_prefix="n")
 
 
 def argument_name(name: str) -> str:
-    """What a function calls the value for a member."""
+    """The name of the argument for a member."""
     return _argument(member(name))
 
 

@@ -1,4 +1,4 @@
-"""How a program in C uses a field: a few lines for documentation, with sample values."""
+"""Programs in C that use a field: a few lines for documentation, with sample values."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def in_turn(
 
 
 def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
-    """What must be declared before, and the call, whose result is assigned."""
+    """The declarations before a call, and the call, whose result is assigned."""
     values = literals.record(f.parameters, samples.values(f, shown))
     chosen = call_of(f, shown, samples)
     before: list[Expression] = []
@@ -103,7 +103,7 @@ def call_of(f: m.Field, shown: m.Call, samples: SampleValues) -> Call:
 
 
 def _argument(p: m.Parameter, f: m.Field, x: Literal) -> tuple[list[Expression], list[Expression]]:
-    """What must be declared before, and what is passed."""
+    """The declarations before a call, and its argument."""
     name = argument_name(p.name)
     match x:
         case literals.Alternative():

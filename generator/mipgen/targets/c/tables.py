@@ -15,7 +15,7 @@ from .names import bare, field_name, member, symbol, union_name
 
 
 def required(f: m.Field) -> list[int]:
-    """How many parameters each function requires, by its value."""
+    """The number of parameters that each function requires, by its value."""
     return [f.required(value) for value in range(max(x.value for x in f.functions) + 1)]
 
 
@@ -67,7 +67,7 @@ def entries(model: m.Model) -> Iterator[Entry]:
 
 # --------------------------------------------------------------------------- reflection
 
-#: What C calls a kind of operation otherwise.
+#: Kinds of operation that have another name in C.
 _KINDS = {"scalar": "NUMBER", "switch": "UNION"}
 
 
@@ -115,7 +115,7 @@ def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None
 
 
 def _place(p: m.Parameter, record: m.Record, union: m.Parameter | None) -> tuple[str, str]:
-    """Where the member and the number of its items are."""
+    """The offsets of the member and of the number of its items."""
     if not union and p not in members(record):
         return "0, 0", "0"
     within = f"union {union_name(union, record)}" if union else f"struct {symbol(record)}"

@@ -1,4 +1,4 @@
-"""What other targets may ask of JSON: the document, and the names in it."""
+"""The interface of JSON for other targets: the document, and the names in it."""
 
 from __future__ import annotations
 

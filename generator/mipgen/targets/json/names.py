@@ -1,4 +1,4 @@
-"""What references look like, and what the bindings call fields and types."""
+"""The form of references, and the names of fields and types in the bindings."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ def type_name(t: m.Scalar | m.Type) -> str:
 
 
 def symbols(thing: m.Type | m.Field) -> dict[str, str]:
-    """What the bindings call the type of a field, or a type of the specification. C++ has no type for a command: each
-    way to send it has one."""
+    """The names in the bindings of the type of a field, or of a type of the specification. C++ has no type for a
+    command: each way to send it has one."""
     names = {"c": c.symbol(thing), "cpp": c.cpp_symbol(thing), "python": python.symbol(thing)}
     names |= {"rust": rust.symbol(thing), "javascript": javascript.symbol(thing)}
     return {language: name for language, name in names.items() if name}

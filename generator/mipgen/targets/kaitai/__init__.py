@@ -133,7 +133,7 @@ def say(words: Iterable[str | describe.Ref]) -> str:
 
 
 def _named(ref: describe.Ref) -> str:
-    """What the file calls something that a text names."""
+    """The name in the file of something that a text names."""
     match ref.thing:
         case m.Field() | m.Enum() | m.Bitfield() | m.Struct():
             return f"`{type_name(ref.thing)}`"

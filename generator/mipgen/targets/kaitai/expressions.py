@@ -34,7 +34,7 @@ def _path(words: str) -> str:
 
 
 def count(p: m.Parameter, record: m.Record) -> str:
-    """What a count must obey: the elements fit into the rest of the data, and into a field."""
+    """The condition of a count: the elements fit into the rest of the data, and into a field."""
     after = record.parameters[record.parameters.index(p) + 1 :]
     at = next(i for i, q in enumerate(after) if q.name == p.counts)
     array, before = after[at], least(after[:at])
@@ -162,7 +162,7 @@ def _whole(p: m.Parameter, at: Extent, peeks: list[Peek]) -> Iterator[str]:
 
 @dataclass(frozen=True, slots=True)
 class Layouts:
-    """How the layouts of one descriptor are distinguished."""
+    """The expressions that distinguish the layouts of one descriptor."""
 
     bytes: tuple[int, ...]  # places of constants, byte by byte: data may end inside of one
     fits: tuple[str, ...]  # for each layout: the constants do not contradict it

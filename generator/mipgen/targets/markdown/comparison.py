@@ -88,7 +88,7 @@ def _device(page: Page, d: m.Device) -> list[str]:
 
 
 def known(d: m.Device) -> str:
-    """How much is known of a device."""
+    """The state of knowledge about a device."""
     if not d.certain:
         return "by name"
     return "in part" if d.incomplete else "whole"
@@ -114,7 +114,7 @@ def fields(page: Page, role: m.Role) -> list[Section]:
 
 
 def supported(d: m.Device, s: m.Support | None) -> str:
-    """What is known of a device and a field: its functions there, if it has any."""
+    """The support of a field on a device: its functions there, if it has any."""
     if s is None:
         return missing(d)
     if s.evidence.answer == "no":
@@ -125,7 +125,7 @@ def supported(d: m.Device, s: m.Support | None) -> str:
 
 
 def missing(d: m.Device) -> str:
-    """What a device is not said to have; only of a whole profile that means that it does not have it."""
+    """The mark of a field that a profile does not name: the device lacks it only if the profile is complete."""
     return UNKNOWN if d.absent == "unknown" else NO
 
 
@@ -136,7 +136,7 @@ def units(f: m.Field) -> list[str]:
 
 
 def perhaps(page: Page, role: m.Role) -> str:
-    """What the devices without columns probably have; empty if there is nothing."""
+    """Lists the devices without columns that probably have it; empty if there are none."""
     rows = []
     for d in others(page.model):
         fields = [s.field for s in d.supports if s.field.role == role]
@@ -151,7 +151,7 @@ def perhaps(page: Page, role: m.Role) -> str:
 
 
 def rates(page: Page) -> list[Section]:
-    """What limits how much a device can send."""
+    """The limits on the data that a device can send."""
     model = page.model
     ports = dict.fromkeys(p.name for d in compared(model) for p in d.ports)
     bauds = sorted({baud for d in compared(model) for p in d.ports for baud in p.baud_rates})
@@ -204,7 +204,7 @@ def _baud(d: m.Device, baud: int) -> str:
 
 
 def _named(page: Page, limit: m.Limit) -> str:
-    """What a limit limits, and the name by which programs know it."""
+    """The subject of a limit, and its name in programs."""
     return f"{page.prose(limit.description.rstrip('.'))} ({code(limit.name)})"
 
 

@@ -57,7 +57,7 @@ def deprecated(page: Page, d: m.Device) -> str:
 
 
 def remarks(page: Page, d: m.Device) -> list[str]:
-    """What is not known of a device, and what is not sure."""
+    """The gaps and uncertainties about a device."""
     return [
         opening(page.say(x.sentence))
         for x in describe.topics(describe.device(d, page.model), "incomplete", "uncertain")
@@ -106,7 +106,7 @@ def hertz(rate: m.Rate) -> str:
 
 
 def base_rate(d: m.Device, s: m.Set) -> str:
-    """How often a device samples a set; empty if it says nothing of it."""
+    """The rate at which a device samples a set; empty if none is stated."""
     return next((hertz(r) for r in d.base_rates if r.set.number == s.number), "")
 
 
@@ -115,7 +115,7 @@ def base_rates(page: Page, d: m.Device) -> str:
 
 
 def rates_of_set(page: Page, s: m.Set) -> str:
-    """How often the devices sample a set."""
+    """The rates at which the devices sample a set."""
     rows = [[page.link(d), rate] for d in page.model.devices if (rate := base_rate(d, s))]
     return table(rows, ["Device", "Base rate"]) if rows else ""
 

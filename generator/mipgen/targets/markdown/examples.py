@@ -56,7 +56,7 @@ def right_bytes(x: m.Example) -> str:
 
 
 def misprints(x: m.Example) -> list[str]:
-    """How the bytes in the manual differ from the correct ones."""
+    """The differences between the bytes in the manual and the correct ones."""
     return [plain(d) for d in differences(x)]
 
 
@@ -113,7 +113,7 @@ def pieces(page: Page, f: m.Field) -> list[Piece]:
 
 
 def printed(page: Page, f: m.Field) -> list[m.Example]:
-    """What the manuals print of a command or a data field and its responses."""
+    """The examples in the manuals of a command or a data field and its responses."""
     return list({x.id: x for g in on_page(page, f) for x in page.index.examples(g)}.values())
 
 

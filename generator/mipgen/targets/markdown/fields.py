@@ -34,12 +34,12 @@ def notes(page: Page, f: m.Field) -> list[str]:
 
 
 def relations(page: Page, f: m.Field) -> list[str]:
-    """What a field changes, what changes it, and which flags are about it."""
+    """The fields that a field changes, those that change it, and the flags that concern it."""
     return _listed(page, f, *RELATIONS)
 
 
 def on_devices(page: Page, f: m.Field) -> list[str]:
-    """Which devices have a field, and what differs there."""
+    """The devices that have a field, and the differences there."""
     return _listed(page, f, *DEVICES)
 
 
@@ -127,12 +127,12 @@ def _listed_in(model: m.Model, f: m.Field, s: m.Set) -> bool:
 
 
 def first_sentence(page: Page, f: m.Field) -> str:
-    """What a field is, in one line."""
+    """Describes a field in one line."""
     return page.prose(re.split(r"(?<=\w\w[.!?]) (?=[A-Z`])", " ".join(f.description.split()))[0])
 
 
 def size(f: m.Field) -> str:
-    """How long a field may be, from the shortest form to the longest."""
+    """The length of a field, from the shortest form to the longest."""
     low = min(_shortest(c) for c in f.calls) if f.role == m.COMMAND else f.min_size
     return f"{low + 2}" if low == f.max_size else f"{low + 2} to {f.max_size + 2}"
 
@@ -158,7 +158,7 @@ def named(page: Page, s: m.Set) -> str:
 
 
 def uncertain(page: Page, thing: m.Set | m.Family | m.Type) -> list[str]:
-    """What is not sure about a set or a type; a field has it among its facts."""
+    """The uncertainties about a set or a type; a field has them among its facts."""
     return [opening(page.say(x.sentence)) for x in describe.uncertain(thing, page.model)]
 
 
@@ -168,7 +168,7 @@ def asked(fields: Sequence[m.Field]) -> list[m.Field]:
 
 
 def on_page(page: Page, f: m.Field) -> list[m.Field]:
-    """What the page of a field describes: it, and its own responses."""
+    """The fields that a page describes: its own, and the responses to it."""
     return [f, *own_responses(page, f)]
 
 

@@ -28,7 +28,7 @@ Role = Literal["command", "reply", "data"]
 
 
 def heading(guide: Guide) -> str:
-    """What somebody wants to do, as a title."""
+    """The reader's aim as a title."""
     return plain(guide.title[0].upper() + guide.title[1:])
 
 
@@ -71,12 +71,12 @@ def title(step: Step) -> str:
 
 
 def sent(page: Page, step: Step, steps: Steps) -> str:
-    """What each byte of a command is."""
+    """Explains each byte of a command."""
     return _table(page, "command", step.packet, [(step.command, step.values)], steps)
 
 
 def answered(page: Page, step: Step, steps: Steps) -> str:
-    """What each byte of the answer is."""
+    """Explains each byte of the reply."""
     ack = page.model.protocol.acknowledge
     fields = [(ack, codec.decode(ack, bytes([step.command.descriptor, 0]))[0])]
     fields += [(step.response.field, step.response.values)] if step.response else []
@@ -84,7 +84,7 @@ def answered(page: Page, step: Step, steps: Steps) -> str:
 
 
 def come(page: Page, stream: Stream, steps: Steps) -> str:
-    """What each byte of a data packet is."""
+    """Explains each byte of a data packet."""
     return _table(page, "data", stream.packet, [(x.field, x.values) for x in stream.fields], steps)
 
 
@@ -100,7 +100,7 @@ def _table(page: Page, role: Role, packet: bytes, fields: Iterable[tuple[m.Field
 
 
 def surely(step: Step) -> str:
-    """Which values of the response are sure, once the steps before it are done."""
+    """The values of the response that are fixed once the steps before it are done."""
     if step.response is None:
         return ""
     given = {p.name for p in step.response.field.parameters if not p.derived}
@@ -113,7 +113,7 @@ def surely(step: Step) -> str:
 
 
 def streamed(page: Page, stream: Stream) -> str:
-    """How often packets of data come, and what is in them."""
+    """The rate of data packets, and their content."""
     *others, last = [page.link(x.field) for x in stream.fields]
     fields = f"{', '.join(others)} and {last}" if others else last
     sent = f"a packet of {page.link(stream.set)} with {fields}"
@@ -132,7 +132,7 @@ def read(steps: Steps) -> list[m.Field]:
 
 
 def rates(page: Page, steps: Steps) -> list[str]:
-    """How the rate of each stream comes about, on each device."""
+    """Computes the rate of each stream, on each device."""
     rates = {
         f"{inline(d.title)}, {page.link(s.set)}: {hertz(r)} / {s.rate:g} Hz = decimation {r.hertz / s.rate:g}"
         for d in steps.devices
@@ -144,7 +144,7 @@ def rates(page: Page, steps: Steps) -> list[str]:
 
 
 def bandwidth(steps: Steps) -> str:
-    """What the streams need of a UART."""
+    """The load of the streams on a UART."""
     streams = [s for s in steps.streams if s.rate]
     if not streams:
         return ""
@@ -256,7 +256,7 @@ def meanings(page: Page, guide: Guide) -> str:
 
 
 def _both(page: Page, guide: Guide) -> list[m.Field]:
-    """What both devices certainly have: commands, data, and responses that both send."""
+    """The fields that both devices certainly have: commands, data, and responses that both send."""
     assert guide.migration is not None
     wanted = {guide.migration.before.id, guide.migration.after.id}
     return [f for f in page.model.fields if wanted <= {d.id for d in page.model.devices_of(f)}]
@@ -277,7 +277,7 @@ def refused(page: Page, guide: Guide) -> str:
 
 
 def _reading(page: Page, v: m.DeviceVariant | None, other: m.DeviceVariant) -> str:
-    """What a parameter means on a device; on one that does not differ, what it has in place of the difference."""
+    """The meaning of a parameter on a device; on one that does not differ, what it has in place of the difference."""
     if v is None:
         return page.say(describe.usual(other.variant, other.parameter, other.field, page.model))
     return page.say(describe.difference(v.variant, v.parameter, v.field, page.model))

@@ -1,4 +1,4 @@
-"""What refers to a thing: errata, examples and users, each found once."""
+"""References to a thing: errata, examples and users, each found once."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Index:
     # ----------------------------------------------------------------------- errata
 
     def errata(self, f: m.Field) -> list[m.Erratum]:
-        """What is wrong in the sections that a field cites, in the lengths given for it, and in its examples."""
+        """The errata of the sections that a field cites, of the lengths given for it, and of its examples."""
         errata = [e for s in f.sources for e in self.errata_of_length(f, s.manual)]
         errata += [e for x in self.examples(f) for e in self.errata_of_example(x)]
         if f.role != m.RESPONSE:  # a response cites the sections of its command

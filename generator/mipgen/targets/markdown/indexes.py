@@ -133,7 +133,7 @@ def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
 
 
 def of_language(page: Page, symbols: Iterable[Symbols]) -> list[Section]:
-    """What a binding has for each field and type, a table for each set."""
+    """The symbols of a binding for each field and type, a table for each set."""
     headings = ["Symbol", "Field or type", "Functions and constants"]
     rows: dict[str, list[list[str]]] = {}
     for x in symbols:

@@ -1,4 +1,4 @@
-"""Where each parameter is in the data of a field: offsets and sizes, which may depend on counters."""
+"""Places of the parameters in the data of a field: offsets and sizes, which may depend on counters."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from mipgen import model as m
 from mipgen.lower.extent import Extent, Term, exact
 
-#: Where a record begins.
+#: The beginning of a record.
 BEGIN = Extent()
 
 

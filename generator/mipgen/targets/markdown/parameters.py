@@ -41,7 +41,7 @@ class _Row:
 
     @property
     def same(self) -> tuple[object, ...]:
-        """What is said of it, wherever it is."""
+        """The statements about it that do not depend on its place."""
         p = self.row.parameter
         facts = [(x.topic, self.say(x.sentence)) for x in self.facts if x.topic not in ("required", "optional")]
         return (self.row.name, p and p.element, p and p.length, p and p.description, facts)
@@ -59,7 +59,7 @@ class _Row:
         return " ".join(self.say(f.value or f.sentence) for f in describe.topics(self.facts, *topics))
 
     def description(self) -> str:
-        """What it is, and the facts that have no column."""
+        """Its description, and the facts that have no column."""
         p = self.row.parameter
         elsewhere = {topic for topics in COLUMNS.values() for topic in topics} | {*BELOW}
         said = [(f.topic, self.say(f.sentence)) for f in self.facts if f.topic not in elsewhere]

@@ -1,4 +1,4 @@
-"""Where things are in the manual: pages, anchors, labels and links."""
+"""Places in the reference: pages, anchors, labels and links."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ INDEXES = {
     "javascript": "Symbols in JavaScript",
 }
 
-#: What has a place in the manual; a string is the path of a page, maybe with an anchor.
+#: Things with a place in the reference; a string is the path of a page, maybe with an anchor.
 Thing = m.Set | m.Family | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Guide | Tool | str
 
 
@@ -130,7 +130,7 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
 
 
 def label(thing: Thing) -> str:
-    """What a thing is called, as Markdown."""
+    """The label of a thing, as Markdown."""
     match thing:
         case m.Set():
             return plain(f"{thing.title} ({hexadecimal(thing.number)})")
@@ -210,7 +210,7 @@ class Page:
         return describe.say(text, ref or self.ref, inline)
 
     def ref(self, r: Ref) -> str:
-        """What a reference of `describe` looks like."""
+        """A reference of `describe`, as Markdown."""
         match r.thing:
             case m.Field():
                 return self.link(r.thing, None if r.words == r.thing.full_name else inline(r.words))

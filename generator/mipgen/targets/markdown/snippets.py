@@ -1,4 +1,4 @@
-"""How programs use a field, in each language that has a target here."""
+"""Programs that use a field, in each language that has a target here."""
 
 from __future__ import annotations
 

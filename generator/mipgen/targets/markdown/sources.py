@@ -1,4 +1,4 @@
-"""What the manuals say, and where they are wrong: citations and errata."""
+"""Statements of the manuals, and their mistakes: citations and errata."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def of_manual(things: Sequence[Any], manual: m.Manual) -> list[Any]:
 
 
 def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Family | m.Chapter | m.Device | Guide) -> list[str]:
-    """Where the manuals describe a thing, a line for each."""
+    """The sections of the manuals that describe a thing, a line for each."""
     return [_citation(page, thing, s) for s in getattr(thing, "sources", ())]
 
 
@@ -54,7 +54,7 @@ def occurrences(page: Page, f: m.Field) -> str:
 
 
 def field_lengths(page: Page, manual: m.Manual) -> str:
-    """What the lengths of fields in a manual are."""
+    """Explains the lengths of fields in a manual."""
     return page.say(describe.lengths(manual, page.model))
 
 
@@ -82,8 +82,8 @@ def _length_remark(page: Page, f: m.Field, s: m.Source) -> str:
 
 
 def defined(thing: m.Field) -> str:
-    """Where the specification itself defines a field: a file of its folder, and the name there. It has no line, which
-    a comment further up would change."""
+    """The place in the specification that defines a field: a file of its folder, and the name there. It has no line
+    number, which a comment further up would change."""
     if thing.position is None:
         return ""
     return f"{code('/'.join(thing.position.file.split('/')[-2:]))}, {code(f'name: {thing.name}')}"
@@ -116,7 +116,7 @@ def parts(model: m.Model) -> list[Part]:
 
 
 def subjects(page: Page, e: m.Erratum) -> list[str]:
-    """What an erratum is about: links to fields and examples."""
+    """The subjects of an erratum: links to fields and examples."""
     model, subjects = page.model, []
     examples = {x.id: x for x in model.examples}
     for c in e.claims:

@@ -11,7 +11,7 @@ from .text import code, hexadecimal, table
 
 
 def nature(t: m.Type) -> str:
-    """What kind of type it is, and how long."""
+    """The kind of a type, and its length."""
     match t:
         case m.Enum():
             return f"Enumeration, {code(t.scalar.name)}"

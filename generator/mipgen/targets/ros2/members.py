@@ -1,4 +1,4 @@
-"""What messages hold: the members of fields and structures, and the constants for their values."""
+"""Content of messages: the members of fields and structures, and the constants for their values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What other targets may ask of Rust: its names of fields and types, what writes programs needs, and programs."""
+"""The interface of Rust for other targets: its names of fields and types, what writes programs needs, and programs."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def _belonging(x: m.Type | m.Field, name: str, records: Records) -> Iterator[str
 
 
 def writing(model: m.Model) -> dict[str, Any]:
-    """What writes programs needs: names that Rust writes in another way than the specification, and its unions."""
+    """Data for tools that write programs: names that Rust writes otherwise than the specification, and its unions."""
     return {
         "members": of.others(of.parameters(model), names.member),
         "constants": of.others(of.constants(model), names.constant, upper),

@@ -1,4 +1,4 @@
-"""How commands are answered."""
+"""Responses to commands."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ Block = str | list[str] | list[tuple[str, ...]]
 
 
 class Docs:
-    """What is said of each item, as the blocks of its documentation."""
+    """The documentation of each item, in blocks."""
 
     def __init__(self, model: m.Model) -> None:
         self.model = model
@@ -48,7 +48,7 @@ class Docs:
         return self._prose(p.description, home(record)) or ("" if said else words(p.name)), said, notes
 
     def _unheld(self, record: m.Record) -> list[Block]:
-        """What is on the wire and held by no member."""
+        """The parameters on the wire that have no member."""
         blocks: list[Block] = []
         for p in record.parameters:
             if p.derived:
@@ -107,7 +107,7 @@ class Docs:
         return blocks
 
     def difference(self, v: m.DeviceVariant) -> str:
-        """What is different on a device, as plain text."""
+        """The difference on a device, as plain text."""
         said = describe.difference(v.variant, v.parameter, v.field, self.model)
         return describe.say(said, lambda r: r.words)
 

@@ -99,7 +99,7 @@ def set_constant(s: m.Set, family: m.Family) -> str:
 
 
 def path(thing: m.Type | m.Record, here: str) -> str:
-    """What a type is called inside the module `here`."""
+    """The name of a type inside the module `here`."""
     name, where = type_name(thing.name), home(thing)
     return name if where == here else f"types::{name}" if where == "types" else f"crate::{where}::{name}"
 
@@ -113,7 +113,7 @@ def scalar(of: m.Scalar | None) -> str:
 
 
 def inner(t: m.Enum | m.Bitfield) -> str:
-    """What a newtype wraps."""
+    """The type inside a newtype."""
     return f"[u8; {t.size}]" if isinstance(t, m.Bitfield) and t.scalar is None else scalar(t.scalar)
 
 

@@ -54,7 +54,7 @@ class Member:
 
     @property
     def default(self) -> str:
-        """What it is by default, as an expression."""
+        """Its default value, as an expression."""
         if self.may_be_absent:
             return "None"
         return reserved(self.parameter) if self.parameter.reserved else default(self.parameter)
@@ -247,7 +247,7 @@ class Records:
         return list(way.given) if 2 <= len(way.given) <= 4 and not way.set else []
 
     def settable(self, record: m.Record) -> list[Member]:
-        """What a caller may add to a command."""
+        """The optional parameters that a caller may set in a command."""
         command = isinstance(record, m.Field) and record.role == m.COMMAND
         return [x for x in self.members(record) if command and x.parameter.optional]
 
@@ -343,12 +343,12 @@ def raw(x: Member) -> str:
 
 
 def reserved(p: m.Parameter) -> str:
-    """What is sent for a reserved parameter."""
+    """The value that is sent for a reserved parameter."""
     return f"[{p.reserved}; {p.length}]" if isinstance(p.length, int) else str(p.reserved)
 
 
 def serde_module(p: m.Parameter) -> str:
-    """What serde needs for it: for floats, because a format may have no NaN; for arrays that are too long for it."""
+    """The module that serde needs: for floats, as a format may have no NaN; for arrays that are too long for it."""
     item = p
     while item.kind == "array" and item.vector is None:
         item = item.item

@@ -118,7 +118,7 @@ def _baud_changes(model: m.Model, records: Records, families: set[str]) -> Itera
 
 
 def _way(f: m.Field, records: Records) -> str:
-    """What makes the command: its first function."""
+    """The constructor of the command: its first function."""
     return f"{_path(f)}::{records.constructors(f)[0].name}"
 
 

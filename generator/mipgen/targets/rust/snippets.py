@@ -1,4 +1,4 @@
-"""How a program in Rust uses a field: a few lines for documentation, with sample values."""
+"""Programs in Rust that use a field: a few lines for documentation, with sample values."""
 
 from __future__ import annotations
 

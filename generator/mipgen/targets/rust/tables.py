@@ -99,7 +99,7 @@ class Tables:
         return [x.full_name for x in (self.model.responses(f) or self.model.commands(f))]
 
     def layouts(self, f: m.Field) -> int:
-        """How many layouts the descriptor has."""
+        """The number of layouts of the descriptor."""
         return len(self.model.layouts(f))
 
     def sizes(self, f: m.Field) -> str:

@@ -1,4 +1,4 @@
-"""What the tables that the dissector interprets hold besides the model: units, types, and where bits are."""
+"""Rows of the tables that the dissector interprets, besides the model: units, types, and the places of bits."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Named = m.Enum | m.Bitfield
 
 
 def units(p: m.Parameter) -> tuple[str, ...]:
-    """What is shown after values; nothing after plain numbers."""
+    """The text after values; none after plain numbers."""
     return tuple("" if unit == "1" else unit for unit in p.units) if set(p.units) - {"1"} else ()
 
 
@@ -19,7 +19,7 @@ def units(p: m.Parameter) -> tuple[str, ...]:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where bits are: bytes from the first one of the bitfield, and a mask in their number."""
+    """The place of bits: bytes from the first one of the bitfield, and a mask in their number."""
 
     at: int
     size: int
