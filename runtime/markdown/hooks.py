@@ -1,4 +1,4 @@
-"""What the site adds to the Markdown; MkDocs calls the functions whose names begin with `on_`.
+"""Additions of the site to the Markdown; MkDocs calls the functions whose names begin with `on_`.
 
 Without it the pages have the same content: anchors stand before headings, programs are folded, and the search of the
 site finds nothing.
@@ -33,7 +33,7 @@ _HIDDEN = re.compile(r"<(script|style)\b.*?</\1>|<!--.*?-->", re.S)
 #: The folder that `make workbench` has built. Without it the site has no tools, and its search finds text only.
 WORKBENCH = os.environ.get("MIP_WORKBENCH", "")
 
-#: How much of each part of a page the search has, if it has the workbench, whose index of fields has what is in
+#: The length of text that the search has of each part of a page, if it has the workbench, whose index of fields has the
 #: parameters, values and bits.
 _BEGINNINGS = {
     "fields/": 100,
@@ -93,8 +93,9 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
 
 
 def on_post_page(output: str, **_: Any) -> str:
-    """Gives a page the classes that scripts of the theme give it after it is styled: all its styles would be computed again."""
-    return output.replace("<head>", '<head><script>document.documentElement.className = "js js-focus-visible"</script>', 1)
+    """Gives a page the classes that scripts of the theme add after it is styled, which computes all styles again."""
+    classes = '<script>document.documentElement.className = "js js-focus-visible"</script>'
+    return output.replace("<head>", f"<head>{classes}", 1)
 
 
 def on_post_build(config: Any) -> None:

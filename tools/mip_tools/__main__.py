@@ -87,7 +87,7 @@ def _package() -> str:
 
 
 def _engine() -> str:
-    """What reads logs as columns."""
+    """The engine that reads logs as columns."""
     try:
         from .columns.native import compiled
     except ImportError:

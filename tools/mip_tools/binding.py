@@ -23,13 +23,13 @@ from .errors import NoBinding
 
 USUAL = "mip_protocol"
 VARIABLE = "MIP_PACKAGE"
-#: How the name of a file of definitions ends.
+#: The suffix of a file of definitions.
 DEFINITIONS = ".json"
 
-#: What distinguishes a generated package from any other folder.
+#: The file that distinguishes a generated package from other folders.
 _MARK = "reflection"
 
-#: What `use` was called with.
+#: The argument of the last call of `use`.
 _wanted: str | None = None
 
 
@@ -53,7 +53,7 @@ def name() -> str:
 
 
 def wanted() -> str:
-    """What another process must `use` to have the same package."""
+    """The argument of `use` that loads the same package in another process."""
     given = _wanted or os.environ.get(VARIABLE) or USUAL
     return str(Path(given).resolve()) if Path(given).exists() and given != name() else given
 

@@ -114,7 +114,7 @@ def archive(folder: Path, to: Path, top: str, files: Callable[[Path], list[Path]
 
 
 def notes() -> str:
-    """What the changelog says of the version."""
+    """The section of the changelog about the version."""
     text = (ROOT / "CHANGELOG.md").read_text("utf-8")
     return re.split(r"^## .*\n+", text, flags=re.M)[1].strip() + "\n"
 

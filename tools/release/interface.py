@@ -151,7 +151,7 @@ def declarations(text: str) -> Iterator[tuple[str, ...]]:
             head += c
 
 
-#: What opens a scope whose members are looked at: types and groups, not functions and values.
+#: The beginning of a scope whose members are compared: types and groups, not functions and values.
 SCOPE = re.compile(
     r"^(export |declare |default |abstract |inline |pub |unsafe |template ?<[^{]*> |typedef |const )*"
     r'(namespace|struct|class|enum|union|trait|impl|mod|extern "C"|interface)(?!\w)(?!.*=$)|!$|^\w+: u\d+$'

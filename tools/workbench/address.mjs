@@ -1,4 +1,4 @@
-// What all tools have in common, and the address that holds it: `#device=3dm-cv7-ins&streams=sensor.scaled_accel@100`.
+// State that all tools share, and the address that holds it: `#device=3dm-cv7-ins&streams=sensor.scaled_accel@100`.
 
 /** What an address can have: each is a text, and belongs to all tools. */
 const KEYS = ["device", "bytes", "find", "packet", "streams", "serve"];
@@ -12,7 +12,7 @@ const LONGEST = 30_000;
 /** Milliseconds between two addresses: browsers refuse to change them often. */
 const PAUSE = 400;
 
-/** What is behind the # of the address. */
+/** The part of the address after the #. */
 export function fragment() {
     return location.hash.slice(1);
 }

@@ -32,7 +32,7 @@ export function bandwidth(root, protocol, options = {}) {
     layOut();
 }
 
-/** What an address may mean that names no device. */
+/** Interprets an address that names no device. */
 function unknown(protocol, given, to) {
     if (!given || deviceOf(protocol, given)) return [];
     const hits = find(indexOf(protocol), given).map(({ field }) => field);

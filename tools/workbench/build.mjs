@@ -1,4 +1,4 @@
-// What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
+// A packet with one field in the builder: values to begin with, bytes, source code, and the answer.
 
 import {
     buildPacket,
@@ -172,7 +172,7 @@ export function optionalGroups(protocol, field, selector) {
     return field.calls ? groups.filter((op) => op.body.every((one) => call?.optional.includes(one.member))) : groups;
 }
 
-/** How many of these groups are there. */
+/** The number of these groups that are present. */
 export function countOptional(groups, values) {
     const absent = groups.findIndex((op) => op.body.some(({ kind, member }) => kind !== "constant" && !Object.hasOwn(values, member)));
     return absent < 0 ? groups.length : absent;
@@ -197,7 +197,7 @@ export function supportOn(protocol, device, field, set) {
     return device.supports?.find((one) => names.includes(one.field));
 }
 
-/** What the evidence for an entry says: "yes" or "probable". */
+/** The support that the evidence for an entry shows: "yes" or "probable". */
 function certaintyIn(device, support) {
     return device?.evidence?.[support.evidence]?.answer ?? "yes";
 }
@@ -217,7 +217,7 @@ export function certaintyOn(protocol, device, field, set) {
     return device.incomplete ? "not known" : undefined;
 }
 
-/** What differs on a device in a set, each in words. */
+/** The differences on a device in a set, each in words. */
 export function differencesOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
     if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];

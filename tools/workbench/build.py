@@ -134,7 +134,7 @@ def _pairs(names: str, form: str) -> list[str]:
     return [form.format(there, here or there) for there, _, here in found]
 
 
-#: What the search reads of each part of the model.
+#: The keys of each part of the model that the search reads.
 _READ = {
     "model": ("format", "packet", "scalars", "acknowledge", "ack_code", "function_selector", "functions", "vocabulary",
               "synonyms"),

@@ -45,7 +45,7 @@ function link(href, words) {
     return href ? element("a", { href }, ...words) : element("span", {}, ...words);
 }
 
-/** What is not known of a device, if its profile is incomplete. */
+/** The gaps in the profile of a device, if it is incomplete. */
 export function profileNote(device) {
     if (!device?.incomplete) return undefined;
     const unknown = device.incomplete.join(" ").replaceAll("`", "");

@@ -88,7 +88,7 @@ export function knownWords({ entries }, texts) {
     return { counts, sorted: [...counts.keys()].sort() };
 }
 
-/** How many letters are wrong, missing, too many, or exchanged with the next one. */
+/** The number of letters that are wrong, missing, too many, or exchanged with the next one. */
 function slips(one, other) {
     let before = [];
     let last = Array.from({ length: other.length + 1 }, (_, j) => j);
@@ -245,7 +245,7 @@ function constantsOf(protocol, parameter) {
     return [...inner, ...(parameter.cases ?? []).flatMap((one) => (one.parameter ? constantsOf(protocol, one.parameter) : []))];
 }
 
-/** What has a name inside a parameter: itself, values, bits and members. */
+/** Everything with a name inside a parameter: itself, values, bits and members. */
 function partsOf(protocol, parameter) {
     const types = [parameter.type, ...(parameter.variants ?? []).map((variant) => variant.type)];
     const inner = types.flatMap((name) => {

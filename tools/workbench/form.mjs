@@ -76,7 +76,7 @@ function inputs(protocol, state, entry, events) {
     return [...parts, ...shown.flatMap((op) => input(context, op)), ...optionalButtons(protocol, entry, events)];
 }
 
-/** What the chosen device takes of a field, and what differs there. */
+/** The parts of a field that the chosen device accepts, and the differences there. */
 function deviceNotes(protocol, { device, set }, field) {
     if (!device) return [];
     const found = differencesOn(protocol, device, field, set);

@@ -1,4 +1,4 @@
-// What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
+// Decodes bytes: packets, fields and values, with names, units and verdicts. The inspector shows it.
 
 import {
     decodeData,
@@ -71,7 +71,7 @@ function inspectPart(protocol, part, device) {
     return { ...part, set, fields: fields.filter(Boolean), misprints: misprintsOf(protocol, part.bytes), ...verdict };
 }
 
-/** What is wrong with the frames that begin with the sync bytes: [{ at, error }]. */
+/** The faults of the frames that begin with the sync bytes: [{ at, error }]. */
 function whyOther(protocol, bytes) {
     const found = [];
     for (let at = 0; at + 3 < bytes.length; at++) {
@@ -101,7 +101,7 @@ function inspectField(protocol, raw, packet, part, device) {
     return { ...found, rows, answered: answeredBy(protocol, raw), errata: errataOf(protocol, raw.field) };
 }
 
-/** What an acknowledge answers: the command, the code, and both in words; undefined of other fields. */
+/** The meaning of an acknowledge: the command, the code, and both in words; undefined of other fields. */
 export function answeredBy(protocol, { set, field, values }) {
     if (field !== protocol.acknowledge || !values) return undefined;
     const [descriptor, code] = field.operations.map((op) => values[op.member]);

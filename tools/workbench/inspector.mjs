@@ -10,7 +10,7 @@ import { logPanel } from "./logs.mjs";
 import { copies, linkRows, ruler, rowText, valueTable } from "./ruler.mjs";
 import { descriptorOf, hexByte, spacedHex } from "./words.mjs";
 
-/** How many packets of a text are shown; logs have pages. */
+/** The number of packets of a text that are shown; logs have pages. */
 const MOST = 1000;
 
 /**

@@ -6,7 +6,7 @@ import { inspectBytes } from "./inspect.mjs";
 import { survey } from "./survey.mjs";
 import { hexByte } from "./words.mjs";
 
-/** How many gaps are listed. */
+/** The number of gaps that are listed. */
 const LISTED = 50;
 
 /**

@@ -6,7 +6,7 @@ import { element, mark } from "./dom.mjs";
 import { find } from "./find.mjs";
 import { descriptorOf, hexByte } from "./words.mjs";
 
-/** How many fields a search shows. */
+/** The number of fields that a search shows. */
 const SHOWN = 12;
 
 /**

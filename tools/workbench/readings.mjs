@@ -1,4 +1,4 @@
-// What a device sends: the latest values, their rates, and the last seconds of those that are plotted.
+// Data from a device: the latest values, their rates, and the last seconds of those that are plotted.
 
 import { decodeData, MipError, nameIn, partsOf } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
@@ -21,7 +21,7 @@ export class Readings {
         this.#clocks = new Clocks(protocol);
     }
 
-    /** How many samples did not arrive, of all fields. */
+    /** The number of samples that did not arrive, of all fields. */
     get lost() {
         return [...this.fields.values()].reduce((sum, { rhythm }) => sum + rhythm.lost, 0);
     }

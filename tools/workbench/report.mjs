@@ -1,4 +1,4 @@
-// What the builder shows of a packet: its bytes, the programs that send it, and the answer of the device.
+// The builder's report of a packet: its bytes, the programs that send it, and the answer of the device.
 
 import { MipError, unitOf } from "mip-protocol/tools";
 import { allOperations, answerOf, counted, packetOf, sourceOf } from "./build.mjs";

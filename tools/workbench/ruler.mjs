@@ -4,7 +4,7 @@ import { nameIn } from "mip-protocol/tools";
 import { copyButton, count, element, table } from "./dom.mjs";
 import { descriptorOf, flagText, hexByte, spacedHex } from "./words.mjs";
 
-/** How many colours follow each other. */
+/** The number of colours before they repeat. */
 const COLOURS = 6;
 
 /** Elements whose bytes and rows are linked. */
@@ -84,7 +84,7 @@ function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter, by
     );
 }
 
-/** What a packet means, as plain text: a line for each field and value. */
+/** Describes a packet as plain text: a line for each field and value. */
 export function textOf({ bytes, set, fields, sound }) {
     const lines = [
         `${spacedHex(bytes)}`,

@@ -12,7 +12,7 @@ const LAST = ["format", "sentences", "switch"];
 /** How often what the device has rejected, or others have changed, is written again. */
 const ROUNDS = 3;
 
-/** How many instances are asked for where nothing says how many there are. */
+/** The number of instances to read where the specification does not state it. */
 const MOST = 8;
 
 const facts = (protocol, name) => protocol.model.simulation?.behaviors?.find((one) => one.command === name) ?? {};

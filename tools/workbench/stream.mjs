@@ -1,4 +1,4 @@
-// How much a port must carry for a stream of data fields.
+// The load of a stream of data fields on a port.
 
 import { SHARED_SET } from "mip-protocol/tools";
 import { certaintyOn } from "./build.mjs";

@@ -1,4 +1,4 @@
-// What is in a log of any size, which is read in pieces: packets, rates, gaps.
+// Surveys a log of any size, which is read in pieces: packets, rates, gaps.
 
 import { MipError, nameIn, Parser } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
@@ -6,7 +6,7 @@ import { Clocks, Rhythm } from "./clocks.mjs";
 /** Bytes after which a page begins: it holds the packets that begin there. */
 const PAGE = 8192;
 
-/** How many gaps are kept. */
+/** The number of gaps that are kept. */
 const GAPS = 1000;
 
 /**

@@ -1,4 +1,4 @@
-// How things of the protocol are shown: numbers, names and places.
+// Presents things of the protocol: numbers, names and places.
 
 import { bitsOf, enumValue, placesOf, readFloat, SHARED_SET, toHex, unitOf, writeFloat } from "mip-protocol/tools";
 

@@ -1,6 +1,6 @@
 // Bytes: hexadecimal text, the checksum, and big-endian numbers.
 
-/** What is wrong, in words; `kind` is one word for programs: "truncated", "count", "range", … */
+/** An error, in words; `kind` is one word for programs: "truncated", "count", "range", … */
 export class MipError extends Error {
     /** `details`: what else is known, such as the command that was refused, and its code. */
     constructor(kind, message, details = {}) {
@@ -34,7 +34,7 @@ export function fromHex(text) {
     return Uint8Array.from(text.match(/[0-9a-f]{2}/gi) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
-// What a value is, whatever it says of itself: the name of a typed array, also of another window, or undefined.
+// The name of a typed array, also of another window; undefined for other values. No value can pretend to be one.
 const typedArray = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), Symbol.toStringTag).get;
 const bufferSize = Object.getOwnPropertyDescriptor(ArrayBuffer.prototype, "byteLength").get;
 
@@ -68,7 +68,7 @@ export function sameBytes(a, b) {
     return a.length === b.length && a.every((byte, i) => byte === b[i]);
 }
 
-/** What a value is, for errors: also what cannot be made a text. */
+/** Describes a value in an error, also one that cannot be converted to a string. */
 export function described(value) {
     if (typeof value === "string") return JSON.stringify(value);
     if (Array.isArray(value)) return "an array";

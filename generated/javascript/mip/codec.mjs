@@ -193,7 +193,7 @@ export const octets = (size) => ({
 
 // ---------------------------------------------------------------------------------------------------- several values
 
-/** How many items: always `fixed`; the value of the parameter `counter`; or as many as the data hold. At most `most`. */
+/** The number of items: `fixed`, the value of the parameter `counter`, or as many as the data hold; at most `most`. */
 function countOf(of, r, counts) {
     if (of.fixed !== undefined) return of.fixed;
     if (of.counter === undefined) return Math.min(Math.floor(r.left / of.item.size), of.most);
@@ -297,7 +297,7 @@ export const union = (tag, cases) => {
 
 // ---------------------------------------------------------------------------------------------------- layouts
 
-/** What objects have of themselves: a member that would be called so ends in "_". */
+/** Names that every object has: a member with such a name ends in "_". */
 const TAKEN = new Set(["constructor", "encode", "packet", "set", "answered", "replies", "toJSON", "toString", "valueOf"]);
 
 /** The name of a member in programs: "gnss_1" becomes "gnss1", and "3d_fix" "_3dFix". */
@@ -320,7 +320,7 @@ export class Layout {
         this.size = sizes.includes(undefined) ? undefined : sizes.reduce((sum, size) => sum + size, 0);
     }
 
-    /** What the values are called, in the form of a reader or writer. */
+    /** The names of the values, in the form of a reader or writer. */
     keys(form) {
         return form.plain ? this.names : this.members;
     }
@@ -406,7 +406,7 @@ export class Layout {
         return given(this.keys(w)[i]) || (counts !== undefined && given(this.keys(w)[this.names.indexOf(counts)]));
     }
 
-    /** What programs may leave out. */
+    /** Parameters that programs may leave out. */
     #initial(i, w) {
         return w.plain ? undefined : this.blocks[i].initial;
     }

@@ -88,7 +88,7 @@ function blockOf(protocol, op) {
     throw new MipError("format", `the operation "${op.kind}" is not known`);
 }
 
-/** How many parameters must be there with this function, the selector counted; undefined where there is none. */
+/** The number of required parameters with this function, selector included; undefined without such a function. */
 function requiredOf(protocol, field, selector) {
     return field.calls && 1 + protocol.required(field, selector);
 }

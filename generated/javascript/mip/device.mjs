@@ -31,7 +31,7 @@ export class Device {
     #heard = 0;
     #incomplete = false;
 
-    /** How many packets were dropped because nobody read them in time. */
+    /** The number of packets that were dropped because they were not read in time. */
     dropped = 0;
 
     constructor(open, { timeout = 1, capacity = 10_000, onBytes, onSkipped } = {}) {
@@ -61,12 +61,12 @@ export class Device {
         return this.#end !== undefined;
     }
 
-    /** How many bytes are part of no packet. */
+    /** The number of bytes that are part of no packet. */
     get skipped() {
         return this.#client.skipped;
     }
 
-    /** How many packets can be read without waiting. */
+    /** The number of packets that can be read without waiting. */
     get waiting() {
         return this.#packets.length;
     }

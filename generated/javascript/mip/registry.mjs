@@ -5,7 +5,7 @@ import { Reader } from "./codec.mjs";
 import { Field } from "./field.mjs";
 import { RawField } from "./packet.mjs";
 
-/** How many constants distinguish a layout. */
+/** The number of constants that distinguish a layout. */
 function constants(kind) {
     return kind.FITS?.[2].length ?? 0;
 }

@@ -1,4 +1,4 @@
-// What tools use in place of classes: the model of the protocol, and values by the names of the specification.
+// The interface for tools, without classes: the model of the protocol, and values by the names of the specification.
 
 import type { Bytes, MipError, Packet, RawField } from "./index.mjs";
 
@@ -49,7 +49,7 @@ export declare class Protocol {
     candidates(set: number, descriptor: number): Item[];
     /** The layout of these data; undefined if there is none. */
     choose(set: number, descriptor: number, data: Bytes): Item | undefined;
-    /** How many parameters must be there, the function selector not counted. */
+    /** The number of required parameters, without the function selector. */
     required(field: Item, selector?: number): number;
 }
 /** The sets in which a field occurs, with its name in each. */

@@ -3,7 +3,7 @@
 //! [`Wire`] is implemented by all types with a wire format: numbers, enumerations, bitfields,
 //! structures and fields. [`Reader`] and [`Writer`] work on borrowed bytes and never panic.
 
-// What is wrong, the reader and the writer know: the same for all methods.
+// The reader and the writer know the error, which is the same for all methods.
 #![allow(clippy::missing_errors_doc)]
 
 use core::fmt;
@@ -213,7 +213,7 @@ impl<'a> Reader<'a> {
 /// Writes values one after another to a caller's buffer.
 #[derive(Debug)]
 pub struct Writer<'a> {
-    /// What is free behind the values written.
+    /// The free space after the written values.
     free: &'a mut [u8],
     size: usize,
     ended: bool,

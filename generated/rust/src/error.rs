@@ -20,17 +20,17 @@ pub(crate) use std::error::Error;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct DecodeError {
-    /// What is wrong.
+    /// The kind of error.
     pub kind: DecodeErrorKind,
     /// The name of the field in the specification, `family.field`.
     pub field: &'static str,
-    /// What is needed; see the kind.
+    /// The required value; see the kind.
     pub need: usize,
-    /// What is present instead.
+    /// The value found instead.
     pub got: usize,
 }
 
-/// What is wrong with the data of a field.
+/// The kinds of errors in the data of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -49,17 +49,17 @@ pub enum DecodeErrorKind {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct EncodeError {
-    /// What is wrong.
+    /// The kind of error.
     pub kind: EncodeErrorKind,
     /// The name of the field in the specification, `family.field`; empty if only its bytes are known.
     pub field: &'static str,
-    /// What is needed; see the kind.
+    /// The required value; see the kind.
     pub need: usize,
-    /// What is present instead.
+    /// The value found instead.
     pub got: usize,
 }
 
-/// What is wrong with the values of a field, or with the place that they should be written to.
+/// The kinds of errors in the values of a field, or in the place to write them to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

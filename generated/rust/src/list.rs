@@ -38,7 +38,7 @@ pub struct List<T, const N: usize> {
 /// The bit of [`List::given`] that says so.
 const OVERFLOWED: usize = !(usize::MAX >> 1);
 
-/// What a [`List`] or an array can hold: all numbers, enumerations, bitfields and structures.
+/// The elements of a [`List`] or an array: all numbers, enumerations, bitfields and structures.
 pub trait Item: Sized {
     /// The value of places that are not used yet.
     const BLANK: Self;

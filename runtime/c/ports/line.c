@@ -1,4 +1,4 @@
-/* Which kind of line a name means, and how it is opened again. */
+/* Derives the kind of line from a name, and opens it again. */
 #include "open.h"
 
 /** For how many milliseconds to wait before a port is opened again. */

@@ -10,7 +10,7 @@ import { Parser } from "./parser.mjs";
 /** Descriptor of the acknowledge in every command set; its data are the descriptor of the command, and a code. */
 const ACKNOWLEDGE = 0xf1;
 
-/** How many barriers there are. They have 2 to 63 commands: the answer to each is one packet. */
+/** The number of barriers. They have 2 to 63 commands: the answer to each is one packet. */
 const BARRIERS = 62;
 
 /** Raises a MipError if this is not a time to wait. */
@@ -48,7 +48,7 @@ export class Client {
         return this.#waiting.map(({ command }) => command);
     }
 
-    /** How many bytes were received that are part of no packet. */
+    /** The number of received bytes that are part of no packet. */
     get skipped() {
         return this.#parser.skipped;
     }

@@ -1,11 +1,11 @@
-// What all fields have in common, and what makes their classes.
+// The base of all fields, and the function that makes their classes.
 
 import { MipError, bytesOf } from "./bytes.mjs";
 import { encoded, Layout, memberName, Reader } from "./codec.mjs";
 import { Packet } from "./packet.mjs";
 
 export class Field {
-    // What an object knows besides its values: the set of its packet, and NaNs with unusual bits, by their offset.
+    // Data of an object besides its values: the set of its packet, and NaNs with unusual bits, by their offset.
     #set;
     #nans;
 
@@ -39,7 +39,7 @@ export class Field {
         return field;
     }
 
-    /** How many parameters must be there, counted as the layout does. */
+    /** The number of required parameters, counted as in the layout. */
     static requiredBy(reader) {
         return requiredWith(this, reader.bytes[reader.from]);
     }

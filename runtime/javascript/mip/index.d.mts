@@ -5,7 +5,7 @@ import type { Identity } from "../session.mjs";
 /** Bytes that a function takes. */
 export type Bytes = Uint8Array | ArrayBuffer;
 
-/** What is wrong. All errors of the package are of this class. */
+/** The class of all errors of the package. */
 export declare class MipError extends Error {
     constructor(kind: string, message: string, details?: object);
     /**
@@ -66,7 +66,7 @@ export interface FieldClass<F extends Field = Field> {
     matches(data: Uint8Array): boolean;
 }
 
-/** What a constructor takes: the members of the object. */
+/** The argument of a constructor: the members of the object. */
 export type Values<F, Unneeded extends PropertyKey = never> = Omit<F, keyof Command | Unneeded> & Partial<Pick<F, Unneeded & keyof F>>;
 
 /** One field: a command, a response or data. */
@@ -128,7 +128,7 @@ export declare class RawField {
     readonly set: number;
     readonly descriptor: number;
     readonly data: Uint8Array;
-    /** Where it begins in the packet. */
+    /** Its offset in the packet. */
     readonly offset: number;
     /** Of `registry.decode`: why it could not be decoded. */
     readonly error?: MipError;
@@ -146,7 +146,7 @@ export declare class Packet {
     get set(): number;
     get payload(): Uint8Array;
     get checksum(): Uint8Array;
-    /** What the checksum must be. */
+    /** The correct checksum. */
     get rightChecksum(): Uint8Array;
     /** Is the checksum right? */
     get sound(): boolean;
@@ -236,7 +236,7 @@ export declare class Client {
     constructor(options?: { timeout?: number; onSkipped?: (bytes: Uint8Array) => void });
     /** The commands that wait for an answer, the oldest first. */
     get pending(): Command[];
-    /** How many bytes were received that are part of no packet. */
+    /** The number of received bytes that are part of no packet. */
     get skipped(): number;
     /** When the next command times out; undefined if none waits. */
     get deadline(): number | undefined;
@@ -271,7 +271,7 @@ export declare class Client {
 
 // ---------------------------------------------------------------------------------------------------- a device
 
-/** What bytes go through. */
+/** The transport of the bytes. */
 export interface Port {
     /** The bytes that arrive; ends when the port is lost. */
     bytes(): AsyncIterable<Uint8Array>;
@@ -282,7 +282,7 @@ export interface Port {
 export interface DeviceOptions {
     /** Seconds until a command times out, 1 by default; longer for commands that take longer. */
     timeout?: number;
-    /** How many packets wait until they are read; the oldest are dropped. */
+    /** The number of packets that are kept until they are read; the oldest are dropped. */
     capacity?: number;
     /** Is called with all bytes that arrive, to record them. */
     onBytes?: (bytes: Uint8Array) => void;
@@ -299,11 +299,11 @@ export declare class Device implements AsyncIterable<Packet> {
     static open(open: () => Promise<Port>, options?: DeviceOptions): Promise<Device>;
     /** Is the port closed or lost? Data that has arrived can still be read. */
     get closed(): boolean;
-    /** How many packets were dropped because nobody read them in time. */
+    /** The number of packets that were dropped because they were not read in time. */
     readonly dropped: number;
-    /** How many bytes are part of no packet. */
+    /** The number of bytes that are part of no packet. */
     get skipped(): number;
-    /** How many packets can be read without waiting. */
+    /** The number of packets that can be read without waiting. */
     get waiting(): number;
     /**
      * Sends a command, waits for the answer and returns the response; undefined if it has none.

@@ -67,7 +67,7 @@ export class Protocol {
         return held.length ? best(held, (a, b) => a > b) : best(fitting, (a, b) => a < b);
     }
 
-    /** How many parameters must be there, the function selector not counted; an unknown function requires none. */
+    /** The number of required parameters, without the function selector; an unknown function requires none. */
     required(field, selector) {
         if (!field.calls) return field.parameters.filter((parameter) => !parameter.optional).length;
         const name = this.functions.get(Number(selector))?.name;

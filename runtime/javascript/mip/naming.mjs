@@ -1,4 +1,4 @@
-// What values are called: names of values and bits, units, and where the type of a value depends on another one.
+// Names of values and bits, units, and types that depend on another value.
 
 /** The parameters of the record in which an operation is: those of a field or a structure. */
 export function parameterOf(record, name) {

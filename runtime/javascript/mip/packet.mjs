@@ -80,7 +80,7 @@ export class Packet {
         return this.bytes.subarray(-TAIL);
     }
 
-    /** What the checksum must be. */
+    /** The correct checksum. */
     get rightChecksum() {
         return checksum(this.bytes.subarray(0, -TAIL));
     }

@@ -2,7 +2,7 @@
 
 import type { Device, DeviceOptions } from "./index.mjs";
 
-/** What is used of the `SerialPort` of Web Serial. */
+/** The part of Web Serial's `SerialPort` that is used. */
 export interface SerialPortLike {
     open(options: { baudRate: number; bufferSize?: number }): Promise<void>;
     close(): Promise<void>;

@@ -40,7 +40,7 @@ pub struct Client<const N: usize = 8> {
     table: Table<[Slot; N]>,
 }
 
-/// What a client has, whatever the number of its slots: the code is there once.
+/// The part of a client that does not depend on the number of its slots: its code exists once.
 ///
 /// That of a new client is all zeros, so that it has no image in the memory of a program.
 #[derive(Clone, Debug)]
@@ -51,9 +51,9 @@ struct Table<S: ?Sized> {
     happened: u32,
     /// The commands without an answer since a barrier was answered, at most [`BARRIERS`].
     missed: u8,
-    /// How many commands the last barrier has, until it is answered.
+    /// The number of commands in the last barrier, until it is answered.
     behind: u8,
-    /// How much longer than usual a reply may take; it may wrap around.
+    /// The time that a reply may take beyond the usual one; it may wrap around.
     patience: u32,
     /// A bit for each field of the last packet that answers a command; a packet has at most 127.
     taken: [u32; 4],
@@ -71,7 +71,7 @@ struct Slot {
     order: u32,
     /// When it times out; how long it may take, until it is sent.
     deadline: u32,
-    /// How many commands the barrier has that must be answered first.
+    /// The number of commands in the barrier that must be answered first.
     behind: u8,
     kind: Option<&'static Kind>,
     /// The check for the response that the command asks for.
@@ -79,7 +79,7 @@ struct Slot {
     event: Event,
 }
 
-/// What all commands of a type have in common.
+/// The properties that all commands of a type share.
 struct Kind {
     name: &'static str,
     set: u8,
@@ -402,10 +402,10 @@ impl defmt::Format for Event {
     }
 }
 
-/// How long a reply may take, unless the command or the caller sets another limit.
+/// The reply time-out, unless the command or the caller sets another one.
 pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
 
-/// How many barriers there are: of 2 to 63 commands, whose acknowledges fit into one packet.
+/// The number of barriers: of 2 to 63 commands, whose acknowledges fit into one packet.
 const BARRIERS: u8 = 62;
 
 /// No deadline is further away, so that the time can wrap around.
@@ -622,7 +622,7 @@ impl Slots {
         Ok(Ticket { id, silent, command: PhantomData })
     }
 
-    /// What does not depend on the type of the command, so that it is there once.
+    /// The code that does not depend on the type of the command, so that it exists once.
     fn enter(
         &mut self,
         kind: &'static Kind,

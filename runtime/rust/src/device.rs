@@ -189,7 +189,7 @@ fn is_over(late: bool, came: bool, backlog: &mut u8) -> bool {
     late && (!came || *backlog == 0)
 }
 
-/// What a blocking device has read after a deadline.
+/// The result of a read of a blocking device after a deadline.
 struct Waited {
     backlog: u8,
     since: Option<u32>,

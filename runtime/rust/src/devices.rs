@@ -1,4 +1,4 @@
-//! What each device supports.
+//! The fields that each device supports.
 
 use crate::protocol::{AckCode, FunctionSelector};
 
@@ -61,7 +61,7 @@ pub enum Support {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Evidence {
-    /// What it says of them.
+    /// The statement about them.
     pub answer: Support,
     /// Why, in words.
     pub why: &'static str,
@@ -79,7 +79,7 @@ pub struct Supported {
     pub name: &'static str,
     /// The function selectors that the device accepts; empty if the field has none.
     pub functions: &'static [FunctionSelector],
-    /// How certain that is, and why.
+    /// The certainty of the statement, and its sources.
     pub evidence: &'static Evidence,
 }
 
@@ -131,7 +131,7 @@ pub struct Limit {
     pub value: f64,
     /// Its unit, if it has one.
     pub unit: Option<&'static str>,
-    /// What it limits.
+    /// The limited quantity.
     pub description: &'static str,
     /// The firmware versions that have it, if not all have: `>= 1.0.04`.
     pub firmware: Option<&'static str>,
@@ -145,7 +145,7 @@ pub struct Variant {
     pub parameter: &'static str,
     /// The type that names its values or bits, if that differs.
     pub read_as: Option<&'static str>,
-    /// What is different.
+    /// The difference.
     pub difference: &'static str,
 }
 

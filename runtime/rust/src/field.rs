@@ -88,12 +88,12 @@ pub trait OneSet: Field {
 
 /// A field that a device acknowledges, perhaps with a response after the acknowledge.
 pub trait Command: OneSet {
-    /// What a request returns: `()`, the type of the response, or an enumeration of several. If a
+    /// The result of a request: `()`, the type of the response, or an enumeration of several. If a
     /// command has a function that is known only at run time, an `Option` of it.
     type Response: Response;
     /// The descriptors of its responses, whatever its function is.
     const RESPONSES: &'static [u8] = Self::Response::DESCRIPTORS;
-    /// How long a device may take to answer, if longer than usual.
+    /// The time that a device may take to reply, if longer than usual.
     const TIMEOUT_MS: Option<u32> = None;
 
     /// Will the device acknowledge it?
@@ -113,7 +113,7 @@ pub trait Command: OneSet {
 /// [`Read`](crate::protocol::Read), [`Write`](crate::protocol::Write) and so on. Its type states what
 /// it is answered with.
 ///
-/// Where a field can be sent or searched, so can a call: `field.get::<Read<PpsSourceControl>>()`
+/// A call can be sent or searched wherever a field can: `field.get::<Read<PpsSourceControl>>()`
 /// is `None` for other functions. Its values can be read as those of the command; to change them,
 /// take the command out, whose function can be any: [`Call::into_command`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -236,7 +236,7 @@ pub trait Response: Sized {
     /// Decodes a field if it is such a response.
     fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>>;
 
-    /// What stands for an acknowledge without a response; `None` if there has to be one.
+    /// The value for an acknowledge without a response; `None` if a response is required.
     #[inline]
     #[must_use]
     fn absent() -> Option<Self> {

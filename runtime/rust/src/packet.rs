@@ -457,7 +457,7 @@ impl PacketBuilder {
         Packet { bytes: self.bytes() }
     }
 
-    /// Where the checksum begins.
+    /// The offset of the checksum.
     #[inline]
     fn end(&self) -> usize {
         let [_, _, _, payload, ..] = self.bytes;

@@ -30,14 +30,14 @@ pub struct Parser {
     length: u16,
     /// The size of the packet in the buffer that was returned last.
     done: u16,
-    /// How many more bytes are needed to judge the candidate in the buffer; 0 behind a packet.
+    /// The number of further bytes needed to judge the candidate in the buffer; 0 after a packet.
     missing: u16,
     /// The low word and the high one: with the alignment of 64 bits, clearing the memory of a parser
     /// and of a client is not the same function on microcontrollers.
     skipped: [u32; 2],
 }
 
-/// What the bytes starting at a possible sync are.
+/// The classification of the bytes that start at a possible sync.
 pub(crate) enum Candidate {
     Whole(usize),
     Bad,
@@ -77,7 +77,7 @@ pub(crate) fn noise(bytes: &[u8]) -> usize {
     bytes.iter().skip(1).take_while(|b| **b != SYNC[0]).count().wrapping_add(1)
 }
 
-/// What follows the first bytes.
+/// The bytes after the first ones.
 pub(crate) fn behind(bytes: &[u8], count: usize) -> &[u8] {
     bytes.get(count..).unwrap_or_default()
 }

@@ -33,7 +33,7 @@ pub struct FieldInfo {
     pub title: &'static str,
     /// Names of the responses of a command, or of the commands that a response answers.
     pub linked: &'static [&'static str],
-    /// What it is called in the sets of a family of several.
+    /// Its name in a family of several sets.
     occurrences: &'static [Occurrence],
 }
 
@@ -382,7 +382,7 @@ fn decode_with_trailing<T: Listed>(field: &RawField<'_>) -> Option<Result<Decode
     }
 }
 
-/// What `decode` returns then, once for all types.
+/// The result of `decode` in that case, once for all types.
 #[cold]
 #[inline(never)]
 fn wrong<T>(reader: Reader<'_>, field: &'static str) -> Option<Result<T, DecodeError>> {

@@ -51,7 +51,7 @@ class Stream(NamedTuple):
 
 
 class Load(NamedTuple):
-    """What one set sends."""
+    """The load of one set."""
 
     set: int
     streams: list[Stream]
@@ -98,7 +98,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def load(number: int, streams: list[Stream], base: float = 0) -> Load:
-    """What a set sends: the fields of one moment share packets as far as they fit.
+    """Computes the load of a set: the fields of one moment share packets as far as they fit.
 
     `base` is the rate of the moments; 0: that of the fastest field.
     """

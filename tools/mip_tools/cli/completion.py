@@ -67,7 +67,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def words(typed: list[str]) -> list[str]:
-    """What can stand in place of the last word."""
+    """The words that can complete the last one."""
     package, typed = without_package(typed)
     if package is not None:
         use(package)
@@ -95,7 +95,7 @@ def words(typed: list[str]) -> list[str]:
 
 
 def _positions(given: list[str], actions: list[argparse.Action]) -> int:
-    """How many of these words are neither options nor their values."""
+    """The number of words that are neither options nor their values."""
     valued = {o for a in actions for o in a.option_strings if a.nargs != 0}
     options = {o for a in actions for o in a.option_strings}
     return sum(word not in options and (i == 0 or given[i - 1] not in valued) for i, word in enumerate(given))

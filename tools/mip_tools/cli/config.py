@@ -152,7 +152,7 @@ def _held(name: str, options: argparse.Namespace) -> tuple[dict[Place, Any], Any
 
 
 def _changes(place: Place, before: Any, after: Any, profile: Any) -> Iterator[str]:
-    """What differs between two values of a setting, by parameter."""
+    """The differences between two values of a setting, by parameter."""
     if before is None or after is None:
         yield "it cannot be read" if after is None else "it could not be read"
         return

@@ -110,7 +110,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 class _Bounds:
-    """Which packets are within the requested range."""
+    """The limits of the requested range."""
 
     def __init__(self, options: argparse.Namespace, name: str, timed: bool) -> None:
         self.bytes: _Range = options.bytes or _Range(0, None)
@@ -126,7 +126,7 @@ class _Bounds:
         self.stopped = False  # before the end of the log
 
     def known(self) -> str:
-        """What helps where nothing was found."""
+        """Describes the log, for a range in which nothing was found."""
         if self.found:
             return "has other fields there; `mip info` lists them"
         if self._now is None or self._start is None or self.stopped:

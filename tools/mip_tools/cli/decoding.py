@@ -27,7 +27,7 @@ def raw_fields(packet: Packet) -> Iterator[RawField]:
 
 
 def malformed(packet: Packet) -> str:
-    """What is wrong with the fields of a packet; empty if nothing is."""
+    """The errors in the fields of a packet; empty if there are none."""
     try:
         for _ in packet:
             pass

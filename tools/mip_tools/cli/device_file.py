@@ -1,4 +1,4 @@
-"""What a device tells of itself, as a device file of a specification: a new one, or added to one that is there."""
+"""Data from a device as a device file of a specification: a new one, or added to one that is there."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NEW = "Only what the device itself told is known."
 
 @dataclass(frozen=True)
 class Model:
-    """Which device it is: one of the generated package, or a new one."""
+    """The model of a device: one of the generated package, or a new one."""
 
     id: str
     title: str
@@ -54,7 +54,7 @@ def _by_name(name: str) -> Device | None:
 
 @dataclass(frozen=True)
 class Facts:
-    """What a listing says in the words of a specification."""
+    """A listing in the terms of a specification."""
 
     model: Model
     told: Listing
@@ -102,7 +102,7 @@ class Facts:
                 yield port
 
     def note(self) -> str:
-        """What the device told, and there is no other place for."""
+        """Data from the device that has no other place."""
         profile, said = self.model.profile, []
         if profile is not None and profile.model_number is None and self.model.number:
             said.append(f"The model number is {self.model.number}.")
@@ -124,7 +124,7 @@ class Facts:
         return [f"note: {quoted(self.note())}"] if self.note() else []
 
     def contradictions(self) -> dict[str, str]:
-        """What the profile of the generated package states otherwise: data set -> what is said of it."""
+        """Contradictions in the profile of the generated package: data set -> what is said of it."""
         found = {}
         known = self.model.profile.base_rates if self.model.profile else {}
         for number, rate in self.told.base_rates.items():

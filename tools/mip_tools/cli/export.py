@@ -161,7 +161,7 @@ def _check(options: argparse.Namespace) -> None:
 
 
 class _Job(NamedTuple):
-    """What is written of a log."""
+    """The output for a log."""
 
     log: Log
     kinds: list[Occurrence]

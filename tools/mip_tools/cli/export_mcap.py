@@ -21,7 +21,7 @@ from .selection import Selection
 #: Messages that wait for the first time of a log.
 HELD = 100_000
 
-#: What the times of messages are.
+#: Clocks for the times of messages.
 TIMES = {
     "dated": "UTC in ns since 1970, from the {} clock of the device",
     "undated": "ns since the origin of the {} clock of the device, which has no date",
@@ -38,7 +38,7 @@ def require(form: str) -> Any:
 
 
 class Job:
-    """What is to be written of a log."""
+    """The output for a log."""
 
     def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
         self._name, self._options, self._selection = name, options, selection
@@ -88,7 +88,7 @@ def write_mcap(
 
 
 class Topic(NamedTuple):
-    """What messages of a field are called, and their schema."""
+    """The name of a field's messages, and their schema."""
 
     name: str
     schema_name: str
@@ -124,7 +124,7 @@ class _Counted:
 
 
 def clock_meaning(clock: str | None) -> str:
-    """What the times of messages are, in a sentence."""
+    """Describes the times of messages in a sentence."""
     return TIMES["host" if clock is None else "dated" if dated(clock) else "undated"].format(clock)
 
 

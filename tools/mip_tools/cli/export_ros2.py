@@ -27,7 +27,7 @@ def require(form: str) -> None:
 
 
 class Job:
-    """What is to be written of a log."""
+    """The output for a log."""
 
     def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
         if options.split or options.named:

@@ -21,7 +21,7 @@ from .samples import Sample
 
 #: Names of the protocol, as clients ask for it.
 PROTOCOLS = ["foxglove.websocket.v1", "foxglove.sdk.v1"]
-#: Where Foxglove looks for a server.
+#: The address at which Foxglove expects a server.
 USUAL = "127.0.0.1:8765"
 #: Messages that wait for a slow client; if there are more, these are left out.
 _WAITING = 4096
@@ -89,7 +89,7 @@ class Server:
 
 
 class _Client:
-    """What one client wants, and what waits for it."""
+    """The subscriptions of one client, and the messages that wait for it."""
 
     def __init__(self, connection: Any) -> None:
         self._connection = connection
@@ -99,7 +99,7 @@ class _Client:
         threading.Thread(target=self._write, daemon=True).start()
 
     def said(self, message: dict[str, Any]) -> None:
-        """What the client asks for; other requests are for capabilities that there are none of."""
+        """Handles a request of the client; others are for capabilities that the server does not offer."""
         if message["op"] == "subscribe":
             self.subscribed |= {int(one["id"]): int(one["channelId"]) for one in message["subscriptions"]}
         elif message["op"] == "unsubscribe":

@@ -97,7 +97,7 @@ def arriving(name: str, progress: bool = True) -> Iterator[Piece | None]:
 
 
 def _waited_for(source: Iterator[bytes]) -> Iterator[bytes]:
-    """What a source has, as it arrives; empty after pauses, in which a thread waits for it."""
+    """Data of a source, as it arrives; empty after pauses, in which a thread waits for it."""
     came: queue.Queue[bytes | BaseException | None] = queue.Queue(maxsize=16)
 
     def read() -> None:

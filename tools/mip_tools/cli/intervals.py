@@ -12,7 +12,7 @@ from .clocks import SECOND
 
 #: An interval of this many times the usual one is a gap.
 GAP = 1.5
-#: How many gaps and jumps are kept, with their places.
+#: The number of gaps and jumps that are kept, with their places.
 KEPT = 10
 
 
@@ -121,7 +121,7 @@ class Intervals:
 
     @property
     def gaps(self) -> tuple[int, float, list[Place]]:
-        """How many gaps there are, the seconds that are missing, and the longest ones in order."""
+        """The number of gaps, the missing seconds, and the longest gaps in order."""
         usual = self.usual
         if usual is None or self.count < 4:
             return 0, 0.0, []

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 PART = 1 << 20
 
 
-#: How a value is formatted, and what with.
+#: The format of a value, and its argument.
 Texts = tuple[str, list[list[Any]]]
 
 

@@ -1,4 +1,4 @@
-"""What a device tells of itself: identity, descriptors, base rates, ports."""
+"""Reads from a device its identity, descriptors, base rates and ports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is in a log: types, rates, gaps, damage, in bounded memory."""
+"""Reports the types, rates, gaps and damage of a log, in bounded memory."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Kind:
 
 @dataclass
 class Report:
-    """What was found; all of it in bounded memory."""
+    """The findings, in bounded memory."""
 
     size: int = 0
     packets: int = 0

@@ -77,7 +77,7 @@ class Shown(NamedTuple):
 
     @property
     def old(self) -> str:
-        """How long ago it came, if that is long."""
+        """The time since its arrival, if it is long."""
         return "" if self.age < STALE else f"{self.age:.0f} s ago"
 
 
@@ -105,7 +105,7 @@ class Latest:
 
     @property
     def summary(self) -> str:
-        """How much has arrived."""
+        """Summarizes the data that arrived."""
         return f"{self.packets} packets, {self.skipped} bytes skipped"
 
     def shown(self, now: float) -> Iterator[Shown]:
@@ -168,7 +168,7 @@ def _draw(options: argparse.Namespace, latest: Latest) -> None:
 
 
 def pieces(options: argparse.Namespace, say: Callable[[str], object] | None = None) -> Iterator[Piece | None]:
-    """What arrives, until the time is over. Raises Failure, and Lost as `ports.pieces`."""
+    """Yields data as it arrives, until the time is over. Raises Failure, and Lost as `ports.pieces`."""
     if inputs.is_port(options.input):
         yield from ports.pieces(options.input, options, options.duration, say=say)
         return

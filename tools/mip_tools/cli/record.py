@@ -95,7 +95,7 @@ class _Recording:
                 return
 
     def status(self) -> str:
-        """What has been recorded."""
+        """Summarizes the recording."""
         spent = max(time.monotonic() - self._start, 1e-9)
         return (
             f"{spent:.0f} s, {inputs.readable(self.size)}, {self.packets} packets, "

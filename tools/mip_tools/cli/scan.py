@@ -1,4 +1,4 @@
-"""Where the packets of a stream are, and the bytes between them."""
+"""Finds the packets of a stream, and the bytes between them."""
 
 from __future__ import annotations
 
@@ -43,11 +43,11 @@ class Scanner:
 
 
 class Damaged:
-    """How many packets the skipped bytes seem to have contained, as far as their syncs are complete."""
+    """The number of packets that the skipped bytes seem to have contained, as far as their syncs are complete."""
 
     def __init__(self) -> None:
         self.count = 0
-        #: How many runs of skipped bytes there are.
+        #: The number of runs of skipped bytes.
         self.runs = 0
         self._run = bytearray()
 

@@ -16,7 +16,7 @@ Key = tuple[int, int | None]
 
 
 def keys(name: str) -> list[Key]:
-    """What a name means: a field, a set, or numbers such as 0x80 and 0x80:0x04. Raises Failure."""
+    """Resolves a name: a field, a set, or numbers such as 0x80 and 0x80:0x04. Raises Failure."""
     numbers = _NUMBERS.fullmatch(name)
     if numbers is not None:
         set, descriptor = (None if n is None else int(n, 0) for n in numbers.groups())

@@ -129,7 +129,7 @@ def skipped(data: bytes) -> str:
 
 
 def damage(data: bytes) -> str:
-    """What is wrong with bytes that look like a packet; empty if they do not."""
+    """The fault of bytes that look like a packet; empty if they do not."""
     at = data.find(SYNC)
     if at < 0 or len(data) - at < 4:
         return ""

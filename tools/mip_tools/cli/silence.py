@@ -1,4 +1,4 @@
-"""What is said of a port that sends nothing, or nothing that can be understood."""
+"""Messages about a port that sends nothing, or nothing that can be decoded."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What decides how the rows of a table are written, from a log or as they arrive."""
+"""Options for the rows of a table, from a log or as they arrive."""
 
 from __future__ import annotations
 

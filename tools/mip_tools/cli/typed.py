@@ -42,7 +42,7 @@ def command(kind: type[Command], words: Sequence[str]) -> Command:
 
 
 def usage(kind: type[Command]) -> str:
-    """Where to find its parameters."""
+    """The command that shows its parameters."""
     return f"`mip fields {kind.NAME}` says what it takes"
 
 

@@ -109,7 +109,7 @@ class YamlFile:
         self._edit(at, at, "".join(f"{self.newline}{line}" for line in lines), node is self.root)
 
     def end(self, node: Any) -> int:
-        """Where a node ends: PyYAML takes the comments behind a block for a part of it."""
+        """The end of a node: PyYAML takes the comments behind a block for a part of it."""
         items = _children(node)
         if items and not node.flow_style:
             return self.end(items[-1])

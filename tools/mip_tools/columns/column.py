@@ -33,7 +33,7 @@ class Column(Generic[F]):
     def __init__(self, log: Log, kind: type[F], values: dict[str, Values], where: Where, only: int | None) -> None:
         self._log = log
         self._values = values
-        #: Where its rows come from, for `times`.
+        #: The source of its rows, for `times`.
         self.where = where
         #: The descriptor set that all rows are of, if it was named or there is only one.
         self.only = only
@@ -50,7 +50,7 @@ class Column(Generic[F]):
 
     @cached_property
     def offset(self) -> Array:
-        """Where that packet begins, in bytes from the beginning of the file: (rows,), int64."""
+        """The offset of that packet, in bytes from the beginning of the file: (rows,), int64."""
         return self.where.offset()
 
     @cached_property

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class TypeCount:
-    """How many fields of a type a log has."""
+    """The number of fields of a type in a log."""
 
     set: int  # of their packets
     descriptor: int

@@ -1,4 +1,4 @@
-"""Which rows of a table the fields of a log belong to: a row for each instant, or for each packet."""
+"""Assigns the fields of a log to the rows of a table: a row for each instant, or for each packet."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def found(fields: Sequence[Fields], by: str) -> Instants:
 
 
 def _first(packets: Array, fields: Sequence[Fields]) -> Array:
-    """Where the first packet of the same instant begins. A packet without a timestamp is an instant by itself."""
+    """The offset of the first packet of the same instant. A packet without a timestamp is an instant by itself."""
     time = np.full(len(packets), NONE, np.int64)
     for f in fields:
         time[np.searchsorted(packets, f.offset)] = f.time

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
 F = TypeVar("F", bound=Field)
 
-#: What a row of a table is.
+#: Kinds of rows of a table.
 By: TypeAlias = Literal["time", "packet"]
-#: What becomes of values that are not valid according to their flags.
+#: Treatments of values that are not valid according to their flags.
 Invalid: TypeAlias = Literal["keep", "mask", "drop"]
 Method: TypeAlias = Literal["linear", "nearest", "last"]
 Library: TypeAlias = Literal["pandas", "polars", "pyarrow"]
@@ -162,7 +162,7 @@ class Log:
         self._counts = number, self.end - self.begin - covered
 
     def _beginning(self) -> int:
-        """Where the first packet may begin: one that begins before this part may reach into it."""
+        """The offset at which the first packet may begin: one that begins before this part may reach into it."""
         back = 8 * scan.REACH
         while True:
             begin = max(0, self.begin - back)
@@ -223,7 +223,7 @@ class Log:
     # ----------------------------------------------------------------- what is in it
 
     def types(self) -> list[TypeCount]:
-        """How many fields of each type there are, by set and descriptor, and their rates."""
+        """The number of fields of each type, by set and descriptor, and their rates."""
         if self._types is None:
             self._types = contents.types(self)
         return self._types

@@ -50,7 +50,7 @@ class Kernel:
         self._gather = function("mip_gather", None, *[place] * 4, number, number, number, place)
 
     def packets(self, data: Array, first: int, limit: int, length: int, overlap: bool) -> tuple[Array, Array]:
-        """Where packets begin and end that begin in `first` … `limit`; with `overlap`, all that look like one."""
+        """Beginnings and ends of packets that begin in `first` … `limit`; with `overlap`, all that look like one."""
         most = max(0, limit - first) // (2 if overlap else _SMALLEST) + 1
         at, end = np.empty(most, np.int32), np.empty(most, np.int32)
         count = self._packets(_at(data), first, limit, length, overlap, _at(at), _at(end))

@@ -40,7 +40,7 @@ class Piece:
 
 
 class Where:
-    """Where the rows of a column come from; what is not asked for is not computed."""
+    """The source of a column's rows; each part is computed only when it is used."""
 
     def __init__(self, only: int) -> None:
         """`only` is the set that all come from, or 0."""
@@ -59,7 +59,7 @@ class Where:
         self._right = right
 
     def __getstate__(self) -> dict[str, Any]:
-        """What copies of a column need."""
+        """The state that copies of a column need."""
         return self.__dict__ | {"_rows": [(piece.bare(), packet) for piece, packet in self._rows]}
 
     def packet(self) -> Array:
@@ -68,7 +68,7 @@ class Where:
         return self._joined(numbers, np.int64)
 
     def offset(self) -> Array:
-        """Where they begin in the file."""
+        """Their offsets in the file."""
         places = [_from(piece.begin, piece.at[packet]) for piece, packet in self._rows]
         return self._joined(places, np.int64)
 

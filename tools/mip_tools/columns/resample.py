@@ -97,7 +97,7 @@ def _spans(columns: Sequence[Column[Any]], known: Sequence[Array]) -> list[tuple
 
 
 def _usual(time: Array) -> float:
-    """How long a value remains valid, in nanoseconds."""
+    """The time for which a value remains valid, in nanoseconds."""
     steps = np.diff(np.unique(time[time != NONE]))
     return float(np.median(steps)) * _USUAL if len(steps) else 0.0
 
@@ -163,7 +163,7 @@ def _between(group: list[Series], a: list[Array], b: list[Array], weight: Array,
 
 
 def _lowest(values: Array, circle: float) -> float | None:
-    """Where the range of angles begins: at 0, or at minus half of the circle. None if they are no such angles."""
+    """The lower end of the range of angles: 0, or minus half of the circle. None if they are no such angles."""
     if not circle:
         return None
     least, most = float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))

@@ -10,7 +10,7 @@ from .native import Array as Array
 
 #: Bytes of a packet before its payload.
 HEADER = OVERHEAD - 2
-#: How far a packet can reach beyond the byte it begins with.
+#: The greatest distance from the first byte of a packet to its end.
 REACH = MAX_PAYLOAD + OVERHEAD - 1
 #: Bytes behind a piece that must be there, for packets and for whole words of the last of them.
 AHEAD = REACH + 8
@@ -19,7 +19,7 @@ _PART = 1 << 18  # bytes that are searched at once: what is computed of them sta
 
 
 def packets(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
-    """Where the packets begin and end that begin in `first` … `limit`.
+    """The beginnings and ends of the packets that begin in `first` … `limit`.
 
     Of `data`, `length` bytes belong to the log; at least 8 more must be there.
     """
@@ -42,7 +42,7 @@ def without_overlap(at: Array, end: Array) -> Array:
 
 
 def candidates(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
-    """Where byte sequences with the form and the checksum of a packet begin and end."""
+    """The beginnings and ends of byte sequences with the form and the checksum of a packet."""
     if native.kernel is not None:
         return native.kernel.packets(data, first, limit, length, True)
     limit = min(limit, length - OVERHEAD + 1)
@@ -75,7 +75,7 @@ def clear(data: Array, begin: int, length: int, whole: bool) -> int | None:
 
 
 def _forms(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
-    """Where byte sequences with the form of a packet begin and end."""
+    """The beginnings and ends of byte sequences with the form of a packet."""
     at = np.flatnonzero(data[first:limit] == SYNC[0])
     at += first
     at = at[data[at + 1] == SYNC[1]]

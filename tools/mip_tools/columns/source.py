@@ -21,7 +21,7 @@ class Source:
     def __init__(self, given: Any) -> None:
         self._map: mmap.mmap | None = None
         self._begin = 0  # of the log in that file
-        #: What another process can read the same from: a path or bytes.
+        #: A source for another process: a path or bytes.
         self.origin: str | bytes | None = given if isinstance(given, bytes) else None
         if isinstance(given, (str, os.PathLike)):
             self.origin = os.path.abspath(os.fsdecode(given))

@@ -17,7 +17,7 @@ from .scan import Array
 if TYPE_CHECKING:
     from .log import Log
 
-#: What a table has beside the parameters of fields.
+#: Columns of a table besides the parameters of fields.
 OWN = ("time", "time_own", "packet", "set", "offset")
 #: Bytes of a log whose rows are in memory together.
 PART = 1 << 20
@@ -53,7 +53,7 @@ class Table(NamedTuple):
 
 
 class Form(NamedTuple):
-    """What a table has; see `Log.frame`."""
+    """The content of a table; see `Log.frame`."""
 
     by: str = "time"
     clock: str = ""  # of the time; "" for none
@@ -304,7 +304,7 @@ def _names(p: Parameter, numbers: Array) -> Array:
 
 
 def _lists(ragged: Ragged) -> tuple[int, str]:
-    """How deep its lists are nested, and the type of what is in them."""
+    """The depth of its nested lists, and the type of their elements."""
     if isinstance(ragged.values, Ragged):
         depth, item = _lists(ragged.values)
         return depth + 1, item

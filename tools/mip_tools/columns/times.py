@@ -44,7 +44,7 @@ class Stamps:
 
     @cached_property
     def offset(self) -> Array:
-        """Where the packets begin in the file."""
+        """The offsets of the packets in the file."""
         return self._offset()
 
     @cached_property
@@ -142,7 +142,7 @@ def chosen(log: Log, sets: list[int]) -> str:
 
 
 def rate(log: Log, set: int, count: int, first: int, last: int) -> float | None:
-    """How often a field comes, in Hz, by the steadiest clock: that of the device, if it is there."""
+    """The rate of a field, in Hz, by the steadiest clock: that of the device, if it is there."""
     for clock in reversed(CLOCKS):
         known = stamps(log, set, clock)
         if len(known.packet):

@@ -27,7 +27,7 @@ KEYS = ("model", "firmware", "date", "settings")
 
 @dataclass
 class File:
-    """What a file says: its settings, and where each of them stands."""
+    """The settings in a file, and the place of each."""
 
     path: Path
     model: str

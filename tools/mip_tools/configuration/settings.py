@@ -1,4 +1,4 @@
-"""Which commands are settings, and which instances of them a device has."""
+"""The commands that are settings, and the instances of them that a device has."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def settings() -> dict[str, type[Command]]:
 
 
 def parameters(kind: type[Any]) -> list[Parameter]:
-    """What a setting is made of: not the function, nor what follows from the rest, nor what is reserved."""
+    """The parameters that make up a setting: not the function, nor what follows from the rest, nor what is reserved."""
     return [p for p in info(kind).parameters if p.name != "function" and not p.derived and not p.reserved]
 
 

@@ -1,4 +1,4 @@
-"""What is said to a device about its settings."""
+"""The conversation with a device about its settings."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 QUIET = 0.3
 #: Seconds until a device has changed its baud rate.
 SETTLE = 0.3
-#: How often a command is sent that is not answered.
+#: The number of attempts to send a command without a reply.
 ATTEMPTS = 2
 #: How often what other settings have changed meanwhile is written again.
 ROUNDS = 3
@@ -225,7 +225,7 @@ class Lost(Exception):
 
 
 class Pushed:
-    """What has become of settings."""
+    """The outcome of writing settings."""
 
     def __init__(self) -> None:
         self.written: set[Place] = set()

@@ -62,7 +62,7 @@ class Finder(MetaPathFinder, Loader):
         return spec_from_loader(fullname, self) if home in self.builders else None  # else in the folder
 
     def get_source(self, fullname: str) -> str:
-        """What `help`, and the texts of the package, are read from."""
+        """The source of `help` and of the texts of the package."""
         return prose.source(self.document, fullname.rpartition(".")[2])
 
     def exec_module(self, module: ModuleType) -> None:
@@ -76,7 +76,7 @@ def load(file: Path, runtime: ModuleType, name: str = NAME) -> str:
 
 
 def simulation(package: str) -> dict[str, Any] | None:
-    """What virtual devices show and do: the `simulation.json` of a package; None if it is not made of definitions."""
+    """The behaviour of virtual devices: the `simulation.json` of a package; None if it is not made of definitions."""
     made = (f.document for f in sys.meta_path if isinstance(f, Finder) and f.document.package == package)
     return next(map(modules.simulation, made), None)
 

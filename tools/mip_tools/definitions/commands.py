@@ -107,7 +107,7 @@ class Fields(Records):
         return lambda command: bool(getattr(command, name) == value)
 
     def expected(self, f: Item) -> Any:
-        """What answers a command, if that depends on its values."""
+        """The response to a command, if it depends on the values of the command."""
         functions = self.document.functions
         given = [functions[c["function"]] for c in f.get("calls", ())]
         responding = [x["value"] for x in given if x["responds"]]

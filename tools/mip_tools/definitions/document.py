@@ -148,7 +148,7 @@ class Document:
         return getattr(import_module(f"{self.package}.{home}"), called)
 
     def member(self, name: str, reserved: frozenset[str] = MEMBERS) -> str:
-        """What Python calls a parameter, a function or a part of a value."""
+        """The name in Python of a parameter, a function or a part of a value."""
         name = f"n{name}" if name[:1].isdigit() else name
         return self.checked(f"{name}_" if name in reserved or keyword.iskeyword(name) else name)
 

@@ -1,4 +1,4 @@
-"""What is known of types and fields at run time, as the modules of `_meaning` have it."""
+"""Facts about types and fields at run time, as the modules of `_meaning` have them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from .document import Document, Item
 from .records import mask
 
-#: What a parameter and a variant of it have, by the same name.
+#: Attributes that a parameter and its variants share, by the same name.
 _PLAIN = ("minimum", "maximum", "above", "below", "deprecated", "optional", "fields_of", "frame")
 
 
@@ -115,7 +115,7 @@ class Meaning:
         return tuple(self.numbers(x, t) for x in value) if isinstance(value, list) else value
 
     def variants(self, p: Item, record: Item) -> tuple[Any, ...]:
-        """What differs by device or with another parameter: one for all devices where it is the same."""
+        """The differences by device or with another parameter: one for all devices that share it."""
         groups: list[list[Item]] = []
         for v in p.get("variants", ()):
             same = next((g for g in groups if v["by"] == "device" and {**g[0], "key": v["key"]} == v), None)

@@ -1,4 +1,4 @@
-"""What each module of the package contains."""
+"""The content of each module of the package."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def session(document: Document, module: Any) -> None:
 
 
 def _call(document: Document, name: str) -> Any:
-    """What makes a command: its first function."""
+    """The constructor of a command: its first function."""
     kind, calls = document.get(name), document.fields[name].get("calls")
     return getattr(kind, document.member(calls[0]["function"])) if calls else kind
 

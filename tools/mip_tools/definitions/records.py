@@ -237,7 +237,7 @@ def _bits(b: Item, number: Any) -> Any:
 
 
 def _columns(elements: list[str]) -> int:
-    """How many columns a matrix has; 0 for other vectors."""
+    """The number of columns of a matrix; 0 for other vectors."""
     count = round(len(elements) ** 0.5)
     places = [f"m{row}{column}" for row in range(1, count + 1) for column in range(1, count + 1)]
     return count if count > 1 and places == elements else 0

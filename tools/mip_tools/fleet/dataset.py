@@ -50,7 +50,7 @@ class Member:
 
 @dataclass
 class Manifest:
-    """What is in a data set."""
+    """The content of a data set."""
 
     options: dict[str, Any]
     files: list[Part] = field(default_factory=list)

@@ -21,7 +21,7 @@ from .tasks import Work
 
 #: Bytes of a log that are decoded together.
 _PART = 1 << 23
-#: What a log must contain for it to be known which device sent it.
+#: The field that a log must contain to identify its device.
 _IDENTITY = "base.get_device_info_response"
 FACTS = "facts.json"
 
@@ -60,7 +60,7 @@ def _facts(source: Log) -> dict[str, Any]:
 
 
 def _told(source: Log) -> dict[str, str]:
-    """What the device says of itself, if its answer is in the log."""
+    """The identity of the device, if its reply is in the log."""
     try:
         one = next(source.objects(registry.by_name(_IDENTITY)), None)
     except (UnknownName, LookupError):

@@ -23,7 +23,7 @@ Progress = Callable[[int, int, str], object]
 
 @dataclass
 class Built:
-    """What a run has done."""
+    """The result of a run."""
 
     manifest: dataset.Manifest
     added: list[str] = field(default_factory=list)  # names of logs

@@ -223,7 +223,7 @@ def _log(options: argparse.Namespace, stack: ExitStack) -> TextIO | None:
 
 
 def _introduce(whole: Device, sure: bool) -> None:
-    """What is known of a device, and what is assumed."""
+    """Prints what is known of a device, and what is assumed."""
     profile = certain(whole) if sure else whole
     _complain(_evidence(whole, sure))
     if profile.incomplete:
@@ -233,14 +233,14 @@ def _introduce(whole: Device, sure: bool) -> None:
 
 
 def _evidence(profile: Device, certain: bool) -> str:
-    """How much of a profile is certain."""
+    """States how much of a profile is certain."""
     sure, probable = len(profile.certain), len(profile.fields - profile.certain)
     left_out = " and left out" if certain and probable else ""
     return f"{profile.title}: {sure} commands and data fields are certain, {probable} probable{left_out}"
 
 
 def _known(profile: Device) -> str:
-    """How complete a profile is, for those that are incomplete."""
+    """States how complete an incomplete profile is."""
     commands = sum(1 for set, _ in profile.fields if set < 0x80)
     data = len(profile.fields) - commands
     return f"{_count(commands, 'command')}, {_count(data, 'data field')}"

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 Group = Sequence[RawField]  # an acknowledge, perhaps with a response
 
-#: What a device still does in a direct mode, in which the host talks to a sensor inside.
+#: Commands that a device still accepts in a direct mode, in which the host talks to a sensor inside.
 ALWAYS = ("communication_mode", "device_status")
 
 

@@ -1,4 +1,4 @@
-"""What faults do to bytes. All choices come from the random generator of the caller."""
+"""Effects of faults on bytes. All choices come from the random generator of the caller."""
 
 from __future__ import annotations
 

@@ -35,10 +35,10 @@ from .settings import Place, Settings, arguments, asking, command_type, home, is
 from .streams import SECOND, Stream, answers, packets
 from .world import World
 
-#: How long a device takes to start; it answers nothing meanwhile.
+#: The start-up time of a device, during which it does not reply.
 BOOT_TIME = SECOND // 2
 
-#: How long a host may pause inside a packet; then the device searches the bytes for another one.
+#: The longest pause of a host inside a packet; after it, the device searches the bytes for another one.
 SILENCE = SECOND // 10
 
 #: Packets of commands that wait while another command takes its time; more are lost.

@@ -1,4 +1,4 @@
-"""What commands do besides storing a setting, by their names in `spec/simulation`.
+"""Effects of commands besides storing a setting, by their names in `spec/simulation`.
 
 An effect of a plain command takes place when the command arrives. An effect of a setting is done
 whenever the setting changes, before it is kept; it may refuse.
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a command continues after its answer."""
+    """The continuation of a command after its reply."""
 
     delay: int = 0  # nanoseconds until the answer
     after: Callable[[], None] | None = None  # done once it is sent

@@ -45,7 +45,7 @@ CONVERGED = (0.01, 6e-5, 0.05, 2.0, 0.3)
 WARNED = (0.03, inf, 0.2, 10.0, 1.0)
 #: A bias of the gyroscope that is too high, and an antenna offset that is wrong by too much.
 HIGH_GYRO_BIAS, WRONG_OFFSET = 0.01, 0.5
-#: How the attitude of the complementary filter wanders, in rad by the square root of a second.
+#: The random walk of the complementary filter's attitude, in rad per square root of a second.
 WANDERS = 1e-3
 #: Errors end here: so far away, nothing is known.
 MOST = 1e12
@@ -195,7 +195,7 @@ class Filter:
             self._fix(receiver)
 
     def _fix(self, receiver: int) -> None:
-        """What a receiver measures wrongly, north, east, down."""
+        """The position error of a receiver: north, east, down."""
         noise, gauss = self._world.noise, self._fixes.gauss
         n, e, d = (noise * deviation * gauss(0.0, 1.0) for deviation in FIX)
         u, v, w = (noise * FIX_VELOCITY * gauss(0.0, 1.0) for _ in range(3))
@@ -314,7 +314,7 @@ class Filter:
 
     @property
     def _declination_error(self) -> float:
-        """How wrong a heading by the magnetometer is."""
+        """The error of a heading from the magnetometer."""
         assumed = self.options.declination
         return 0.0 if assumed is None else assumed - self._world.declination
 
@@ -509,7 +509,7 @@ class Filter:
 
     @property
     def headings(self) -> tuple[str, ...]:
-        """Where the heading came from, in the words of `heading_update_state`."""
+        """The sources of the heading, as in `heading_update_state`."""
         names = {"mag": "mag", "dual_antenna": "external", **dict.fromkeys(HEADINGS, "external")}
         return tuple(sorted({names[kind] for kind in self._used if kind in names}))
 

@@ -1,4 +1,4 @@
-"""What a specification says of simulated devices, by full names of fields: `simulation.json` of its package."""
+"""Facts of a specification about simulated devices, by full names of fields: `simulation.json` of its package."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..binding import Field, Parameter, data, info
 
 @dataclass(frozen=True)
 class Value:
-    """What a parameter shows: a quantity times `factor`, a constant, or a parameter of the command."""
+    """The value of a parameter: a quantity times `factor`, a constant, or a parameter of the command."""
 
     quantity: str = ""
     factor: float = 1.0
@@ -24,7 +24,7 @@ class Value:
 
 @dataclass(frozen=True)
 class FieldValues:
-    """What a field shows. `parameters`: parameter, or parameter.member of a structure -> value."""
+    """The values of a field. `parameters`: parameter, or parameter.member of a structure -> value."""
 
     for_each: str = ""  # a quantity that is a list: the field is sent once for each item
     valid_if: str = ""  # a quantity that says whether the values are valid; else all of them are 0
@@ -37,7 +37,7 @@ PORTS, DATA_SETS, AFFECTED = "ports", "data_sets", "affected"
 
 @dataclass(frozen=True)
 class Behavior:
-    """What a command does besides storing a setting, and how the setting is stored."""
+    """The effects of a command besides storing a setting, and the way the setting is stored."""
 
     effect: str = ""
     arguments: dict[str, str | int] = field(default_factory=dict)  # parameter, parameter.member, or a number
@@ -54,7 +54,7 @@ class Behavior:
 
 @dataclass(frozen=True)
 class Difference:
-    """How a parameter differs on a device."""
+    """The difference of a parameter on a device."""
 
     default: Any = None
     minimum: float | None = None
@@ -64,7 +64,7 @@ class Difference:
 
 
 def difference(p: Parameter, device: str) -> Difference:
-    """How it differs on a device (its id) as a whole."""
+    """The whole difference on a device (its id)."""
     changes: dict[str, Any] = {}
     for v in p.variants:
         if v.by == "device" and device in v.keys and not v.member:

@@ -20,7 +20,7 @@ class Kind:
     unit: str = ""
 
 
-#: What faults affect. A rate is the probability for each of these.
+#: The targets of faults. A rate is the probability for each of these.
 CHANCES = {
     "packet": "packet that the device sends",
     "data": "packet of data, before its checksum is computed",
@@ -67,7 +67,7 @@ KINDS: dict[str, Kind] = {
 
 @dataclass(frozen=True)
 class Plan:
-    """How often a fault happens: with a probability, and at exact places (1 is the first chance)."""
+    """The frequency of a fault: with a probability, and at exact places (1 is the first chance)."""
 
     rate: float = 0.0
     amount: float = 0.0

@@ -113,7 +113,7 @@ class Faults:
     # ----------------------------------------------------------------- from the device
 
     def transmit(self, now: int, packet: bytes, line: Hashable = None) -> list[tuple[int, bytes]]:
-        """What a line transmits in place of a packet: bytes, each with a delay in ns, in order.
+        """Returns what a line transmits in place of a packet: bytes, each with a delay in ns, in order.
 
         Calls for one line are in the order of their times. An NMEA sentence passes as it is.
         """
@@ -279,7 +279,7 @@ class Faults:
     # ----------------------------------------------------------------- to the device
 
     def receive(self, now: int, data: bytes) -> bytes:
-        """What the device receives. The faults do not depend on the sizes of the pieces."""
+        """Returns the bytes that the device receives. The faults do not depend on the sizes of the pieces."""
         if not self._active["byte"]:
             return data
         made = bytearray()
@@ -298,7 +298,7 @@ class Faults:
         return bytes(made)
 
     def event(self, now: int) -> str:
-        """What happens to the device itself, checked every 100 ms of simulated time."""
+        """An event of the device itself, checked every 100 ms of simulated time."""
         for kind in self._struck("tick"):
             self.tell(now, kind, KINDS[kind].description)
             return kind

@@ -37,7 +37,7 @@ class Link:
         self._receive(self, bytes(data))
 
     def read(self) -> bytes:
-        """What the device has sent by now."""
+        """The bytes that the device has sent by now."""
         data = bytes(self._ready)
         self._ready.clear()
         return data
@@ -67,7 +67,7 @@ class Link:
         heapq.heappush(self._held, (time, self._order, data))
 
     def due(self, now: int) -> list[bytes]:
-        """What the device has to send by now."""
+        """The bytes that the device has to send by now."""
         due = []
         while self._held and self._held[0][0] <= now:
             due.append(heapq.heappop(self._held)[2])

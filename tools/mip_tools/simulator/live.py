@@ -35,7 +35,7 @@ class LivePort:
         self._rest = b""
 
     def read(self, size: int) -> bytes:
-        """What the device has sent; none after a moment. Raises ConnectionError when it is closed."""
+        """The bytes that the device has sent; none after a short wait. Raises ConnectionError when it is closed."""
         with self._wake:
             self._pass()
             if not self._rest:
@@ -66,7 +66,7 @@ class LivePort:
         self._rest += self._link.read()
 
     def _pause(self) -> float:
-        """How long nothing happens, as far as is known."""
+        """The time without events, as far as is known."""
         then = self._device.next
         if then is None:
             return READ_TIMEOUT

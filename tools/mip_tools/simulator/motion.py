@@ -13,7 +13,7 @@ from .track import Track
 from .trajectory import Trajectory
 from .waypoints import Waypoint
 
-#: Where motions are that are given no place: degrees and metres.
+#: The place of motions without one of their own: degrees and metres.
 LATITUDE, LONGITUDE, HEIGHT = 47.0, 8.0, 500.0
 
 

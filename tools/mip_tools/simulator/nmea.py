@@ -33,7 +33,7 @@ class Entry(Protocol):
 
 
 class _Fix(NamedTuple):
-    """What the sentences show, from one source."""
+    """The content of the sentences, from one source."""
 
     time: datetime
     latitude: float

@@ -35,7 +35,7 @@ def main(device: VirtualDevice, name: str) -> bool:
 
 
 def protocols(device: VirtualDevice, port: Port) -> tuple[int, int]:
-    """What a port receives and sends; if no command sets it, every protocol of the port."""
+    """The protocols that a port receives and sends; if no command sets it, every protocol of the port."""
     takes, gives = (sum(PROTOCOLS.get(name, 0) for name in names) or MIP for names in (port.receives, port.sends))
     for given in device.settings_of("protocols"):
         if given["port"] == port.id:

@@ -42,7 +42,7 @@ def _flags(w: World) -> tuple[str, ...]:
 
 
 def _measured(w: World, sensor: str, true: Vector, constant: Vector, out: Any) -> Vector:
-    """What an inertial sensor measures in the mean since the last output, in its own frame: `constant` is its bias
+    """The mean of an inertial sensor since the last output, in its own frame: `constant` is its bias
     without drift, which is in the noise."""
     noise = w.mean_noise(sensor, out)
     return _sum(true, constant) if noise is None else _sum(_sum(true, constant), noise)
@@ -76,7 +76,7 @@ def _single(sensor: str, true: float, w: World, out: Any) -> float:
 
 
 def _compensated_rate(w: World, out: Any) -> Vector:
-    """What the gyroscope measures, without the bias that the filter estimates."""
+    """The angular rate of the gyroscope, without the bias that the filter estimates."""
     found = _sum(w.state.rate, _scaled(w.gyro_bias_error, -1.0))
     noise = _white(w, GYRO, out)
     return w.vehicle(w.low_passed(GYRO, out, found if noise is None else _sum(found, noise)))  # type: ignore[arg-type]

@@ -23,7 +23,7 @@ def _base_station(w: World, _: Any) -> Vector:
 
 
 def _aiding(w: World) -> tuple[str, ...]:
-    """How the receivers aid the filter."""
+    """The aiding of the filter by the receivers."""
     if not w.gnss:
         return ("no_fix",)
     used = {"gps": "gps_l1", "glonass": "glonass_l1", "galileo": "galileo_e1", "beidou": "beidou_b1"}

@@ -148,7 +148,7 @@ class Replay:
     # ------------------------------------------------------------------ the motion
 
     def _series(self, alternatives: Sequence[Sequence[str]]) -> _Series:
-        """What the log says of a part of the motion, in the best form that it has."""
+        """The data of the log about a part of the motion, in the best form that it has."""
         for names in alternatives:
             for set, descriptor in sorted(self._recorded, reverse=True):
                 times, groups = self._recorded[set, descriptor]

@@ -20,7 +20,7 @@ from .profiles import device_named, port_named
 from .script import KINDS, ScriptedEvent
 from .state import Motion
 
-#: What an editor checks and completes a scenario with.
+#: The schema with which an editor checks and completes a scenario.
 SCHEMA = Path(__file__).with_name("scenario.schema.json")
 
 
@@ -38,7 +38,7 @@ class Simulated:
 
 @dataclass(frozen=True)
 class Scenario:
-    """What a file says."""
+    """The content of a scenario file."""
 
     devices: tuple[Simulated, ...] = ()
     events: tuple[ScriptedEvent, ...] = ()
@@ -109,7 +109,7 @@ class _Reader(YamlReader):
         return str(node.value)
 
     def tried(self, node: Any, read: Any) -> Any:
-        """What a text of the command line means."""
+        """Parses a text of the command line."""
         try:
             return read(self.text(node))
         except (Failure, MotionError) as error:

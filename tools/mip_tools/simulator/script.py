@@ -13,7 +13,7 @@ from .fault_kinds import parse_faults
 if TYPE_CHECKING:
     from .device import VirtualDevice
 
-#: What may happen, as a scenario file names it.
+#: Events, as a scenario file names them.
 KINDS = ("gnss_outage", "magnetic_disturbance", "faults", "disconnect", "unplug", "restart")
 
 

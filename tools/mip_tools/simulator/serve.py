@@ -29,7 +29,7 @@ CLIENTS = 64
 
 
 class Device(Protocol):
-    """What is served: see `VirtualDevice`."""
+    """The device that is served: see `VirtualDevice`."""
 
     @property
     def now(self) -> int: ...
@@ -230,7 +230,7 @@ class Server:
         self._drain()
 
     def _simulated(self, nanoseconds: float) -> float:
-        """How long this takes on the clock."""
+        """The time that this takes on the simulated clock."""
         return nanoseconds / SECOND / (self._speed or 1.0)
 
     @property
@@ -284,7 +284,7 @@ class Server:
             self._lost += behind
 
     def _patience(self) -> float | None:
-        """How long to wait for clients; None: until one comes."""
+        """The time to wait for clients; None: until one connects."""
         if self._stopped:
             return 0.0
         waits = [c.waits for c in self._channels if c.waits is not None]

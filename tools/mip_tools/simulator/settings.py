@@ -62,7 +62,7 @@ def _held(kind: type[Structure]) -> list[Parameter]:
 
 
 def place(command: Command) -> Place:
-    """Where the setting of a command is kept."""
+    """The key of the setting of a command."""
     kind = type(command)
     behavior, owner = COMMANDS.get(kind.NAME, NOTHING), home(kind)
     numbers = []

@@ -1,4 +1,4 @@
-"""Where a moving body is, how it moves and how it is turned."""
+"""Position, velocity and attitude of a moving body."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def euler(m: Matrix) -> Vector:
 
 
 def rotation_vector(a: Quaternion, b: Quaternion) -> Vector:
-    """How far the body turns from one attitude to another: the integral of its rate."""
+    """The rotation of the body from one attitude to another: the integral of its rate."""
     w, x, y, z = multiplied(conjugate(a), b)
     if w < 0:
         w, x, y, z = -w, -x, -y, -z

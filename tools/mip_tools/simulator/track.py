@@ -149,7 +149,7 @@ class Track:
         return min(speed, sqrt(self._limit * way * way / (5.7736 * climb))) if climb else speed
 
     def _arc(self, legs: list[tuple[float, float]], i: int, corner: float) -> tuple[float, float, float]:
-        """What the corner at waypoint `i` cuts off its legs, the length of its arc, and the curvature."""
+        """The length that the corner at waypoint `i` cuts off its legs, the length of its arc, and its curvature."""
         if not self._loop and i in (0, len(legs)):
             return 0.0, 0.0, 0.0
         (before, a), (after, b) = legs[i - 1], legs[i % len(legs)]
@@ -203,7 +203,7 @@ class Track:
 
     @property
     def duration(self) -> float | None:
-        """How long it takes in seconds; None if it goes round."""
+        """Its duration in seconds; None if it repeats."""
         return None if self._loop else self._lap.duration
 
     def at(self, t: float) -> State:

@@ -242,7 +242,7 @@ class _Table:
 
 
 def _cells(line: str) -> Iterator[tuple[int, str]]:
-    """What is between commas, and its column in the text."""
+    """The texts between commas, each with its column."""
     column = 1
     for cell in line.split(","):
         yield column + len(cell) - len(cell.lstrip()), cell.strip()

@@ -58,7 +58,7 @@ _SENSES = {
 
 
 def senses(profile: Device) -> frozenset[str]:
-    """What the device measures, and whether its filter has a position."""
+    """The sensors of the device, and whether its filter has a position."""
     found: set[str] = set()
     for number, kind in registry.all_types():
         if (number, kind.DESCRIPTOR) in profile.fields:
@@ -161,7 +161,7 @@ def _joined(readers: list[Reader], item: Any) -> tuple[Any, ...]:
 
 
 def _readers(kind: type[Field], profile: Device, world: World, source: FieldValues) -> tuple[list[Reader], str]:
-    """What reads the parameters, neighbouring constants as one, and their layout."""
+    """Readers of the parameters, neighbouring constants as one, and their layout."""
     readers: list[Reader] = []
     constants: tuple[Any, ...] = ()
     layout = ""
@@ -218,7 +218,7 @@ def _with(read: Reader | tuple[Any, ...], flags: int) -> Reader | tuple[Any, ...
 def _reader(
     p: Parameter, value: Value | None, letter: str, count: int, type_: Any, world: World
 ) -> Reader | tuple[Any, ...]:
-    """What reads a parameter; its numbers themselves if they never change."""
+    """The reader of a parameter; its numbers themselves if they never change."""
     if p.constant is not None:
         return (p.constant,) * count
     if value is None:

@@ -78,7 +78,7 @@ class Output:
 
 
 class Antenna:
-    """Where the antenna of a GNSS receiver is and how it moves."""
+    """Position and velocity of the antenna of a GNSS receiver."""
 
     __slots__ = ("ecef", "height", "latitude", "longitude", "velocity")
 
@@ -148,7 +148,7 @@ class World:
         self.start_place: Vector = earth.ecef(first.latitude, first.longitude, first.height)
 
     def set_up(self) -> None:
-        """What settings change is as on a new device."""
+        """Sets everything that settings change to its state on a new device."""
         self.accel_bias = self.gyro_bias = _ZERO
         self.hard_iron: Vector = _ZERO
         self.soft_iron: Matrix = _IDENTITY
@@ -178,14 +178,14 @@ class World:
 
     @property
     def state(self) -> State:
-        """How the body moves, at this time."""
+        """The motion of the body at this time."""
         state = self._state
         if state is None:
             state = self._state = self.motion.at(self.time)
         return state
 
     def once(self, name: str, make: Callable[[], T]) -> T:
-        """What is made at most once at each time."""
+        """Makes a result at most once at each time."""
         found: T | None = self._known.get(name)
         if found is None:
             found = self._known[name] = make()
@@ -442,7 +442,7 @@ class World:
 
     @property
     def gyro_bias_error(self) -> Vector:
-        """How wrong the estimate of the bias is that the setting does not remove."""
+        """The error of the estimated bias that the setting does not remove."""
         self.filter.advance()
         known = self.filter.options.estimated
         if known is not None and "gyro_bias" not in known:
@@ -488,7 +488,7 @@ class World:
         return self.once(f"antenna {receiver}", lambda: Antenna(self.state, _ANTENNAS[receiver]))
 
     def fix(self, receiver: int) -> Antenna:
-        """Where the receiver believes its antenna to be."""
+        """The position of the antenna as the receiver measures it."""
         return self.once(f"fix {receiver}", lambda: self._fix(receiver))
 
     def _fix(self, receiver: int) -> Antenna:

@@ -73,7 +73,7 @@ def _port(name: str, baud: int | None) -> Any:
 
 
 def _virtual(options: argparse.Namespace) -> Any:
-    """What opens a port of a virtual device, which lives as long as the server."""
+    """Opens a port of a virtual device, which lives as long as the server."""
     from ..simulator import Faults, LivePort, VirtualDevice
     from ..simulator.fault_kinds import parse_faults
     from ..simulator.motion import parse_motion

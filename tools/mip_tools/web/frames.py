@@ -19,7 +19,7 @@ LONGEST = 1 << 16
 
 
 class Wrong(Exception):
-    """What no client may send; `code` closes the connection."""
+    """A frame that no client may send; `code` closes the connection."""
 
     def __init__(self, code: int, text: str) -> None:
         super().__init__(text)

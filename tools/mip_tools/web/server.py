@@ -25,7 +25,7 @@ _HEADER = re.compile(r"([^:\s]+):\s*(.*?)\s*$")
 
 
 class Port(Protocol):
-    """What is served: a port as `mip_protocol` opens it, or a `LivePort`."""
+    """A port that is served: as `mip_protocol` opens it, or a `LivePort`."""
 
     def read(self, size: int, /) -> bytes | None: ...
     def write(self, data: bytes, /) -> int | None: ...
@@ -69,7 +69,7 @@ class Server:
 
     @property
     def address(self) -> str:
-        """What a page connects to."""
+        """The address to which a page connects."""
         return f"ws://{HOST}:{self.number}/{self.token}"
 
     def __enter__(self) -> Server:

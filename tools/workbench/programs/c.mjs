@@ -54,7 +54,7 @@ export function wayOf(names, field, values) {
     return way;
 }
 
-/** What must be declared before, and the call, whose result is assigned. */
+/** The declarations before a call, and the call, whose result is assigned. */
 function cCall(names, field, values, result) {
     const { protocol } = names;
     refuseOptional(protocol, field, values);
@@ -78,7 +78,7 @@ function cCall(names, field, values, result) {
     return [...before, called].map((line) => laidOut(statement(line), 96));
 }
 
-/** What must be declared before, and what is passed. */
+/** The declarations before a call, and its argument. */
 function cArgument(names, field, parameter, value) {
     const name = names.table.arguments[parameter.name] ?? parameter.name;
     const op = operationOf(field, parameter.name);

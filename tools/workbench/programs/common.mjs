@@ -1,4 +1,4 @@
-// What programs in all languages share: names of the bindings, the parts of a call, and expressions that are laid out.
+// Parts of programs in all languages: names of the bindings, the parts of a call, and expressions that are laid out.
 
 import { bitsNumber, enumValue, maskOf, memberName, MipError } from "mip-protocol/tools";
 import { decimalLiteral, hexLiteral } from "../words.mjs";
@@ -57,7 +57,7 @@ export class Names {
         return name;
     }
 
-    /** What a program in Python calls a module. */
+    /** The name of a module in a Python program. */
     local(module) {
         return this.table.modules[module] ?? module;
     }

@@ -38,7 +38,7 @@ function isCalled({ protocol }, { type, length, optional }) {
     return type === "char" || typeof length === "string";
 }
 
-/** What must be declared before, and the call, whose result is assigned. */
+/** The declarations before a call, and the call, whose result is assigned. */
 function call(names, c, field, values, result) {
     refuseOptional(names.protocol, field, values);
     const way = wayOf(c, field, values);
@@ -58,7 +58,7 @@ function call(names, c, field, values, result) {
     return [...before.map(statement), asked].map((line) => laidOut(line, 96));
 }
 
-/** What must be declared before, and the member of the command. */
+/** The declarations before a command, and its member. */
 function argument(names, c, field, parameter, value) {
     const op = operationOf(field, parameter.name);
     if (op.kind === "switch") return [[], cUnion(c, parameter, op, value)];

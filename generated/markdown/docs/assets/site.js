@@ -93,7 +93,7 @@
         table.dataset.narrow = last < LONG ? "short" : "long";
     }
 
-    /** What is too wide for the window breaks, and if that is not enough, scrolls by itself and can be reached by the keyboard. */
+    /** Breaks names in boxes that are too wide; those that still are scroll and can be reached by the keyboard. */
     function fit(boxes) {
         const isWide = (box) => box.scrollWidth > box.clientWidth;
         for (const box of boxes.filter(isWide)) for (const table of box.querySelectorAll("table:not([data-narrow])")) breakNames(table);
@@ -124,7 +124,7 @@
         JavaScript: ["javascript", "mjs"],
     };
 
-    /** What is between two comments of a program is replaced by other lines, as far to the right. */
+    /** Replaces the lines between two comments of a program by others, with the same indentation. */
     function replaced(lines, from, count, others) {
         const at = lines.findIndex((line) => line.includes(from)) + 1;
         if (!at) return;
@@ -247,7 +247,7 @@
         title.after(element("p", { class: "mip-mine" }, words), ...hiding(document.querySelectorAll(".mip-other")));
     }
 
-    /** What is about other devices, and a box that shows it nevertheless. */
+    /** Hides content for other devices, and returns a check box that shows it. */
     function hiding(others) {
         if (!others.length) return [];
         const box = element("input", { type: "checkbox" });

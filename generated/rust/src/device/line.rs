@@ -18,7 +18,7 @@ const WRITE: Duration = Duration::from_secs(5);
 const USUAL: u32 = 115_200;
 /// Until a port that was lost is tried again.
 const PAUSE: Duration = Duration::from_millis(100);
-/// How far the clock of a log jumps at its end.
+/// The step of a log's clock at its end.
 const END: u32 = 1 << 30;
 
 /// A serial port, a TCP connection, or a log, at a place that is written as text:
@@ -32,7 +32,7 @@ pub struct Line {
     place: String,
     baud: Option<u32>,
     start: Instant,
-    /// What the clock of a log shows.
+    /// The time of a log's clock.
     log_ms: u32,
 }
 

@@ -94,7 +94,7 @@ macro_rules! command {
     };
 }
 
-/// What a command with a function selector is answered with.
+/// The responses to a command with a function selector.
 macro_rules! calls {
     ($name:ident) => {};
     ($name:ident $($($function:ident)+ -> $response:ty;)+) => {

@@ -90,7 +90,7 @@ macro_rules! open_enum {
     };
 }
 
-/// How a newtype is in the formats of `serde`.
+/// The form of a newtype in the formats of `serde`.
 #[cfg(feature = "serde")]
 macro_rules! readable {
     ($name:ident $write:ident $read:ident) => {

@@ -91,7 +91,7 @@ macro_rules! registry {
             $($(#[cfg($when)] $variant,)*)*
         }
 
-        /// What has a row in the table: each set of a family, or the range of all sets of a kind.
+        /// The rows of the table: each set of a family, or the range of all sets of a kind.
         const ROWS: &[&[(u8, u8)]] = &[$(
             #[cfg($when)]
             &[$(($first, $crate::bits::last!($first $(, $last)?)),)+],
@@ -299,7 +299,7 @@ macro_rules! parameters {
     };
 }
 
-/// What is the same in all sets, unless a set has its own.
+/// Statements for all sets, unless a set has its own.
 macro_rules! own {
     ($common:literal) => {
         $common

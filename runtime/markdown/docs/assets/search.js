@@ -1,4 +1,4 @@
-// What the search of the site finds: passages of pages, from text.js, and fields, from fields.js of the workbench. It needs
+// Results of the site's search: passages of pages, from text.js, and fields, from fields.js of the workbench. It needs
 // no page, so that tests run it alone.
 globalThis.mipSearch = (() => {
     const FIELDS = 8;
@@ -42,7 +42,7 @@ globalThis.mipSearch = (() => {
         return new RegExp(`(?<![a-z0-9])(?:${[...all].map((one) => (one.length < 3 ? `${one}(?![a-z0-9])` : one)).join("|")})`);
     }
 
-    /** How much of a heading the words are, from 0 to 1; 0 if it lacks one of them. */
+    /** The share of a heading that the words make up, from 0 to 1; 0 if it lacks one of them. */
     function shareOf(heading, patterns) {
         const all = telling(heading);
         return patterns.every((pattern) => pattern.test(heading.toLowerCase())) && all.length ? patterns.length / all.length : 0;
@@ -99,7 +99,7 @@ globalThis.mipSearch = (() => {
         return [...first, ...some.filter((one) => !first.has(one)).map((one) => ({ ...one, leads: 0 }))].slice(0, PASSAGES);
     }
 
-    /** What stands around the first of the words. */
+    /** The text around the first of the words. */
     function excerpt({ content, patterns }) {
         const lower = content.toLowerCase();
         const at = Math.min(...patterns.map((pattern) => lower.search(pattern)).filter((place) => place >= 0), lower.length);
@@ -119,7 +119,7 @@ globalThis.mipSearch = (() => {
         return found.filter(({ field }, i) => !field.command || !names.slice(0, i).includes(field.command)).slice(0, FIELDS);
     }
 
-    /** What shows a field: its page, or a section of one that shows more. */
+    /** The place of a field: its page, or a section of a page that has more. */
     function shownBy(field) {
         const address = addressOf(field);
         return address.startsWith("fields/") ? address.split("#")[0] : address;
