@@ -56,10 +56,11 @@ PARSER = {
 }
 #: The same of the client.
 CLIENT = {
-    "client_poll": ("up to three requests, any time", "--unwind 5"),
-    "client_cancel": ("up to three requests", "--unwind 5"),
-    "client_wait": ("up to three requests", "--unwind 5"),
-    "client_barrier": ("up to three requests", "--unwind 5 --unwindset mip_client_barrier.1:65"),
+    "client_poll": ("up to three requests, any time", "--unwind 9"),
+    "client_passes": ("up to three requests, any packet", "--unwind 9 --unwindset mip_client_passes.0:65"),
+    "client_cancel": ("up to three requests", "--unwind 9"),
+    "client_wait": ("up to three requests", "--unwind 9"),
+    "client_barrier": ("up to three requests", "--unwind 9 --unwindset mip_client_barrier.1:65"),
 }
 #: Harnesses that include what they prove.
 WHOLE = ("core.c", "parser.c", "client.c")
@@ -281,6 +282,8 @@ PLANTS = [
     ("client.c", "client->behind / 2U", "client->behind", "client_barrier"),
     ("client.c", "next < FIRST_BARRIER ? FIRST_BARRIER : next", "next", "client_poll"),
     ("client.c", "MIP_REQUEST_SILENT;\n        return;", "MIP_REQUEST_SILENT;", "client_wait"),
+    ("client.c", "size == 0 || packet->descriptor_set", "packet->descriptor_set", "client_passes"),
+    ("client.c", "field += 4;\n        if", "field += 5;\n        if", "client_passes"),
     ("codec.c", "codec->numbers > field->size", "codec->numbers > field->size + 1", "sensor.scaled_accel, decode"),
     ("codec.c", "left -= codec->numbers;", "left -= 1;", "sensor.scaled_accel, decode"),
     ("codec.c", "start + size + MIP_CHECKSUM_SIZE > builder->capacity", "start + size > builder->capacity + 1",
