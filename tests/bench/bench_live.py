@@ -1,4 +1,4 @@
-"""Data through a pair of sockets, as a device gives them: prints MB/s of packets, and of decoded packets."""
+"""Data through a pair of sockets, as a device sends them: prints MB/s of packets, and of decoded packets."""
 
 import random
 import socket

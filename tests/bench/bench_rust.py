@@ -171,7 +171,7 @@ def programs() -> tuple[Path, Path, str]:
 
 
 def instructions(program: Path, stream: Path, function: str) -> float:
-    """Those of one round; NaN without valgrind."""
+    """The instructions of one round; NaN without valgrind."""
     if shutil.which("valgrind") is None:
         return float("nan")
     counts = []

@@ -78,7 +78,7 @@ def test_a_part_without_these_commands_has_no_such_files() -> None:
     ],
 )
 def test_ports_compile(compiler: str, tmp_path: Path) -> None:
-    """All of them everywhere: the files of other systems are empty."""
+    """Every file compiles on every system: those of other systems are empty."""
     language = ["-std=c++11", "-x", "c++"] if compiler == "g++" else ["-std=c99"]
     for source in SOURCES:
         run(need(compiler), *language, *WARNINGS, include("real"), f"-I{PORTS}", "-c", source, "-o", tmp_path / "o")

@@ -42,7 +42,7 @@ def installed(prefix: Path) -> list[str]:
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    """Of a user: a program, and the library in the folder mip."""
+    """A user's project: a program, and the library in the folder mip."""
     where = tmp_path / "project"
     shutil.copytree(folder("real"), where / "mip")
     shutil.copy(folder("real") / "quickstart.c", where / "main.c")

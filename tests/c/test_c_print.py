@@ -1,4 +1,4 @@
-"""What the printer of C says of fields and packets, compared with what the model knows of them."""
+"""Compares the output of C's printer for fields and packets with the model."""
 
 from __future__ import annotations
 

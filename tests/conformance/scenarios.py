@@ -659,7 +659,7 @@ def entries(chance: Random, commands: list[m.Field]) -> list[Entry]:
 
 
 def command_values(chance: Random, command: m.Field) -> dict[str, Any]:
-    """Those of every function, those that select a response, and any."""
+    """The values of every function, those that select a response, and random ones."""
     if chance.random() < 1 / 3:
         return field_values(chance, command)
     chosen = [values_of(command, f.letter) for f in command.functions] or [values_of(command)]

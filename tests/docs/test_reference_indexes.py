@@ -181,7 +181,7 @@ DECLARED_IN_C = re.compile(
 
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_symbols_of_c(spec: str) -> None:
-    """Those of the headers, without those of sets."""
+    """The index has the symbols of the headers, without those of sets."""
     manual, source = manual_of(spec), SPECS[spec][1] / "c/src/mip"
     modules = [re.sub(r"\W", "_", x.name) for x in manual.model.families]
     headers = ["types.h", "protocol.h", "names.h", *(f"{name}.h" for name in modules)]

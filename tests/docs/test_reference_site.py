@@ -136,7 +136,7 @@ def test_pages_load_nothing_from_elsewhere(spec: str) -> None:
 
 @each_spec
 def test_contents_of_a_page_are_its_sections(spec: str) -> None:
-    """Those of two levels below the title; each heading links to itself."""
+    """The sections of two levels below the title; each heading links to itself."""
     for page in ("packets.html", DEEP[spec]):
         text = (built(spec) / page).read_text("utf-8")
         contents = text.partition('class="md-nav md-nav--secondary"')[2].partition('<div class="md-content"')[0]

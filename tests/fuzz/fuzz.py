@@ -79,7 +79,7 @@ def kept(name: str) -> list[bytes]:
 
 
 def known(name: str) -> list[bytes]:
-    """Those of all targets with inputs of the same form and specification."""
+    """The inputs of all targets with inputs of the same form and specification."""
     return [i for other, target in TARGETS.items() if target[1:] == TARGETS[name][1:] for i in kept(other)]
 
 

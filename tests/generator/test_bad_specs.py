@@ -189,7 +189,7 @@ def test_every_message_and_every_site_that_reports_one(tmp_path: Path, monkeypat
 
 
 def test_every_remedy_of_a_parser_is_given() -> None:
-    """Those in the table are one site; each has a bad specification of its own."""
+    """The remedies in the table are raised in one place; each has a bad specification of its own."""
     given = "\n".join(error for bad in bad_specs() for error in bad.errors)
     assert [words for words in syntax._REMEDIES.values() if re.split(r" *'?\{", words)[0] not in given] == []
 

@@ -169,7 +169,7 @@ def test_layouts_that_only_their_size_tells_apart(tmp_path: Path) -> None:
 
 
 def test_each_change_has_a_class_and_a_place(tmp_path: Path) -> None:
-    """Those of the table of classes, of two specifications that have little in common."""
+    """The changes in the table of classes, of two specifications that have little in common."""
     report = compare(model("real"), model("invented"))
     assert {c.kind for c in report.changes} <= set(CLASSES)
     changes = changed(tmp_path, DATA, "unit: m, frame: sensor, valid: flags.ready", "unit: s, default: [0, 0, 1]")

@@ -123,7 +123,7 @@ def test_a_folder_in_place_of_a_file(tmp_path: Path) -> None:
 
 
 def test_files_that_are_not_of_the_specification(tmp_path: Path) -> None:
-    """Those of editors are ignored; those that an author would believe to be read are reported."""
+    """Files of editors are ignored; those that an author would believe to be read are reported."""
     spec = Path(shutil.copytree(BASE, tmp_path / "spec"))
     (spec / "sets/.#tools.yaml").symlink_to("me@here.1234")
     (spec / "sets/._tools.yaml").write_bytes(b"\0\5\xff")

@@ -260,7 +260,7 @@ def test_another_value_of_what_is_reserved(spec: str, tmp_path: Path) -> None:
 
 
 def test_a_union_without_a_value(tmp_path: Path) -> None:
-    """Of a type that has no name: C leaves it out of its structure, where {0} would lack braces."""
+    """The type of the union has no name: C leaves it out of its structure, where {0} would lack braces."""
     of = model("real")
     f = of.field("3dm.event_trigger_config")
     assert f is not None

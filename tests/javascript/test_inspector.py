@@ -173,7 +173,7 @@ def check(row: Any, path: str, p: Any, value: Any, unit: str) -> None:
 
 
 def compare(page: browser.Page, packets: list[bytes]) -> None:
-    """All of them in one paste."""
+    """Compares all packets in one paste."""
     found = inspected(page, " ".join(p.hex() for p in packets))
     for packet, shown in zip(packets, found, strict=True):
         assert shown["kind"] == "packet" and bytes.fromhex(shown["bytes"]) == packet
@@ -287,7 +287,7 @@ def test_why_bytes_are_no_packet(page: browser.Page) -> None:
 
 
 def test_sets_and_fields_are_named(page: browser.Page) -> None:
-    """Of a field itself, and of a structure, whose set is beside it."""
+    """Numbers of a field itself, and in a structure, whose set is beside it."""
     (shown,) = inspected(page, "75 65 0C 0B 0B 0F 01 80 02 04 00 0A 05 00 0A AB 00")
     found = {row["path"]: (row["number"], row["meaning"]) for row in shown["fields"][0]["rows"]}
     assert found["descriptor_set"] == ("0x80", "Sensor data")
@@ -344,7 +344,7 @@ def test_misprints_are_named(page: browser.Page) -> None:
 
 
 def test_the_reading_of_a_device(page: browser.Page) -> None:
-    """Of a parameter that every device reads in its own way, and of one that some do."""
+    """A parameter that every device reads in its own way, and one that some do."""
     of = model("real")
     f = next(f for f in of.fields if f.full_name == "filter_data.status")
     packet = codec.build(of, f.set, [(f.descriptor, bytes.fromhex("000400010002"))])

@@ -68,7 +68,7 @@ def decode(request: dict[str, Any]) -> dict[str, Any]:
 
 
 def fields_of(packet: Packet) -> list[RawField]:
-    """Those before a malformed one."""
+    """The fields before a malformed one."""
     fields = []
     try:
         for raw in packet:

@@ -237,7 +237,7 @@ def test_columns_equal_objects_on_damaged_streams(spec: str) -> None:
 
 @pytest.mark.usefixtures("way")
 def test_short_packets_keep_their_bytes() -> None:
-    """Those that begin and end in one word of those that checksums are computed from."""
+    """These packets begin and end in one of the words that checksums are computed from."""
     assert (
         compare(real, b"".join(packet(0x01, (i % 2 + 1, b"")) + packet(0x80, (0xD0, b"x")) for i in range(200))) == 200
     )

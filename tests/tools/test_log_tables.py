@@ -139,7 +139,7 @@ def all_data(log: Any, by: str) -> tuple[list[Any], Form]:
 
 
 def as_rows(table: Any) -> list[dict[str, Any]]:
-    """Of a table of Arrow; floats of four bytes as Python has them."""
+    """The rows of a table of Arrow; floats of four bytes as Python has them."""
     table = table.set_column(0, "time", table["time"].cast(pa.int64()))
     return [{k: v for k, v in row.items() if v is not None} for row in table.to_pylist()]
 

@@ -38,7 +38,7 @@ START = 600
 
 
 class Witness(Faults):
-    """Sees every packet of the device, and what became of it."""
+    """Observes every packet of the device, and its fate on the line."""
 
     def __init__(self, **rates: Any) -> None:
         self.injected: list[Injected] = []

@@ -97,7 +97,7 @@ def number(of: Element, name: str) -> int:
 
 
 def fields(packet: Element) -> Iterator[Element]:
-    """Those that have a descriptor, and the length of one that is malformed."""
+    """The fields that have a descriptor, and the length of one that is malformed."""
     for part in packet:
         if part.find("field[@name='mip.field.descriptor']") is not None or part.get("name") == "mip.field.length":
             yield part

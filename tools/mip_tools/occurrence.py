@@ -46,7 +46,7 @@ def named(name: str) -> list[Occurrence]:
 
 
 def named_set(name: str, kind: type[Field]) -> int | None:
-    """Which of the sets of a field its name says: "gnss_2.dop", "Gnss2.Dop" or "0x92,0x09"; None if none."""
+    """The set of a field that its name states: "gnss_2.dop", "Gnss2.Dop" or "0x92,0x09"; None if none."""
     sets = listed(kind)
     if len(sets) == 1:
         return sets[0]

@@ -155,7 +155,7 @@ def searched(model: dict[str, Any]) -> dict[str, Any]:
         return {key: of[key] for key in _READ[kind] if key in of} | {key: value for key, value in more.items() if value}
 
     def symbols(of: dict[str, Any]) -> dict[str, str]:
-        """Those of Rust are like those of Python for a search, which looks at letters and digits."""
+        """The symbols to search. Those of Rust have the same letters and digits as those of Python."""
         found = {re.sub(r"\W|_", "", symbol): (language, symbol) for language, symbol in of.get("symbols", {}).items()}
         return dict(found.values())
 

@@ -28,7 +28,7 @@ pub struct Profile {
     pub incomplete: &'static [&'static str],
     /// The commands and data fields that it has for certain or probably.
     pub fields: &'static [Supported],
-    /// Those that it is known not to have.
+    /// The commands and data fields that it is known not to have.
     pub refuses: &'static [Supported],
     /// The firmware that some of these fields require.
     pub firmware: &'static [Firmware],

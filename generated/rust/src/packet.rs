@@ -377,7 +377,7 @@ impl PacketBuilder {
     ///
     /// # Errors
     ///
-    /// Those of [`PacketBuilder::push`].
+    /// Returns those of [`PacketBuilder::push`].
     pub fn with<T: OneSet>(field: &T) -> Result<Self, EncodeError> {
         let mut builder = Self::new(T::SET);
         builder.push(field)?;

@@ -21,7 +21,7 @@ BOUNDS = ("minimum", "maximum", "above", "below")
 
 @dataclass(frozen=True)
 class Leaf:
-    """One number. What a witness does not say is None."""
+    """One number. Facts that a witness does not state are None."""
 
     path: str
     scalar: str  # or "union", or "unknown" for a structure that the witness does not define
@@ -32,7 +32,7 @@ class Leaf:
     bounds: tuple[tuple[str, float], ...] | None = None
     default: Any = None
     needed: str | None = None  # the functions that require it
-    valid: frozenset[int] | None = None  # the bits that say that it is valid
+    valid: frozenset[int] | None = None  # the bits that mark it as valid
     cases: Any = None  # of a union: tag, and number of the case -> leaves
     optional: bool = False
     most: int | None = None  # of a witness: items that the array holds that this number counts
@@ -130,7 +130,7 @@ def _bounds(p: m.Parameter) -> tuple[tuple[str, float], ...]:
 
 
 def _valid(p: m.Parameter, record: Sequence[m.Parameter], index: int) -> frozenset[int]:
-    """The first bit of the flag that says that an element is valid; 0 for a bool."""
+    """The first bit of the flag that marks an element as valid; 0 for a bool."""
     if not p.valid:
         return frozenset()
     flags, _, name = (p.valid[index] if len(p.valid) > 1 else p.valid[0]).partition(".")

@@ -27,7 +27,7 @@ _DATA = {"AHRS": 0x80, "GPS": 0x81, "FILTER": 0x82}
 _SCALARS = ("u8", "u16", "u32", "u64", "s8", "s16", "s32", "float", "double")
 _LETTERS = "WRSLD"  # of functions 1 to 5
 
-#: Members say their unit at the end of their names.
+#: The names of members end with their unit.
 _UNITS = {"ms": "ms", "us": "us", "degc": "degC"}
 
 _DEFINE = re.compile(r"^#define +(\w+)\s+(0x[0-9A-Fa-f]+|\d+)", re.MULTILINE)

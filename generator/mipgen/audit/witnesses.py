@@ -383,7 +383,7 @@ class _Layout:
             return
         bits = next((t["bits"] for t in flags[1].types if "bits" in t), None)
         if bits is None and not flags[1].types and (self.partial or self.field.role != m.DATA):
-            return  # nothing says what its bits are
+            return  # its bits are not described
         for a, b in pairs:
             if a is flags[0]:
                 continue

@@ -1,4 +1,4 @@
-"""The command line: `arguments` says what may be given, `commands` does it."""
+"""The command line: `arguments` defines the arguments, `commands` executes the commands."""
 
 from .arguments import main, parser
 

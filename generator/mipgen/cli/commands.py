@@ -246,7 +246,7 @@ def _print(options: Namespace, report: Report, old: str) -> None:
 
 
 def _since_release(options: Namespace, listed: list[Entry]) -> int:
-    """Compares with the last release; fails if the version number says less than what changed."""
+    """Compares with the last release; fails if the version number announces less than what changed."""
     from mipgen.compare import changes, ignored, revisions
 
     spec, *overlays = _specs(options)

@@ -178,7 +178,7 @@ class Anew:
         return None
 
     def make(self, what: str, how: Callable[..., Value], *arguments: Any) -> Value:
-        """Makes it anew, and notes what is read."""
+        """Makes it again, and notes what is read."""
         return how(*arguments)
 
     def keep(self, files: Mapping[str, Made]) -> None:

@@ -1,4 +1,4 @@
-"""Comments in code: what is said of each part of a model, as paragraphs, with the names of one language."""
+"""Comments in code: the facts about each part of a model, as paragraphs, with the names of one language."""
 
 from __future__ import annotations
 

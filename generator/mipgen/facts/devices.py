@@ -8,7 +8,7 @@ from mipgen.lower.lengths import computed_length
 from .remarks import uncertain
 from .texts import Fact, Text, device_ref, fact, joined, prose, say
 
-#: Kind of evidence -> what it says; for those that are about other devices, what follows is the devices.
+#: Kind of evidence -> its statement; if it is about other devices, these follow.
 _KINDS = {
     "documented": "Documented",
     "listed": "Listed by the device",
@@ -43,7 +43,7 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
 
 
 def evidence(e: m.Evidence, model: m.Model) -> Text:
-    """Why a device is believed to have a field, or not to have it: its kind, who says so, and where."""
+    """The evidence that a device has a field, or does not: its kind, its source, and the place."""
     known = {x.id: x.title for x in model.protocol.manuals}
     devices = [(device_ref(d),) for id in e.of if (d := model.device(id)) is not None]
     of: Text = (", ", *joined(devices)) if devices else ()

@@ -83,7 +83,7 @@ def default(value: object, p: m.Parameter) -> Text:
 
 
 def validity(paths: tuple[str, ...], p: m.Parameter, record: m.Record, device: str | None = None) -> Fact:
-    """The bit that says that a value is valid, or one for each element."""
+    """The bit that marks a value as valid, or one for each element."""
     refs = [_bit(path, record, device) for path in dict.fromkeys(paths)]
     if len(refs) == 1:
         return fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")

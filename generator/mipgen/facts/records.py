@@ -100,7 +100,7 @@ def _scalar(p: m.Parameter) -> Any:
 
 
 def _element(p: m.Parameter, i: int, count: int) -> Any:
-    """Of a vector: of length 1, and a rotation that does not turn where it is a matrix."""
+    """The element of a vector of length 1, or of a matrix without rotation."""
     side = math.isqrt(count)
     one = i % (side + 1) == 0 if count > 4 and side * side == count else i == 0
     return _number(p.scalar, _within(p, 1 if one else 0))

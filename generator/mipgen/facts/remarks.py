@@ -1,4 +1,4 @@
-"""Facts in the author's words: notes, what is not sure, and where manuals say it."""
+"""Facts in the author's words: notes, uncertainties, and sections of manuals."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ class SampleValues:
         return stated | {p.name: p.typical for p in f.parameters if p.typical is not None}
 
     def _asked(self, f: m.Field) -> codec.Values:
-        """Of a response: what its command sets, where it is answered with the same."""
+        """The values of a response that repeat those of its command."""
         command = self.model.field(f"{f.family}.{f.command}") if f.command else None
         if command is None:
             return {}

@@ -20,7 +20,7 @@ class Program(Protocol):
         ...
 
     def text(self, lines: Sequence[str], /) -> str:
-        """Whole, with what it needs in front."""
+        """The whole program, with its imports and declarations first."""
         ...
 
 

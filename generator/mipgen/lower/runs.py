@@ -42,7 +42,7 @@ def run(p: m.Parameter, path: Path = (), offset: int = 0) -> Run | None:
 
 
 def runs(f: m.Field) -> list[Run]:
-    """Those that a whole field consists of; none if its layout varies or has constants, which need checks."""
+    """The runs that make up a whole field; none if its layout varies or has constants, which need checks."""
     if f.min_size != f.max_size or f.optional or not all(map(_fixed, f.parameters)):
         return []
     return [*_all(f.parameters, (), 0)]

@@ -42,7 +42,7 @@ class Session:
 
     @property
     def commands(self) -> tuple[m.Field, ...]:
-        """Those that each device gets."""
+        """The commands that every device receives."""
         return (self.ping, self.idle, self.resume, self.identify, self.base_rate.command, self.format, self.stream)
 
 

@@ -12,10 +12,10 @@ from .fields import Field, Set
 from .parameters import Parameter, Variant
 from .types import Function, Source
 
-#: Does a device have a field? What no source says anything of is unknown.
+#: Does a device have a field? Without a source, it is unknown.
 Answer = Literal["yes", "probable", "no", "unknown"]
 
-#: The kinds of evidence, strongest first, and what each says of the fields that it names.
+#: The kinds of evidence, strongest first, and what each states about the fields that it names.
 EVIDENCE: dict[str, Answer] = {
     "documented": "yes",  # in the manual of the device
     "listed": "yes",  # by the device itself
@@ -109,7 +109,7 @@ class Support:
 
     @property
     def differs(self) -> bool:
-        """Does the device take other functions than the definition says?"""
+        """Does the device accept other functions than the definition states?"""
         return self.functions != self.field.functions
 
     @property
@@ -177,5 +177,5 @@ class Device:
 
     @property
     def absent(self) -> Answer:
-        """What is said of a field that no evidence names: of a whole profile, that the device does not have it."""
+        """The answer for a field that no evidence names: with a complete profile, the device does not have it."""
         return "unknown" if self.incomplete else "no"

@@ -87,7 +87,7 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Set:
-    """A descriptor set: what the third byte of a packet says. Its fields and types are those of its family."""
+    """A descriptor set: the third byte of a packet. Its fields and types are those of its family."""
 
     number: int
     name: str

@@ -40,7 +40,7 @@ class Stream:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One command, why it is sent, and what comes back."""
+    """One command, its purpose, and the reply."""
 
     why: Prose
     command: Field

@@ -134,17 +134,17 @@ class Parameter:
 
     @property
     def tag(self) -> str | None:
-        """Of a union: the parameter that selects the alternative."""
+        """The parameter that selects the alternative of a union."""
         return self.union.tag if self.union else None
 
     @property
     def cases(self) -> tuple[Case, ...]:
-        """Of a union: the alternatives."""
+        """The alternatives of a union."""
         return self.union.cases if self.union else ()
 
     @cached_property
     def alternatives(self) -> tuple[Parameter, ...]:
-        """Of a union: what its alternatives hold, without the empty ones."""
+        """The content of the alternatives of a union, without the empty ones."""
         return tuple(c.parameter for c in self.cases if c.parameter is not None)
 
     def alike(self, other: Parameter) -> bool:
@@ -170,7 +170,7 @@ class Parameter:
 
     @property
     def struct(self) -> Struct | None:
-        """The structure that it is; an array of structures has it in its `item`."""
+        """Its structure, if it is one; that of an array is in its `item`."""
         return self.element if isinstance(self.element, Struct) and self.length is None else None
 
     @property

@@ -57,7 +57,7 @@ class Source:
     set: int | None
     for_each: str  # a quantity that is a list: the field is sent once for each item
     values: tuple[Value, ...]
-    valid_if: str = ""  # a quantity that says whether the values are valid; else all of them are 0
+    valid_if: str = ""  # a quantity that shows whether the values are valid; else all of them are 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -55,7 +55,7 @@ class Model:
 
     @kept
     def all_types(self) -> tuple[Type, ...]:
-        """Those of spec/types, then those of the families."""
+        """The types of spec/types, then those of the families."""
         return (*self.types, *(t for x in self.families for t in x.types))
 
     def set(self, number: int) -> Set | None:

@@ -51,7 +51,7 @@ class Problems:
 
 
 class SpecError(Failure):
-    """The specification cannot be used; `problems` says why."""
+    """The specification cannot be used; `problems` states the reasons."""
 
     def __init__(self, problems: list[Problem]) -> None:
         super().__init__("")

@@ -20,7 +20,7 @@ REQUIRED = ("supports", "base_rates", "ack_codes")
 
 
 def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Types, problems: Problems) -> m.Model:
-    """The model with its devices, and with what differs on them said of each parameter."""
+    """The model with its devices, and each of whose parameters states what differs on them."""
     names = [name for node in nodes for name in (node["title"], *(node.get("also") or ()))]
     _unique((node["name"] for node in nodes), "two devices are called '{}'; rename one", problems)
     _unique(names, "two devices are titled '{}'; rename one", problems)
@@ -205,7 +205,7 @@ class _Device:
         )  # fmt: skip
 
     def complete(self) -> None:
-        """A profile has everything, or it says what is not known."""
+        """A profile has everything, or it states what is not known."""
         if "description" not in self.node:
             self.problems.add(self.node.position, "'description' is missing; say in one short sentence what it is")
         for key in REQUIRED if not sentences(self.node, "incomplete") else ():
@@ -275,7 +275,7 @@ class _Device:
         return m.Port(node["name"].value, node.scalar("id"), rates, receives, sends, tuple(firmware))
 
     def known(self, said: list[tuple[Node, m.Evidence]]) -> tuple[m.Support, ...]:
-        """All that is said of fields, also that it does not have them, by set and descriptor; the strongest evidence
+        """All statements about fields, also that the device lacks them, by set and descriptor; the strongest evidence
         for each."""
         supports: dict[str, m.Support] = {}
         witnesses: dict[str, list[m.Evidence]] = {}
@@ -327,7 +327,7 @@ class _Device:
             self.problems.add(place, f"the device does not support '{field}'; add it to supports")
 
     def functions(self) -> dict[str, Node]:
-        """Full name -> letters, where the device takes others than the definition says."""
+        """Full name -> letters, where the device accepts others than the definition states."""
         node = self.node.get("functions")
         stated = {}
         for name, letters in node.items() if node else ():

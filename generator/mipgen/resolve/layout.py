@@ -352,7 +352,7 @@ class Layout:
         return not late
 
     def check_groups(self, parameters: Sequence[m.Parameter]) -> None:
-        """Those that may be absent must have something that tells, and the same for a counter and its array."""
+        """Requires a sign of presence for parameters that may be absent, one for a counter and its array."""
         for group in m.groups(parameters, 0):
             first, last = group.parameters[0], group.parameters[-1]
             if all(p.constant is not None for p in group.parameters):

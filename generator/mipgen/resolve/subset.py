@@ -54,7 +54,7 @@ def _set_name(model: m.Model, word: str) -> str:
 
 
 def left_out(whole: m.Model, part: m.Model) -> str:
-    """One line that says what was left out."""
+    """One line that lists what was left out."""
     counts = [
         (len(whole.fields) - len(part.fields), "fields"),
         (len(whole.sets) - len(part.sets), "sets"),

@@ -1,1 +1,1 @@
-"""One module per target language; `render.Target` says what it offers."""
+"""One module per target language; `render.Target` defines what it offers."""

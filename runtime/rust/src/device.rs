@@ -75,14 +75,14 @@ pub trait Port {
     ///
     /// # Errors
     ///
-    /// Those of the port.
+    /// Returns the errors of the port.
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Self::Error>;
 
     /// Sends all of these bytes.
     ///
     /// # Errors
     ///
-    /// Those of the port.
+    /// Returns the errors of the port.
     fn write(&mut self, bytes: &[u8]) -> Result<(), Self::Error>;
 
     /// A count of milliseconds that goes on, and may wrap around.
@@ -93,7 +93,7 @@ pub trait Port {
     ///
     /// # Errors
     ///
-    /// Those of the port.
+    /// Returns the errors of the port.
     fn set_baud(&mut self, rate: u32) -> Result<bool, Self::Error> {
         let _ = rate;
         Ok(false)
@@ -427,7 +427,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ///
     /// # Errors
     ///
-    /// Those of the function, or the port fails.
+    /// Returns the error of the function, or that of the port.
     pub fn send_all<T>(
         &mut self,
         set: u8,

@@ -45,7 +45,7 @@ pub trait Field: Wire {
     ///
     /// # Errors
     ///
-    /// Those of [`Field::decode`].
+    /// Returns those of [`Field::decode`].
     #[inline]
     fn decode_with_trailing(data: &[u8]) -> Result<(Self, usize), DecodeError> {
         let mut reader = Reader::new(data);
@@ -71,7 +71,7 @@ pub trait Field: Wire {
     ///
     /// # Errors
     ///
-    /// Those of [`Field::encode`].
+    /// Returns those of [`Field::encode`].
     #[cfg(feature = "alloc")]
     fn to_vec(&self) -> Result<alloc::vec::Vec<u8>, EncodeError> {
         let mut buffer = [0; crate::packet::MAX_FIELD_DATA];

@@ -438,7 +438,7 @@ impl Feed<'_, '_> {
     ///
     /// # Errors
     ///
-    /// Those of the function.
+    /// Returns the errors of the function.
     #[inline]
     pub fn try_for_each<E>(
         mut self,

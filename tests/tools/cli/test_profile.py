@@ -289,7 +289,7 @@ def test_a_note_is_added_to_a_list_without_one(tmp_path: Path) -> None:
 
 
 def test_rates(tmp_path: Path) -> None:
-    """What is new is added, `~` is filled, and what contradicts is said with its place and left as it is."""
+    """New data is added, `~` is filled, and contradictions are reported with their places and left as they are."""
     old = "extend: 3dm-gx5-15\nbase_rates:\n  sensor: 999  # measured\n  filter_data: ~\n"
     it = facts("3dm-gx5-15")
     path = put(tmp_path, "3dm-gx5-15", old)

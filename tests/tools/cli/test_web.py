@@ -215,7 +215,7 @@ def test_frames_in_pieces_of_any_size() -> None:
 
 
 def test_the_command() -> None:
-    """Of a port, which is a virtual device at TCP here; its first line is the address."""
+    """Serves a port, here a virtual device over TCP; its first line is the address."""
     with simulated() as place, running("serve", place) as process:
         assert process.stdout is not None
         address = process.stdout.readline().decode().strip()

@@ -18,7 +18,7 @@ EPHEMERIDES = {1: "gps_ephemeris", 3: "galileo_ephemeris", 4: "beidou_ephemeris"
 
 
 def position(e: Any, tow: float) -> tuple[float, float, float]:
-    """Of a satellite from its broadcast ephemeris, as the interface specification of GPS has it."""
+    """The position of a satellite from its broadcast ephemeris, as the interface specification of GPS has it."""
     t = tow - e.t_oe
     t += WEEK if t < -WEEK / 2 else -WEEK if t > WEEK / 2 else 0
     mean = e.mean_anomaly + (sqrt(GM / e.a**3) + e.delta_mean_motion) * t

@@ -113,7 +113,7 @@ def test_errors_of_the_position(shown: Shown) -> None:
 
 
 def test_satellites_in_view(shown: Shown) -> None:
-    """All of them, by constellation, at most four in a sentence; GLONASS numbers begin at 65."""
+    """All satellites, by constellation, at most four in a sentence; GLONASS numbers begin at 65."""
     talkers = {"GP": (1, 0), "GL": (2, 64), "GA": (3, 0), "GB": (4, 0)}
     lines = said(shown, "GSV", GNSS_1, NmeaTalkerId.IGNORED)
     wanted = {(s.gnss_id, s.satellite_id): s for s in shown.all("gnss_1.satellite_status")}

@@ -41,7 +41,7 @@ UNITS = {q.name: q.unit for q in model("real").simulation.quantities}
 
 
 def test_the_runtime_has_the_quantities_of_the_specification() -> None:
-    """Those of the world and those of the device, and no others."""
+    """The runtime has the quantities of the world and those of the device, and no others."""
     assert set(quantities.QUANTITIES) | set(knowledge.QUANTITIES) == set(UNITS)
     assert not set(quantities.QUANTITIES) & set(knowledge.QUANTITIES)
     assert facts.NOISE.keys() | quantities.INTERVALS | quantities.MEANS <= quantities.QUANTITIES.keys()

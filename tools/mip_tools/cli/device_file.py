@@ -95,7 +95,7 @@ class Facts:
         return {SETS[n][0]: rate for n, rate in rates.items() if rate is not None or n not in known}
 
     def ports(self) -> Iterator[ToldPort]:
-        """The ports that the profile does not have, as far as the device told their protocols."""
+        """The ports that the profile does not have, as far as the device reported their protocols."""
         known = {port.id for port in self.model.profile.ports} if self.model.profile else set[int]()
         for port in self.told.ports:
             if port.id not in known and port.receives is not None and port.sends is not None:
@@ -214,7 +214,7 @@ def _elsewhere(id: str, folder: Path) -> bool:
 
 
 def merged(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
-    """The text of a file with what the device told, and what contradicts it, by data set or port, each with its place.
+    """The text of a file with the data from the device; contradictions by data set or port, each with its place.
 
     Everything that the file says stays. Raises Failure if it is not a file of this device.
     """

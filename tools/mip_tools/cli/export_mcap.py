@@ -129,7 +129,7 @@ def clock_meaning(clock: str | None) -> str:
 
 
 def timed(packets: Iterable[list[Sample]], by_host: bool) -> Iterator[tuple[Sample, int]]:
-    """Each sample with its time in ns: the last known one; before the first, that. Raises Failure if none comes."""
+    """Each sample with its time in ns: the last known one; before the first, that. Raises Failure if there is none."""
     last: int | None = None
     waiting: list[Sample] = []
     for packet in packets:

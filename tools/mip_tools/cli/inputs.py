@@ -171,7 +171,7 @@ def _read(file: IO[bytes]) -> Iterator[bytes]:
 
 
 def _is_text(first: bytes) -> bool:
-    """Are they hexadecimal digits? A packet has a `u`, which is none."""
+    """Are they hexadecimal digits? The sync bytes contain a `u`, which is not one."""
     return bool(first.strip() and _TEXT.fullmatch(first))
 
 

@@ -32,7 +32,7 @@ Texts = tuple[str, list[list[Any]]]
 
 
 class Lines:
-    """Packets as `show.line` has them."""
+    """Formats packets as `show.line` does."""
 
     def __init__(self, device: str | None) -> None:
         self.device = device

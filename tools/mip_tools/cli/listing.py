@@ -34,7 +34,7 @@ Key = tuple[int, int]  # descriptor set and descriptor
 
 @dataclass(frozen=True)
 class ToldPort:
-    """A port with its current settings. What the device did not tell is None."""
+    """A port with its current settings. Settings that it did not report are None."""
 
     id: int
     name: str

@@ -89,7 +89,7 @@ class _Between:
         self._gaps = Gaps()
 
     def add(self, piece: Piece) -> None:
-        """Those of a piece."""
+        """Adds the packets of a piece."""
         for gap in self._gaps.of(piece):
             if not gap.goes_on:
                 self.damaged.end()

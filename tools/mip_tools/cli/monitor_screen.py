@@ -30,7 +30,7 @@ def fill(options: argparse.Namespace, latest: Latest, pieces: Pieces) -> None:
 
 
 class MonitorScreen(App[None]):
-    """A row for each value: its field, the value, and how often and when it came."""
+    """A row for each value: its field, the value, its rate, and the time of its arrival."""
 
     CSS = """
     #said { height: 1; background: $panel; padding: 0 1; }
@@ -146,7 +146,7 @@ class MonitorScreen(App[None]):
 
 
 def _rows(one: Shown) -> Iterator[tuple[str, ...]]:
-    """A row for each of the values; the first has what is said of the field."""
+    """A row for each of the values; the first also describes the field."""
     for i, value in enumerate(one.values or [""]):
         set = show.set_name(one.set)
         yield set, one.name, one.hertz if i == 0 else "", one.old, value

@@ -25,7 +25,7 @@ class YamlFile:
         self.root = composed(self.text, path, "; `mipgen validate` says more")
         if kind_of(self.root) != "mapping" or not self.root.value:
             raise Failure(f"{path}:1:1: this is not a device file; write `extend: DEVICE`, or remove it")
-        #: From and to where, what comes first at one place, and the new text.
+        #: Beginning and end of an edit, its order among those at one place, and the new text.
         self._edits: list[tuple[int, int, int, str]] = []
 
     def place(self, node: Any) -> str:
@@ -78,7 +78,7 @@ class YamlFile:
             self._edit(line, line, "".join(f"{indent}{c}{self.newline}" for c in comments))
 
     def source(self, first: Any, last: Any) -> str:
-        """The text from one node to another as it stands."""
+        """The unchanged text from one node to another."""
         return self.text[first.start_mark.index : self.end(last)]
 
     def changed(self) -> str:
@@ -89,7 +89,7 @@ class YamlFile:
         return text
 
     def _edit(self, start: int, end: int, text: str, outer: bool = False) -> None:
-        """What is added to the file itself comes behind what is added to the last thing in it."""
+        """Additions to the file itself follow those to its last item."""
         self._edits.append((start, end, len(self._edits) + 1000 * outer, text))
 
     @property

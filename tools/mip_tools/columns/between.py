@@ -37,7 +37,7 @@ class Gaps:
         self._end = -1  # of the last gap
 
     def of(self, piece: Piece) -> Iterator[Gap]:
-        """Those of the next piece, while it is looked at."""
+        """The gaps in the next piece."""
         first = max(0, self._free - piece.begin)
         begins = np.concatenate(([first], piece.end))
         ends = np.concatenate((piece.at, [max(first, piece.size)]))

@@ -36,7 +36,7 @@ class _Span(NamedTuple):
 
 
 def types(log: Log) -> list[TypeCount]:
-    """The types in the order of sets and descriptors; what cannot be decoded comes behind the others."""
+    """The types in the order of sets and descriptors; what cannot be decoded follows the others."""
     return [
         TypeCount(n, d, kind, name, span.rows, times.rate(log, n, *span) if kind else None)
         for n, d, kind, name, span in _types(log)
@@ -72,7 +72,7 @@ def _together(spans: list[_Span]) -> _Span:
 
 
 def _decodable(log: Log, number: int, kind: type[Field], lengths: dict[int, _Span]) -> _Span | None:
-    """Those of a type, if there are any."""
+    """The decodable fields of a type, if there are any."""
     shape = layout.layout(kind)
     if shape is not None and shape.plain and len(registry.types(number, kind.DESCRIPTOR)) == 1:
         spans = [span for length, span in lengths.items() if length >= shape.dtype.itemsize]

@@ -20,7 +20,7 @@ class Fields(NamedTuple):
 
     offset: Array  # of their packets in the file
     time: Array  # of their packets, in nanoseconds; NONE where these have no valid timestamp of their own
-    once: bool  # an instant has one: those of further packets say the same
+    once: bool  # an instant has one: those of further packets state the same
 
 
 class Instants(NamedTuple):

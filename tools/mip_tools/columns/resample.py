@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 METHODS = ("linear", "nearest", "last")
 _SECOND = 1_000_000_000
-#: Where no packet has a time for so long, or time goes back so far, the grid ends and begins anew.
+#: Where no packet has a time for so long, or time goes back so far, the grid ends and a new one begins.
 PAUSE = 10 * _SECOND
 #: A value is known for so many usual intervals of its field.
 _USUAL = 2.5
@@ -163,7 +163,7 @@ def _between(group: list[Series], a: list[Array], b: list[Array], weight: Array,
 
 
 def _lowest(values: Array, circle: float) -> float | None:
-    """The lower end of the range of angles: 0, or minus half of the circle. None if they are no such angles."""
+    """The lower end of the range of angles: 0, or minus half of the circle. None if they have neither range."""
     if not circle:
         return None
     least, most = float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))

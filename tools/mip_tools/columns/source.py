@@ -55,7 +55,7 @@ class Source:
     def piece(self, begin: int, size: int, ahead: int) -> tuple[Array, int]:
         """Bytes from `begin` on and some more, and how many of them belong to the log.
 
-        There are always as many as asked for: zeros stand behind the end.
+        There are always as many as asked for: zeros follow the end.
         """
         try:
             bytes_ = self._view[begin : begin + size + ahead]

@@ -81,7 +81,7 @@ class _Part(NamedTuple):
 
 
 def apart(kind: type[Field]) -> bool:
-    """Is a shared field of several sets a field of each of them? The timestamps of one instant say the same."""
+    """Is a shared field of several sets a field of each of them? The timestamps of one instant are the same."""
     return not listed(kind) and kind.SET != 0 and timestamps.clock_of(0x80, kind.DESCRIPTOR) is None
 
 
@@ -379,7 +379,7 @@ class Aligned:
         return Table([*kept, *columns[len(kept) :]], [(which, np.arange(len(base))) for which, _ in table.types])
 
     def _with_before(self, number: int, one: Series) -> Series:
-        """A column with one more row in front: the last value of the parts before."""
+        """A column with one more row before the others: the last value of the parts before."""
         before = self._before.get(number)
         if before is None:
             nothing = np.zeros((1, *one.values.shape[1:]), one.values.dtype)

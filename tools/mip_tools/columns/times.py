@@ -76,7 +76,7 @@ def of(log: Log, column: Column[Any], clock: str | None) -> Times:
 def merged(log: Log, column: Column[Any], clock: str) -> tuple[Array, dict[str, str]]:
     """The times of the packets of a column in nanoseconds, NONE where they have none of their own.
 
-    Of a set without this clock, they are converted from another one, as packets say that have both;
+    Of a set without this clock, they are converted from another one, by packets that have both;
     the second result has the name of the set and of that clock.
     """
     total = np.full(len(column), NONE, np.int64)

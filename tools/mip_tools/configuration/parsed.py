@@ -37,7 +37,7 @@ class File:
 
 
 def parsed(path: Path, device: Device | None = None) -> File:
-    """Reads a file, for a device that has told what it has, if one is given.
+    """Reads a file, for a device that has reported its fields, if one is given.
 
     Raises Failure, which names all mistakes.
     """

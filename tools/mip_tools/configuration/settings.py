@@ -193,7 +193,7 @@ def on(p: Parameter, profile: Device) -> Parameter:
 
 
 def _most(limit: str | None, profile: Device) -> int:
-    """How many instances a device may have; of one that does not tell, as many as any other device has."""
+    """How many instances a device may have; of one that does not state it, as many as any other device has."""
     own = profile.limits.get(limit or "")
     if own is not None:
         return int(own.value)

@@ -64,7 +64,7 @@ class Talk:
             response = self.request(command)
         except Refused:
             return None
-        except MipError as error:  # an answer, but not one that says what the setting is
+        except MipError as error:  # a reply, but not one with the setting
             self.complain(f"{command.NAME} is left out: {error.detail}")
             return None
         return None if response is None else written(place, response)
@@ -241,7 +241,7 @@ def why(error: Refused) -> str:
 
 
 def written(place: Place, response: Any) -> Any:
-    """The command that would write what a response tells."""
+    """The command that would write the values of a response."""
     names = response_names(type(response))
     given: dict[str, Any] = {}
     for p in parameters(place.kind):

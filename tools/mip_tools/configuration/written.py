@@ -21,7 +21,7 @@ HEAD = """\
 # them. A setting that is removed from the file remains as it is on the device.
 """
 
-#: Values as they stand in the file: words, in mappings and lists.
+#: Values as they are in the file: words, in mappings and lists.
 Tree = dict[str, Any] | list[Any] | str
 
 
@@ -77,7 +77,7 @@ class Beside:
 
 
 def values(place: Place, held: Any, profile: Device) -> dict[str, Tree]:
-    """The values of a setting as they stand in a file, without those that select it."""
+    """The values of a setting as they are in a file, without those that select it."""
     return _members(held, [p for p in parameters(place.kind) if p.attribute not in place.selected], profile, None)
 
 

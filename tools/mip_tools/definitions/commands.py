@@ -143,5 +143,5 @@ class Fields(Records):
 
 
 def constants(f: Item) -> list[tuple[int, bytes]]:
-    """Those at known offsets in the data."""
+    """The constants at known offsets in the data."""
     return [(c["offset"], c["value"].to_bytes(c["size"], "big")) for c in f.get("constants", ())]

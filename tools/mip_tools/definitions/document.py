@@ -32,7 +32,7 @@ Item = dict[str, Any]
 
 
 class Document:
-    """The content of a file. Raises NoBinding if it is none, or of another format."""
+    """The content of a file. Raises NoBinding if it is not such a file, or has another format."""
 
     def __init__(self, path: Path, package: str) -> None:
         self.path, self.package = path, package

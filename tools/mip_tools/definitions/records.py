@@ -196,7 +196,7 @@ class Records:
 
 
 def operations(r: Item) -> list[Item]:
-    """Those of all parameters, without their groups."""
+    """The operations of all parameters, without their groups."""
     return [inner for o in r["operations"] for inner in o.get("body", [o])]
 
 

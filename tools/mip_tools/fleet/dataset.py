@@ -71,7 +71,7 @@ class Fleet:
 
     @property
     def manifest(self) -> Manifest:
-        """What it has. Raises Failure if it is none."""
+        """The content of a data set. Raises Failure if it is not one."""
         found = read(self.folder)
         if found is None:
             raise Failure(f"{self.folder} is not a finished data set of a fleet")
@@ -132,7 +132,7 @@ def write(folder: Path, manifest: Manifest) -> None:
 
 @contextmanager
 def placed(path: Path) -> Iterator[Path]:
-    """A file that gets its name when it is complete and on the disk."""
+    """A file that is renamed to its final name when it is complete and on the disk."""
     part = path.with_name(f"_{path.name}.{os.getpid()}.part")
     try:
         yield part
@@ -155,7 +155,7 @@ def belongs(path: Path) -> tuple[str, str]:
 
 
 def unlisted(folder: Path, manifest: Manifest) -> list[Path]:
-    """Files of rows that do not count: of a run that ended while they were moved."""
+    """Files of rows that are not in the manifest: a run ended while it moved them."""
     listed = {one.path for one in manifest.files}
     every = sorted(folder.glob("clock=*/field=*/*"))
     return [path for path in every if path.relative_to(folder).as_posix() not in listed]

@@ -49,7 +49,7 @@ def decoded(work: Work, log: sources.Log, identity: str) -> dict[str, Any]:
 
 
 def _facts(source: Log) -> dict[str, Any]:
-    """What the catalogue says of it. Raises ValueError if it is not a log."""
+    """Its entry in the catalogue. Raises ValueError if it is not a log."""
     report = examine(source)
     if not report.packets:
         raise ValueError("it has no MIP packets")

@@ -70,7 +70,7 @@ def packed(work: Pack) -> tuple[int, int]:
 
 
 def _groups(work: Pack, left: int) -> Iterator[Any]:
-    """The rows of each group; the last one has what would be too little for another."""
+    """The rows of each group; the last one includes a rest that is too small for another."""
     import pyarrow as pa
 
     waiting: list[Any] = []

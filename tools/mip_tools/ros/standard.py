@@ -18,7 +18,7 @@ STANDARD_GRAVITY = 9.80665  # m/s^2 in g
 TESLA = 1e-4  # in gauss
 UNKNOWN = [-1.0, *[0.0] * 8]  # covariance of what a message does not have, as sensor_msgs defines it
 
-#: What a fix type says in NavSatStatus.
+#: The status in NavSatStatus of each fix type.
 _NO_FIX, _FIX, _SATELLITES, _GROUND = -1, 0, 1, 2
 _FIXES = {"fix_rtk_float": _GROUND, "fix_rtk_fixed": _GROUND, "fix_differential": _GROUND}
 _FIXES |= {"fix_2d": _FIX, "fix_3d": _FIX}
@@ -46,7 +46,7 @@ class Converter:
         self._filter: dict[str, Field] = {}
 
     def messages(self, fields: Fields) -> Iterator[Message]:
-        """Those of a packet. `fields`: full name in its set -> value."""
+        """The messages of a packet. `fields`: full name in its set -> value."""
         yield from self._imu(fields)
         yield from self._magnetic(fields)
         yield from self._fixes(fields)
@@ -155,7 +155,7 @@ def _of(field: Field, name: str) -> Any:
 
 
 def _valid(field: Field, name: str) -> bool:
-    """Do its flags say so, and is it a number?"""
+    """Is it valid by its flags, and a number?"""
     held = _of(field, name)
     parameter = info(type(field))[name]
     numbers = held if isinstance(held, (tuple, list)) else [held]

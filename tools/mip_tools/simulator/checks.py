@@ -59,7 +59,7 @@ def data_sets(profile: Device) -> frozenset[int]:
 
 
 def set_of(p: Parameter, record: Any) -> int | None:
-    """The set of a field descriptor: of the parameter beside it, or always the same. None if nothing says it."""
+    """The set of a field descriptor: of the parameter beside it, or always the same. None if it is not stated."""
     if not p.fields_of:
         return None
     beside = getattr(record, p.fields_of, None)

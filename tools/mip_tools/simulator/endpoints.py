@@ -277,7 +277,7 @@ class Udp:
     def read(self) -> bytes:
         try:
             data, self._client = self._socket.recvfrom(65536)
-        except OSError:  # a host that is gone may be said to be; others come
+        except OSError:  # may report a host that is gone; others will connect
             raise BlockingIOError from None
         if not data:
             raise BlockingIOError

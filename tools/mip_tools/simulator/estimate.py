@@ -101,7 +101,7 @@ class Options:
 
 
 class Filter:
-    """The filter of a world. `settled`: it has run for long when the simulation begins."""
+    """The filter of a world. `settled`: it has already run for long at the start."""
 
     def __init__(self, world: World, settled: bool) -> None:
         self._world = world
@@ -303,7 +303,7 @@ class Filter:
 
     @property
     def _receivers(self) -> tuple[int, ...]:
-        """Those whose positions the filter uses."""
+        """The receivers whose positions the filter uses."""
         if not self._world.gnss or "gnss" in self.options.disabled:
             return ()
         return tuple(r for r in sorted(self.options.receivers) if self._world.has(f"gnss_{r}"))
@@ -382,12 +382,12 @@ class Filter:
     # ------------------------------------------------------------------ what the user sends
 
     def stands(self) -> None:
-        """The user says that the device stands still."""
+        """The user states that the device is stationary."""
         for pair in self.navigation if self.placed else ():
             pair.measure_rate(STANDS)
 
     def rests(self) -> None:
-        """The user says that the device does not turn."""
+        """The user states that the device does not turn."""
         for pair in self.attitude if self.level else ():
             pair.measure_rate(RESTS)
 

@@ -1,4 +1,4 @@
-"""Events: triggers, which say when, and actions, which say what. All are updated in each event cycle.
+"""Events: triggers, which define when, and actions, which define what. All are updated in each event cycle.
 
 Their configuration is the setting of the commands with the effects `trigger`, `trigger_mode`,
 `action` and `pin`.
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Given = dict[str, Any]  # the arguments of an effect
 
-#: Event cycles per second of a device whose profile does not say.
+#: Event cycles per second of a device whose profile does not state them.
 USUAL_RATE = 1000
 
 #: Levels that a pin with timestamps must change to, by its behavior: rising, falling, either.
@@ -116,7 +116,7 @@ class Events:
         return found is not None and found.active
 
     def keep_mode(self, instance: int, mode: Command | None) -> None:
-        """To this mode a trigger returns after a test pulse; None: it gets another one for good."""
+        """The mode to which a trigger returns after a test pulse; None: the new mode is permanent."""
         if mode is None:
             self._earlier.pop(instance, None)
         else:

@@ -27,7 +27,7 @@ class FieldValues:
     """The values of a field. `parameters`: parameter, or parameter.member of a structure -> value."""
 
     for_each: str = ""  # a quantity that is a list: the field is sent once for each item
-    valid_if: str = ""  # a quantity that says whether the values are valid; else all of them are 0
+    valid_if: str = ""  # a quantity that shows whether the values are valid; else all of them are 0
     parameters: dict[str, Value] = field(default_factory=dict)
 
 
@@ -112,7 +112,7 @@ _NOTHING = FieldValues()
 
 
 def shown(kind: type[Field], set: int) -> FieldValues:
-    """What a field shows in packets of a set: as that set says, else as all sets that have it do."""
+    """The values of a field in packets of a set: as stated for that set, else for all sets."""
     return VALUES.get(kind.name_in(set)) or VALUES.get(kind.NAME) or _NOTHING
 
 

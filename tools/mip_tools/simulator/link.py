@@ -58,7 +58,7 @@ class Link:
         return min((queue[0][0] for queue in (self._late, self._held) if queue), default=None)
 
     def held(self, now: int) -> int:
-        """For how long the device has something to send that comes before its next answer."""
+        """The time that the device needs to send what precedes its next reply."""
         return max((time - now for time, _, _ in self._held), default=0)
 
     def hold(self, time: int, data: bytes) -> None:

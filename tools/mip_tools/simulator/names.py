@@ -10,7 +10,7 @@ from typing import Any
 def named(kind: Any, names: tuple[str, ...]) -> int:
     """The first value of these names that an enumeration has, or all bits of these names that a bitfield has.
 
-    `bits.value` is a number inside a bitfield. Names that the type does not have count nothing.
+    `bits.value` is a number inside a bitfield. Names that the type does not have are ignored.
     """
     return _named(kind, names)
 

@@ -345,7 +345,7 @@ INTERVALS = frozenset(
     ("reference.delta", "external.delta", "ticks.delta", "delta.rotation", "delta.velocity", "delta.matrix")
 )
 
-#: Those that are a mean since the last time: so is their item, one for each field.
+#: Means since the last output: so is their item, one for each field.
 MEANS = frozenset(
     name
     for name in QUANTITIES

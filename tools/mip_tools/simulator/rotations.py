@@ -19,7 +19,7 @@ def of_euler(roll: float, pitch: float, yaw: float) -> Matrix:
 
 
 def to_euler(m: Matrix) -> Vector:
-    """Roll, pitch and yaw; the yaw is 0 where it cannot be told from the roll."""
+    """Roll, pitch and yaw; the yaw is 0 where it cannot be distinguished from the roll."""
     roll, pitch, yaw = euler(transposed(m))
     if abs(m[6]) > 1 - 1e-12:
         return math.atan2(-m[5], m[4]), pitch, 0.0

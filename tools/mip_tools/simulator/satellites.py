@@ -155,13 +155,13 @@ def seen(
 
 
 def only(satellites: Sequence[Seen], constellation: str) -> tuple[Seen, ...]:
-    """Those of one constellation, counted anew."""
+    """The satellites of one constellation, renumbered."""
     kept = [s for s in satellites if s.satellite.constellation == constellation]
     return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
 
 
 def without(satellites: Sequence[Seen], constellations: frozenset[str]) -> tuple[Seen, ...]:
-    """Those of other constellations, counted anew."""
+    """The satellites of other constellations, renumbered."""
     kept = [s for s in satellites if s.satellite.constellation not in constellations]
     return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
 

@@ -42,7 +42,7 @@ class Scenario:
 
     devices: tuple[Simulated, ...] = ()
     events: tuple[ScriptedEvent, ...] = ()
-    """Those of all devices, in a file without devices."""
+    """The events of all devices, in a file without devices."""
 
 
 def read_scenario(path: Path) -> Scenario:

@@ -1,4 +1,4 @@
-"""Serves devices to programs outside this one, in real time or in a time of their own."""
+"""Serves devices to programs outside this one, in real time or in simulated time."""
 
 from __future__ import annotations
 

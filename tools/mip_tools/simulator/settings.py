@@ -53,7 +53,7 @@ def _keys(name: str) -> tuple[str, ...]:
 
 
 def _parameters(kind: type[Structure]) -> list[Parameter]:
-    """Those behind the function selector."""
+    """The parameters after the function selector."""
     return [p for p in reflection.info(kind).parameters if p.name != "function"]
 
 

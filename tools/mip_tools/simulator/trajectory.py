@@ -58,7 +58,7 @@ class Curve:
 
 
 def _slopes(times: Sequence[float], values: Sequence[float]) -> list[float]:
-    """Those of Fritsch and Butland: the harmonic mean of neighbours, 0 where the values turn back or rest."""
+    """The slopes of Fritsch and Butland: the harmonic mean of neighbours, 0 where the values turn back or rest."""
     if len(times) < 2:
         return [0.0] * len(times)
     steps = [b - a for a, b in pairwise(times)]

@@ -1,4 +1,4 @@
-"""Encoders of data fields, which show values of the world as the specification says."""
+"""Encoders of data fields, which encode values of the world as the specification states."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def values(effect: str, matrix: Matrix, inverse: bool) -> Values:
 
 
 def is_rotation(m: Matrix) -> bool:
-    """Are its rows unit vectors at right angles, as exactly as four-byte floats can say?"""
+    """Are its rows unit vectors at right angles, as exactly as four-byte floats can represent?"""
     rows = (m[:3], m[3:6], m[6:])
     products = (sum(a * b for a, b in zip(rows[i], rows[j])) - (i == j) for i in range(3) for j in range(i, 3))
     return all(abs(x) < 1e-3 for x in products)

@@ -17,7 +17,7 @@ from .state import Motion, Quaternion, State, euler, quaternion, rotation
 
 T = TypeVar("T")
 
-#: When a simulation starts, unless it is told: the start of a GPS week, 7 January 2024.
+#: The default start of a simulation: the start of a GPS week, 7 January 2024.
 START = 2296 * earth.WEEK
 
 _IDENTITY: Matrix = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
@@ -106,7 +106,7 @@ class Place(NamedTuple):
 
 
 class World:
-    """The source of the quantities. The device moves it through time and sets what its settings say.
+    """The source of the quantities. The device moves it through time and applies its settings.
 
     `sensor_to_vehicle` turns vectors of the sensor, which is fixed to the moving body, into the vehicle frame.
     """

@@ -37,7 +37,7 @@ export function javascriptProgram(names, field, calls) {
     return withImports(names, lines);
 }
 
-/** A program with what it imports in front. */
+/** A program, with its imports first. */
 function withImports(names, lines) {
     const needs = [...names.imports].sort(([a], [b]) => (a < b ? -1 : 1));
     const imports = needs.map(([module, used]) => `import { ${[...used].sort().join(", ")} } from "${module}";`);

@@ -39,7 +39,7 @@ export function pythonProgram(names, field, calls) {
     return pythonImports(names, lines.join("\n"));
 }
 
-/** A program with what it needs in front. */
+/** A program, with its imports and declarations first. */
 function pythonImports(names, text) {
     const imports = [...names.used].sort().map((name) => (names.local(name) === name ? name : `${name} as ${names.local(name)}`));
     return `from ${names.package}_protocol import ${imports.join(", ")}\n${text}`;

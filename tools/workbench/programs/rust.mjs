@@ -36,7 +36,7 @@ export function rustProgram(names, field, calls) {
     return rustUses(names, lines.join("\n"));
 }
 
-/** A program with what it needs in front. */
+/** A program, with its imports and declarations first. */
 function rustUses(names, text) {
     const used = [...names.used].sort();
     return `use ${names.package}_protocol::${used.length === 1 ? used[0] : `{${used.join(", ")}}`};\n${text}`;

@@ -152,7 +152,7 @@ fn connected(place: &str) -> io::Result<TcpStream> {
     Err(last)
 }
 
-/// No bytes, unless it is an error that matters.
+/// Treats a time-out or an interrupt as no bytes; returns other errors.
 fn none_yet(error: io::Error) -> io::Result<usize> {
     match error.kind() {
         ErrorKind::TimedOut | ErrorKind::WouldBlock | ErrorKind::Interrupted => Ok(0),

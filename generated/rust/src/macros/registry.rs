@@ -22,7 +22,7 @@ macro_rules! registry {
             <$type as Listed>::INFO,
         )*)*];
 
-        /// Those of their values, in the same order: apart, so that only a program that asks for
+        /// Their parameters, in the same order: apart, so that only a program that asks for
         /// them contains them.
         pub(super) static PARAMETERS: &[&[ParameterInfo]] = &[$($(
             #[cfg($when)]

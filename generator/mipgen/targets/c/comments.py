@@ -1,4 +1,4 @@
-"""Documentation comments: what `describe` says, in the words of C, wrapped."""
+"""Documentation comments: the facts of `describe`, with the names of C, wrapped."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ class Comments:
     model: m.Model
 
     def family(self, x: m.Family) -> list[str]:
-        """Of a header: what it says of its set, or of what several have in common."""
+        """The comment of a header: the facts about its set, or those that several sets share."""
         place = f" ({hexadecimal(x.number)})" if len(x.sets) == 1 else ""
         what = " ".join([f"{x.title}{place}.", *self._prose(x.description)])
         unsure = [ELSEWHERE] if any(self.model.devices_of(f, certain=False) for f in x.fields) else []
@@ -115,7 +115,7 @@ class Comments:
         return [f"{what}, as mip_field_key returns them.{others if len(self.model.layouts(f)) > 1 else ''}"]
 
     def present(self, f: m.Field) -> list[str]:
-        """Of the member that says how many parameters are present."""
+        """Of the member that counts the parameters that are present."""
         selector = ", not counting the function selector" if f.functions else ""
         more = "; a ..._WITH_... constant for all up to that one" if last_present(f) else ""
         return [
@@ -134,7 +134,7 @@ class Comments:
         return _paragraphs(text, [*describe.parameter(p, record, self.model), *empty])
 
     def arguments(self, given: Sequence[m.Parameter], f: m.Field) -> list[str]:
-        """Of a function: what its arguments are, as the comments of the members say."""
+        """The arguments of a function, as the comments of the members describe them."""
         items = [f"- {names.argument_name(p.name)}: {' '.join(self.member(p, f))}" for p in given]
         return ["\n".join(items)] if items else []
 

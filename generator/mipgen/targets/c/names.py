@@ -30,7 +30,7 @@ def short(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits
 
 
 def type_name(t: m.Type) -> str:
-    """The name of a type, after its family, whose name is not said twice."""
+    """The name of a type, after its family, whose name is not repeated."""
     if isinstance(t, m.Vector):
         return f"mip_{t.name}"
     return f"mip_{t.owner}_{short(t).removeprefix(f'{t.owner}_')}" if t.owner else f"mip_{short(t)}"

@@ -160,7 +160,7 @@ def _rate(r: Rate) -> dict[str, str]:
 
 
 def types(model: m.Model) -> list[m.Type]:
-    """All of them, those that others use before these."""
+    """All types, each after those that it uses."""
     selector, *rest = model.protocol.function_selector, *model.all_types
     codes = [] if model.protocol.ack_code in rest else [model.protocol.ack_code]
     return [selector, *codes, *rest]

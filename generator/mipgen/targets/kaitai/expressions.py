@@ -1,4 +1,4 @@
-"""Expressions that say when a parameter is there, how much a count may be, and which layout data have."""
+"""Expressions for the presence of a parameter, the limit of a count, and the layout of data."""
 
 from __future__ import annotations
 

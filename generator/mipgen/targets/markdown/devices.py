@@ -32,7 +32,7 @@ def evident(page: Page, d: m.Device, answer: m.Answer) -> list[tuple[str, str]]:
 
 
 def witnesses(page: Page, d: m.Device) -> str:
-    """Who says what is certain, if it is not only the manual of the device."""
+    """The sources of certain fields, if there are others than the manual of the device."""
     said = [(e, sum(x.evidence == e for x in d.supports)) for e in d.evidence if e.answer == "yes"]
     if all(e == m.Evidence("documented") for e, _ in said):
         return ""
@@ -45,7 +45,7 @@ def _undefined(e: m.Evidence) -> str:
 
 
 def differing(page: Page, d: m.Device) -> str:
-    """The commands that take other functions on a device than their definition says."""
+    """The commands that accept other functions on a device than their definition states."""
     differing = [s for s in d.supports if s.differs]
     rows = [[page.link(s.field), code(m.letters(s.functions)), code(m.letters(s.field.functions))] for s in differing]
     return table(rows, ["Command", "Functions on this device", "All functions"]) if rows else ""

@@ -51,7 +51,7 @@ def device(page: Page, x: m.Example) -> m.Device | None:
 
 
 def right_bytes(x: m.Example) -> str:
-    """Those of the field, if the manual shows it without a packet."""
+    """The correct bytes: those of the field, if the manual shows it without a packet."""
     return spaced(x.packet[4:-2] if x.role == "field" else x.packet)
 
 
@@ -195,7 +195,7 @@ def _hexadecimal(p: m.Parameter, value: int, around: Around) -> str:
 
 
 def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:
-    """Those that apply here: for the device, or for the value of a sibling."""
+    """The variants that apply here: for the device, or for the value of a sibling."""
     device = around.device.id if around.device else None
     return [v for v in p.variants if (v.key == device if v.by_device else v.value == around.values.get(v.by))]
 

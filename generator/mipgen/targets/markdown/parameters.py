@@ -180,7 +180,7 @@ def parameter_values(page: Page, record: m.Record) -> list[Values]:
 
 
 def field_values(page: Page, f: m.Field) -> list[Values]:
-    """Those of a command or a data field and its responses."""
+    """The values in a command, or in a data field and its responses."""
     return _values(page, on_page(page, f))
 
 

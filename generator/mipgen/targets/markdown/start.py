@@ -62,7 +62,7 @@ STARTS = (
 
 
 def starts(model: m.Model) -> list[Start]:
-    """Those whose programs the specification has. They use a few of its fields, which a part of it may lack."""
+    """The languages for which the specification has a program, which uses a few fields that a part of it may lack."""
     used = ("base.ping", "base.get_device_info", "sensor.scaled_accel", "3dm.message_format", "3dm.data_stream_control")
     there = model.protocol.session is not None and all(map(model.field, used))
     return [x for x in STARTS if there and model.program(x.program)]
@@ -79,7 +79,7 @@ class Frame:
 
 
 def frames(model: m.Model) -> list[Frame]:
-    """Those in `programs/` of the specification whose names begin with "frame"."""
+    """The files in `programs/` of the specification whose names begin with "frame"."""
     kinds = (
         ("command", "frame", "Commands", "These programs open a device, send the command and report the outcome."),
         ("data", "frame_data", "Data", "These programs open a device, stream the field once per second and read it."),

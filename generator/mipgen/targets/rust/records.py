@@ -214,7 +214,7 @@ class Records:
     # ------------------------------------------------------------------ constructors and setters
 
     def constructors(self, record: m.Record) -> list[Constructor]:
-        """Those of what a device sends are for simulators and tests."""
+        """The constructors of a record. For what a device sends, they are used by simulators and tests."""
         ways = calls.constructors(record)
         if isinstance(record, m.Field) and record.role != m.COMMAND and record.parameters:
             ways = record.calls

@@ -54,7 +54,7 @@ class Described:
 
 
 def described(parameters: Iterable[m.Parameter]) -> tuple[Described, ...]:
-    """Those that types hold: whatever does not follow from others."""
+    """The parameters that types hold: all that do not follow from others."""
     return tuple(
         Described(
             p.name, p.elements, p.units, p.frame,

@@ -104,7 +104,7 @@ where
     ///
     /// # Errors
     ///
-    /// Those of the function, or the port fails.
+    /// Returns the error of the function, or that of the port.
     pub async fn send_all<T>(
         &mut self,
         set: u8,
