@@ -147,7 +147,7 @@ def _letters(letters: str, choice: random.Random) -> str:
 
 @cache
 def names_beside(key: str, name: str) -> frozenset[str]:
-    """The other bits, or values, of the types that have one of this name."""
+    """The other bits, or values, of the types that have a bit or value of this name."""
     found: set[str] = set()
     for root in (d.root for d in documents() if d.kind in ("set", "types")):
         for _, entry in root["types"].items() if "types" in root else ():

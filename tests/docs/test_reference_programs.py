@@ -465,7 +465,7 @@ const device = await opened();
 def said_in_javascript(
     generated: Path, where: Path, programs: list[tuple[str, str, list[str]]], answers: dict[str, str]
 ) -> str:
-    """What programs write, each with its name, its text, and the devices that it is given."""
+    """The output of programs, each with its name, its text, and its devices."""
     (where / "answers.json").write_text(json.dumps(answers))
     (where / "node_modules").mkdir(exist_ok=True)
     (where / "node_modules/mip-protocol").symlink_to(generated / "javascript")

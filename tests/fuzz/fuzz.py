@@ -53,7 +53,7 @@ TARGETS = {
 C = [name for name, target in TARGETS.items() if target.language == "c"]
 RUST = [name for name, target in TARGETS.items() if target.language == "rust"]
 
-#: Those that keep no inputs, and the sources of Python's.
+#: Targets without stored inputs, and the sources of Python's.
 PYTHON = {"python-parser": "parser", "python-fields": "fields"}
 OTHERS = [*PYTHON, "differential"]
 ATHERIS = "3.0.0"

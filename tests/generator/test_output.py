@@ -167,7 +167,7 @@ def test_what_is_in_the_way_is_named_and_nothing_is_written(
 
 
 def state(folder: Path) -> dict[str, Any]:
-    """All that is there: files, links as what they lead to, and what else there may be as its kind."""
+    """The content of a folder: files, the targets of links, and the kind of anything else."""
     return {
         str(p): os.readlink(p) if p.is_symlink() else p.read_bytes() if p.is_file() else stat.S_IFMT(p.stat().st_mode)
         for p in folder.rglob("*")

@@ -31,7 +31,7 @@ def of(set: int, kind: type[Field]) -> Occurrence:
 
 
 def every(kind: type[Field]) -> list[Occurrence]:
-    """A field in each of its sets; what is in every set is one."""
+    """A field in each of its sets; a field that occurs in every set has one occurrence."""
     return [of(number, kind) for number in listed(kind) or (0,)]
 
 

@@ -181,7 +181,7 @@ export function errataOf(protocol, field) {
     );
 }
 
-/** The examples of manuals that are printed with exactly these bytes although others are right. */
+/** Examples that a manual prints with exactly these bytes, although they are wrong. */
 export function misprintsOf(protocol, bytes) {
     const { examples, errata } = protocol.model;
     return examples

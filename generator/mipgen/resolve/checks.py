@@ -72,7 +72,7 @@ def fields(model: m.Model, problems: Problems) -> None:
 
 
 def fields_of(model: m.Model, problems: Problems) -> None:
-    """What says of which set field descriptors are: a parameter beside them, or the name of a set."""
+    """The source of the descriptor set for field descriptors: a parameter beside them, or the name of a set."""
     records: list[m.Field | m.Struct] = [*model.fields, *m.structs(model.all_types)]
     for record in records:
         sets = {p.name for p in record.parameters if p.shown == "set"}

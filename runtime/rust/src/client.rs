@@ -743,7 +743,7 @@ impl Slots {
     /// A response never answers a command that does not ask for it, because it may be the late
     /// answer to another one; an acknowledge without a response first answers commands that ask for none.
     fn answers(&mut self, field: &RawField<'_>, rest: &Fields<'_>) -> u8 {
-        // Not decoded as a whole, which is 100 bytes of code; the set is that of a command.
+        // Reads only these two bytes: to decode the whole field would need 100 bytes of code.
         let (command, code) = match (field.descriptor, field.data) {
             (Acknowledge::DESCRIPTOR, [command, code, ..]) => (*command, AckCode(*code)),
             _ => return 0,

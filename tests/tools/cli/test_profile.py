@@ -1,4 +1,4 @@
-"""`mip profile`: what a device tells of itself, as a file that mipgen takes, also into a file of a person."""
+"""`mip profile`: data from a device as a file that mipgen accepts, also added to a file that was edited by hand."""
 
 from __future__ import annotations
 

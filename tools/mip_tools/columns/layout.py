@@ -118,7 +118,7 @@ def _leaves(kind: type[Structure], record: Array, prefix: str) -> Iterator[tuple
 
 
 def texts(column: Array) -> Array:
-    """Characters, one byte each, as str: all of them, zeros too."""
+    """Characters, one byte each, as str, zeros included."""
     flat = np.ascontiguousarray(column).reshape(-1, column.shape[-1])
     strings = np.empty(len(flat), object)
     strings[:] = [row.tobytes().decode("latin-1") for row in flat]

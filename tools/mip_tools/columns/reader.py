@@ -44,7 +44,7 @@ class Reader:
         self._log, self._kind = log, kind
         self._set = sets[0] if set is None and len(sets) == 1 else set
         self._known: dict[int, bool] = {}
-        #: The sets that it is looked for in; empty: all.
+        #: The sets to search for it; empty: all.
         self._sets = sets if self._set is None else (self._set,)
         if not all(map(self._in, self._sets or kind.SETS[:1])):
             where = "the specification" if set is None else f"set 0x{set:02X}"

@@ -9,7 +9,7 @@ from .nmea import checksum
 
 
 def damage(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, str]:
-    """A packet that is no longer valid, and what happened to it."""
+    """A packet that is no longer valid, and its damage."""
     for _ in range(100):
         size = random.randint(1, min(most, len(packet)))
         at = random.randrange(len(packet) - size + 1)

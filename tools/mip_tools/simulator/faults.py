@@ -143,7 +143,7 @@ class Faults:
         return parts
 
     def forget(self, now: int, line: Hashable = None) -> None:
-        """The line has been cut: what was on the way is lost."""
+        """The line has been cut: bytes in transit are lost."""
         at = self._lines.pop(line, _Line())
         for arrival, packet in at.late:
             if arrival > now:

@@ -25,7 +25,7 @@ Quantity = Callable[["VirtualDevice", Context], Any]
 
 
 def _padded(text: str) -> str:
-    """The padding of identity strings, as on devices: in front."""
+    """Pads an identity string at its beginning, as devices do."""
     return text[:16].rjust(16)
 
 

@@ -1,4 +1,4 @@
-"""Motions of the simulated device, and how a text names them."""
+"""Motions of the simulated device, and their names in texts."""
 
 from __future__ import annotations
 
