@@ -352,11 +352,17 @@ impl PacketBuilder {
         let [first, second] = SYNC;
         let mut bytes = [0; MAX_PACKET];
         (bytes[0], bytes[1], bytes[2]) = (first, second, set);
-        bytes[4] = first.wrapping_add(second).wrapping_add(set);
-        // Each byte as often as bytes of the header follow it, and once more.
-        let twice = first.wrapping_add(second).wrapping_add(set).wrapping_mul(2);
-        bytes[5] = twice.wrapping_add(first.wrapping_mul(2)).wrapping_add(second);
+        [bytes[4], bytes[5]] = Self::sums_of_header(set);
         Self { bytes }
+    }
+
+    /// The checksum without fields.
+    #[inline]
+    const fn sums_of_header(set: u8) -> [u8; 2] {
+        let [first, second] = SYNC;
+        let sum = first.wrapping_add(second).wrapping_add(set);
+        // Each byte as often as bytes of the header follow it, and once more.
+        [sum, sum.wrapping_mul(2).wrapping_add(first.wrapping_mul(2)).wrapping_add(second)]
     }
 
     /// Memory to start a packet in.
@@ -438,11 +444,13 @@ impl PacketBuilder {
         Ok(())
     }
 
-    /// Removes all fields.
+    /// Removes all fields, to build the next packet of the set: a loop with one builder clears the memory
+    /// of a packet only once.
+    #[inline]
     pub fn clear(&mut self) {
-        let [_, _, _, payload, ..] = &mut self.bytes;
+        let [_, _, set, payload, a, b, ..] = &mut self.bytes;
         *payload = 0;
-        self.seal();
+        [*a, *b] = Self::sums_of_header(*set);
     }
 
     /// The bytes to send.
