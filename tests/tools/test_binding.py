@@ -46,13 +46,6 @@ def mip(*words: object, path: Path | None = None, **environment: str) -> str:
     return done.stdout
 
 
-def test_a_specification_of_two_fields_is_small(own: Path) -> None:
-    lines = sum(len(p.read_text("utf-8").splitlines()) for p in own.rglob("*.py"))
-    assert 3000 < lines < 6620
-    texts = "".join(p.read_text("utf-8") for p in own.rglob("*.py"))
-    assert not re.search(r"argparse|numpy|pyarrow|simulator", texts)
-
-
 def test_every_way_to_name_a_package(own: Path) -> None:
     wanted = mip("fields", "--package", own)
     assert wanted.splitlines() == ["0x01  tools              2 fields", "0x80  measurements       1 fields"]

@@ -133,11 +133,10 @@ _USED = {
     "_clocks": "CLOCKS LEAP_SECONDS",
     "_index": "FAMILIES FIELDS SETS",
     "_session": "session",
-    "baud": "detect_baud",
     "client": "Answer TimedOut",
     "codec": "OpenEnum single_from_bits single_to_bits",
     "described": "Described",
-    "device": "open_port",
+    "device": "connect open_port",
     "devices": "DEVICES identify model_number",
     "errors": "DecodeError EncodeError MipError MissingExtra NoAnswer NoSuchRate PacketError PortClosed "
     "PortError Refused UnknownName",
@@ -147,7 +146,7 @@ _USED = {
     "packet": "MAX_PAYLOAD OVERHEAD SYNC Packet PacketBuilder RawField",
     "parameter": "Flag Parameter",
     "parser": "Parser",
-    "port": "READ_TIMEOUT open_url",
+    "port": "READ_TIMEOUT",
     "profile": "Device Evidence Port Support",
     "protocol": "VERSION AckCode Acknowledge FunctionSelector",
     "reflection": "info items",
@@ -165,12 +164,11 @@ if TYPE_CHECKING:
     from mip_protocol._clocks import CLOCKS, LEAP_SECONDS
     from mip_protocol._index import FAMILIES, FIELDS, SETS
     from mip_protocol._session import session
-    from mip_protocol.baud import detect_baud
     from mip_protocol.client import Answer, TimedOut
     from mip_protocol.codec import OpenEnum, single_from_bits, single_to_bits
     from mip_protocol.described import Described
     from mip_protocol.device import Device as DeviceAtPort
-    from mip_protocol.device import open_port
+    from mip_protocol.device import connect, open_port
     from mip_protocol.devices import DEVICES, identify, model_number
     from mip_protocol.errors import (
         DecodeError,
@@ -191,7 +189,7 @@ if TYPE_CHECKING:
     from mip_protocol.packet import MAX_PAYLOAD, OVERHEAD, SYNC, Packet, PacketBuilder, RawField
     from mip_protocol.parameter import Flag, Parameter
     from mip_protocol.parser import Parser
-    from mip_protocol.port import READ_TIMEOUT, open_url
+    from mip_protocol.port import READ_TIMEOUT
     from mip_protocol.profile import Device, Evidence, Port, Support
     from mip_protocol.protocol import VERSION, AckCode, Acknowledge, FunctionSelector
     from mip_protocol.reflection import info, items

@@ -10,14 +10,12 @@ from .conversation import AtPort, Dialog, Step
 from .errors import NoAnswer, NoDevice, Refused
 from .field import Command
 from .parser import Parser
-from .port import READ_TIMEOUT, as_port, read_some, write_all
+from .port import READ_TIMEOUT, USUAL, as_port, read_some, write_all
 
 #: Seconds that a device takes to change its rate, until it answers at the new one.
 CHANGE = 0.25
 #: Seconds to listen at each rate.
 LISTEN = 0.3
-#: The rate of a new device.
-USUAL = 115200
 
 
 class Ping(Command[None]):
@@ -75,8 +73,7 @@ def detect_baud(port: Any, candidates: Iterable[int] | None = None, listen: floa
 
 
 def answers(port: Any, listen: float) -> bool:
-    """Does a packet arrive at the current rate? Tries twice: earlier bytes may damage the first
-    answer."""
+    """Does a packet arrive at the current rate? Tries twice: earlier bytes may damage the first answer."""
     clear = getattr(port, "reset_input_buffer", None)
     if clear is not None:
         clear()
@@ -114,6 +111,3 @@ def changing(device: AtPort, command: Command[Any], attempts: int) -> Dialog[int
                 pass
             return int(rate)
     raise NoAnswer(command)
-
-
-__all__ = ["answers", "changing", "detect_baud", "rates"]

@@ -40,8 +40,7 @@ def checksum(data: bytes) -> bytes:
 
 
 def is_correct(data: bytes) -> bool:
-    """Does a packet have the correct checksum? Most that do not fail at the first sum, which is
-    cheap."""
+    """Does a packet have the correct checksum? Most that do not fail at the first sum, which is cheap."""
     body = data[:-2]
     first = adler32(body, 0) & 0xFFFF
     if first > WRAPPED and first & 0xFF != data[-2]:
@@ -88,8 +87,7 @@ def function(name: str, lines: Sequence[str], names: dict[str, Any]) -> Any:
 
 
 class Often(Generic[T]):
-    """Objects that are worth creating only for what occurs often. Keeps no more than `most` of
-    them."""
+    """Objects that are worth creating only for what occurs often. Keeps no more than `most` of them."""
 
     def __init__(self, make: Callable[[bytes], T], most: int) -> None:
         self.made: dict[bytes, T] = {}

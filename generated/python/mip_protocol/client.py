@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .errors import DecodeError, EncodeError, MissingResponse, PacketError
+from .errors import DecodeError, EncodeError, MissingResponse
 from .field import Command, Response
 from .packet import Packet, PacketBuilder, RawField
 from .parser import Parser
@@ -64,7 +64,7 @@ class Received:
     @property
     def fields(self) -> tuple[RawField, ...]:
         """The fields that do not answer a command, up to a malformed one."""
-        return tuple(f for i, f in enumerate(_fields(self.packet)[0]) if i not in self.taken)
+        return tuple(f for i, f in enumerate(self.packet.fields) if i not in self.taken)
 
 
 @dataclass(frozen=True)
@@ -165,9 +165,8 @@ class Client:
         for command in commands:
             if command.answered:
                 allowed = max(self._timeout, command.TIMEOUT or 0.0) if timeout is None else timeout
-                self._pending.append(
-                    _Pending(command, command.expected, now + allowed, self._behind)
-                )
+                end = now + allowed
+                self._pending.append(_Pending(command, command.expected, end, self._behind))
         return barrier + bytes(builder.build())
 
     def _barrier(self) -> bytes:
@@ -207,8 +206,7 @@ class Client:
         return self._events(self._parser.feed_all(data)) + self.poll(now)
 
     def flush(self, now: float) -> list[Event]:
-        """Discards an incomplete packet, for example at the end of a file, and searches its
-        bytes."""
+        """Discards an incomplete packet, for example at the end of a file, and searches its bytes."""
         return self._events(self._parser.flush_all()) + self.poll(now)
 
     def look_behind(self, now: float) -> list[Event]:
@@ -279,7 +277,7 @@ class Client:
         passed = self._passes(packet)
         if passed is not None:
             return passed
-        fields, malformed = _fields(packet)
+        fields, malformed = packet._walk()
         answers: list[Event] = []
         taken: set[int] = set()
         for i, raw in enumerate(fields):
@@ -330,10 +328,8 @@ class Client:
 def _response(waiting: _Pending, code: AckCode, raw: RawField) -> Answer | None:
     """The answer with this response, if it is the one that the command requests."""
     command = waiting.command
-    layouts = (
-        t for t in waiting.expected if t.DESCRIPTOR == raw.descriptor and t.matches(raw.data)
-    )
-    kind = next(layouts, None)
+    layouts = [t for t in waiting.expected if t.DESCRIPTOR == raw.descriptor]
+    kind = next((t for t in layouts if t.matches(raw.data)), None)
     if kind is None:
         return None
     try:
@@ -342,14 +338,3 @@ def _response(waiting: _Pending, code: AckCode, raw: RawField) -> Answer | None:
         if error.kind == "constant":  # another layout of the descriptor
             return None
         return Answer(command, code, None, error, raw)
-
-
-def _fields(packet: Packet) -> tuple[list[RawField], bool]:
-    """The fields of a packet; is there a malformed one after them?"""
-    fields: list[RawField] = []
-    try:
-        for raw in packet:
-            fields.append(raw)
-    except PacketError:
-        return fields, True
-    return fields, False

@@ -174,9 +174,8 @@ def _needs(letter: str, value: Any) -> str:
         number = isinstance(value, (int, float))
         return "-3.4028235e+38 to 3.4028235e+38" if number and letter == "f" else "a number"
     bits = 8 * struct.calcsize(">" + letter)
-    least, most = (
-        (0, 2**bits - 1) if letter.isupper() else (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1)
-    )
+    least = 0 if letter.isupper() else -(2 ** (bits - 1))
+    most = least + 2**bits - 1
     return f"{'' if isinstance(value, int) else WHOLE}{least} to {most}"
 
 
@@ -283,13 +282,7 @@ def read_vectors(
 
 
 def write_vectors(name: str, letter: str, width: int, values: Sequence[Any]) -> bytes:
-    out: list[bytes] = []
-    for v in values:
-        try:
-            out.append(write_numbers("", letter, elements("", v, width)))
-        except EncodeError as error:
-            raise within(f"{name}[{len(out)}]", error) from None
-    return b"".join(out)
+    return _each(name, values, lambda v: write_numbers("", letter, elements("", v, width)))
 
 
 def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:
@@ -313,10 +306,14 @@ def structure(name: str, value: _Structure | None, kind: type[_Structure]) -> by
 
 
 def write_structures(name: str, values: Sequence[Any], kind: type[_Structure]) -> bytes:
+    return _each(name, values, lambda v: structure("", v, kind))
+
+
+def _each(name: str, values: Sequence[Any], write: Callable[[Any], bytes]) -> bytes:
     out: list[bytes] = []
     for v in values:
         try:
-            out.append(structure("", v, kind))
+            out.append(write(v))
         except EncodeError as error:
             raise within(f"{name}[{len(out)}]", error) from None
     return b"".join(out)
@@ -326,14 +323,13 @@ def little(name: str, value: int, size: int) -> bytes:
     """A bitfield in bytes, least significant byte first."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
+    limits = f"0 to {256**size - 1}"
     if not isinstance(value, int):
-        needs = f"{WHOLE}0 to {256**size - 1}"
-        raise EncodeError("range", f"{name} is {value!r}, needs {needs}")
+        raise EncodeError("range", f"{name} is {value!r}, needs {WHOLE}{limits}")
     try:
         return value.to_bytes(size, "little")
     except OverflowError:
-        needs = f"0 to {256**size - 1}"
-        raise EncodeError("range", f"{name} is {value}, needs {needs}") from None
+        raise EncodeError("range", f"{name} is {value}, needs {limits}") from None
 
 
 def constant(number: int, wanted: int) -> None:

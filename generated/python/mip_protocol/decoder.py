@@ -43,6 +43,3 @@ class Decoder(Scanner[Fields]):
                 return
             add(slowly(Packet._trusted(buffer[begin:end])))
             at = end
-
-
-__all__ = ["Decoder"]

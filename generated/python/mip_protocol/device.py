@@ -18,11 +18,10 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import takewhile
-from types import TracebackType
 from typing import Any, TypeVar, cast, overload
 
 from ._session import session
-from .baud import USUAL, changing, detect_baud, rates
+from .baud import changing, detect_baud, rates
 from .client import Outcome, check_seconds
 from .conversation import (
     CAPACITY,
@@ -37,7 +36,7 @@ from .conversation import (
 )
 from .errors import NoAnswer, PortClosed, Refused
 from .field import Command, Field, R, Response
-from .port import Reader, as_port, open_url, warn_unclosed, weakly
+from .port import USUAL, Reader, as_port, open_url, warn_unclosed, weakly
 from .streaming import steps
 
 F = TypeVar("F", bound=Field)
@@ -107,12 +106,7 @@ class Device(AtPort):
     def __enter__(self) -> Device:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         self.close()
 
     def close(self) -> None:
@@ -121,8 +115,7 @@ class Device(AtPort):
             self._closes += 1
             self._closed = True
             self._end = self._end or PortClosed("the device has been closed")
-            self._answered.notify_all()
-            self._arrived.notify_all()
+            self._tell(News(True, True))
         self._reader.stop()
 
     def reopen(self, within: float = 30.0) -> None:
@@ -278,6 +271,7 @@ class Device(AtPort):
             else:
                 self._tell(self._talk.poll(time.monotonic()))
 
+    # needs: session
     def stream(
         self, rates: Mapping[type[Field], float], *, set: int | None = None
     ) -> dict[type[Field], float]:
@@ -290,6 +284,20 @@ class Device(AtPort):
         """
         return self._follow(steps(session(), rates, set))
 
+    # needs: baud rates
+    def change_baud(self, command: Command, attempts: int = 3) -> int:
+        """Sends a command that changes the baud rate (it has `baud`), and changes the rate of the
+        port.
+
+        The device answers at the old rate and changes 250 ms later; some answer at either. Set it
+        to idle first. Returns the rate of the port, at which the device has answered a ping: the
+        old one if the command is for another port of the device. Raises ValueError if the command
+        or the port has no rate; Refused; and NoAnswer if the device answers at neither rate, in
+        which case the port keeps the old one.
+        """
+        return self._follow(changing(self, command, attempts))
+
+    # needs: session or baud rates
     def _follow(self, dialog: Dialog[T]) -> T:
         answer: Any = None
         failed: NoAnswer | Refused | None = None
@@ -370,20 +378,6 @@ class Device(AtPort):
         with self._lock:
             self._talk.arrivals.clear()
 
-    # ----------------------------------------------------------------- baud rate
-
-    def change_baud(self, command: Command, attempts: int = 3) -> int:
-        """Sends a command that changes the baud rate (it has `baud`), and changes the rate of the
-        port.
-
-        The device answers at the old rate and changes 250 ms later; some answer at either. Set it
-        to idle first. Returns the rate of the port, at which the device has answered a ping: the
-        old one if the command is for another port of the device. Raises ValueError if the command
-        or the port has no rate; Refused; and NoAnswer if the device answers at neither rate, in
-        which case the port keeps the old one.
-        """
-        return self._follow(changing(self, command, attempts))
-
     # ----------------------------------------------------------------- in the reading thread
 
     def _receive(self, data: bytes, monotonic: float, clock: float) -> None:
@@ -401,14 +395,12 @@ class Device(AtPort):
             try:
                 self._talk.end(time.monotonic(), time.time())
             finally:
-                self._answered.notify_all()
-                self._arrived.notify_all()
+                self._tell(News(True, True))
 
     def _give_up(self, error: BaseException) -> None:
         with self._lock:
             self._end = self._end or lost(error)
-            self._answered.notify_all()
-            self._arrived.notify_all()
+            self._tell(News(True, True))
 
     def _tell(self, news: News) -> None:
         if news.answers:
@@ -443,7 +435,7 @@ def open_port(
 ) -> Device:
     """Opens the port of a device: /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT, …
 
-    `baud`: the baud rate, or None to find it. The other arguments are those of `Device`. All except
+    `baud`: the baud rate; None finds it, if the specification names rates. The other arguments are those of `Device`. All except
     TCP connections need pyserial, which the extra `serial` installs. A serial port is opened for this
     device alone. Raises PortError, an OSError, if the port cannot be opened or is in use, NoDevice if
     no baud rate is found, and MissingExtra.
@@ -462,6 +454,7 @@ def connect(
     """The port of this URL, at the baud rate of the device. It is not searched any longer when it is
     not `wanted` any more."""
     port = open_url(url, USUAL if baud is None else baud)
+    # needs: baud rates
     try:
         if baud is None and hasattr(port, "baudrate"):
             detect_baud(port, takewhile(lambda _: wanted(), rates()))
@@ -469,6 +462,3 @@ def connect(
         port.close()
         raise
     return port
-
-
-__all__ = ["Device", "open_port"]

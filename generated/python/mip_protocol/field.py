@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
 
 from .codec import typed, vector
 from .described import Described, help_of
-from .errors import DecodeError, EncodeError
+from .errors import EncodeError
 from .packet import Packet, PacketBuilder, RawField, as_bytes
 
 if TYPE_CHECKING:
@@ -44,10 +44,9 @@ def _as_dataclass(kind: Any) -> type:
         return dataclasses.field(kw_only=p.kind is p.KEYWORD_ONLY, **given)
 
     parameters = inspect.signature(kind).parameters if kind._MEMBERS else {}
-    members = [(name, parameters[name]) for name in kind._MEMBERS]
-    return dataclasses.make_dataclass(
-        kind.__name__, [(name, str(p.annotation), described(p)) for name, p in members]
-    )
+    held = [(name, parameters[name]) for name in kind._MEMBERS]
+    members = [(name, str(p.annotation), described(p)) for name, p in held]
+    return dataclasses.make_dataclass(kind.__name__, members)
 
 
 # An attribute that holds a vector. Decoders store the numbers; the vector is created when it is
@@ -253,8 +252,7 @@ class Shared(Field):
 
     @property
     def packet_set(self) -> int | None:
-        """The descriptor set of the packet that contained it; None if there was none. It is not
-        part of the value."""
+        """The descriptor set of the packet that contained it; None if there was none. It is not part of the value."""
         return getattr(self, "_packet_set", None)
 
     @classmethod
@@ -328,18 +326,3 @@ def chosen(types: tuple[type[Field], ...], raw: RawField) -> type[Field] | None:
     if len(types) == 1:
         return types[0]
     return next((t for t in types if t.matches(raw.data)), None)
-
-
-__all__ = [
-    "ClassOf",
-    "Command",
-    "Data",
-    "DecodeError",
-    "Field",
-    "R",
-    "Response",
-    "ResponseClasses",
-    "Shared",
-    "Structure",
-    "chosen",
-]

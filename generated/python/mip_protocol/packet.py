@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from operator import index
 from typing import Any, NamedTuple
 
-from .checks import checksum
+from .checks import checksum as checksum
 from .errors import DecodeError, EncodeError, PacketError
 
 SYNC = b"\x75\x65"
@@ -14,20 +14,6 @@ MAX_PAYLOAD = 255
 OVERHEAD = 6
 #: No packet has these sets: they stand for the fields of every command set and of every data set.
 NO_SETS = b"\x00\xff"
-
-
-__all__ = [
-    "MAX_PAYLOAD",
-    "NO_SETS",
-    "OVERHEAD",
-    "SYNC",
-    "Packet",
-    "PacketBuilder",
-    "RawField",
-    "Undecoded",
-    "as_bytes",
-    "checksum",
-]
 
 
 def as_bytes(data: Any) -> bytes:
@@ -50,8 +36,7 @@ class RawField(NamedTuple):
 
     @property
     def error(self) -> DecodeError | None:
-        """The reason why it was not decoded; None if there was no error, or if its descriptor is
-        unknown."""
+        """The reason why it was not decoded; None if there was no error, or if its descriptor is unknown."""
         return None
 
 

@@ -76,8 +76,7 @@ class Parameter:
 
     @property
     def derived(self) -> bool:
-        """Does it follow from the rest, so that objects do not contain it: a constant or a
-        counter?"""
+        """Does it follow from the rest, so that objects do not contain it: a constant or a counter?"""
         return self.constant is not None or bool(self.counts)
 
     @property
@@ -87,16 +86,13 @@ class Parameter:
 
     @property
     def range(self) -> str:
-        """The allowed values: "0 to 8", "greater than 0, at most 10"; empty if any value is
-        allowed."""
+        """The allowed values: "0 to 8", "greater than 0, at most 10"; empty if any value is allowed."""
         low, high = self.minimum, self.maximum
         if low is not None and high is not None:
             return f"{low} to {high}"
-        bounds = (("at least", low), ("greater than", self.above), ("at most", high))
-        limits = [
-            f"{word} {x}" for word, x in (*bounds, ("less than", self.below)) if x is not None
-        ]
-        return ", ".join(limits)
+        least = (("at least", low), ("greater than", self.above))
+        most = (("at most", high), ("less than", self.below))
+        return ", ".join(f"{word} {x}" for word, x in (*least, *most) if x is not None)
 
     @property
     def layout(self) -> str:
@@ -156,6 +152,3 @@ class Parameter:
         from .text import formatted
 
         return formatted(self, value)
-
-
-__all__ = ["Flag", "Parameter", "Variant"]

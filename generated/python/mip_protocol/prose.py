@@ -64,11 +64,7 @@ def _docstrings(source: str) -> Iterator[tuple[str, str]]:
         if isinstance(node, ast.ClassDef):
             yield node.name, ast.get_docstring(node) or ""
             for held, behind in zip(node.body, node.body[1:]):
-                target = (
-                    held.target
-                    if isinstance(held, ast.AnnAssign)
-                    else getattr(held, "targets", [0])[0]
-                )
+                target = getattr(held, "target", None) or getattr(held, "targets", [None])[0]
                 if isinstance(target, ast.Name) and isinstance(behind, ast.Expr):
                     yield f"{node.name}.{target.id}", str(getattr(behind.value, "value", ""))
             for name, said in _WIRE.findall("\n".join(lines[node.lineno : node.end_lineno])):

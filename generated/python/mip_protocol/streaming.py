@@ -99,6 +99,3 @@ def decimation(base: int, wanted: float) -> int:
     below = min(int(base / wanted), LARGEST)
     above = min(below + 1, LARGEST)
     return below if base / below - wanted <= wanted - base / above else above
-
-
-__all__ = ["Older", "Session", "steps"]

@@ -178,10 +178,7 @@ def as_text(holder: Described, device: str | None) -> str:
         known = items(holder, device)
     except EncodeError:
         return repr(holder)  # with values that cannot be sent
-    words = ", ".join(
-        f"{item.parameter.name} = {item.text}{'' if item.valid else ' (invalid)'}" for item in known
-    )
-    return f"{name}: {words}" if words else name
+    return f"{name}: {_words(known)}" if known else name
 
 
 def items(holder: Described, device: str | None = None) -> list[Item]:
@@ -241,9 +238,12 @@ def _list(texts: Iterable[str]) -> str:
 def _structure(value: Any, device: str | None, inside: Inside | None) -> str:
     if not isinstance(value, Described):
         return repr(value)
-    items = _items(value, device, inside)
+    return f"({_words(_items(value, device, inside))})"
+
+
+def _words(items: list[Item]) -> str:
     shown = (f"{x.parameter.name} = {x.text}{'' if x.valid else ' (invalid)'}" for x in items)
-    return f"({', '.join(shown)})"
+    return ", ".join(shown)
 
 
 def _elements(p: Parameter, value: Any, many: bool) -> str:
@@ -292,6 +292,3 @@ def shortest(value: float) -> str:
         if pack(">f", float(text)) == wanted:
             return repr(float(text))
     return repr(float(f"{value:.9g}"))
-
-
-__all__ = ["Item", "as_dict", "as_text", "formatted", "items", "meant", "shortest"]

@@ -185,9 +185,8 @@ class _Codec:
 
     @property
     def required(self) -> str:
-        return (
-            "self.REQUIRED.get(self.function, 0)" if selects(self.kind) else str(self.kind._ALWAYS)
-        )
+        always = str(self.kind._ALWAYS)
+        return "self.REQUIRED.get(self.function, 0)" if selects(self.kind) else always
 
     def function(self, head: str, lines: Sequence[str]) -> Any:
         exec(f"{head}:\n " + "\n ".join(lines), self.names)
@@ -235,9 +234,8 @@ class _Codec:
                 yield f"codec.constant({mine[0]}, {what})"
             else:
                 self.count += 1
-                made = value(
-                    mine, late(self.kind, member or name, what), f"k{self.count}", self.names
-                )
+                kind = late(self.kind, member or name, what)
+                made = value(mine, kind, f"k{self.count}", self.names)
                 yield f"{self.slot(member or name)} = {made}"
 
     def read_one(self, row: Row, member: str) -> Iterator[str]:
@@ -267,9 +265,8 @@ class _Codec:
             yield f"{slot} = codec.read_vectors({kind}, {letters[0]!r}, {len(letters)}, raw, at, n)"
         else:
             numbers = f"codec.read_numbers({letters!r}, raw, at, n)"
-            yield f"{slot} = " + (
-                f"tuple(map({self.name(what.kind)}, {numbers}))" if what.kind else numbers
-            )
+            made = f"tuple(map({self.name(what.kind)}, {numbers}))" if what.kind else numbers
+            yield f"{slot} = {made}"
         yield f"at += n * {one}"
 
     # ----------------------------------------------------------------- writing
@@ -284,10 +281,8 @@ class _Codec:
             lines += [f"there = codec.present(self, {self.required}, {tuple(table)!r})"]
             for last, rows in self.groups:
                 lines += [f"if there >= {last}:", *(" " + line for line in self.write_rows(rows))]
-        limited = hasattr(self.kind, "DESCRIPTOR")
-        return self.function(
-            "def write(self)", [*lines, f"return {'codec.finished(out)' if limited else 'out'}"]
-        )
+        made = "codec.finished(out)" if hasattr(self.kind, "DESCRIPTOR") else "out"
+        return self.function("def write(self)", [*lines, f"return {made}"])
 
     def write_rows(self, rows: Sequence[Row], member: str = "") -> Iterator[str]:
         for part in _parts(rows):

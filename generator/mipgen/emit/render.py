@@ -5,7 +5,7 @@ Everything is made in memory first, so that a failing run leaves nothing half-wr
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import yaml
@@ -54,9 +54,9 @@ def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
         past.keep(right)
         return right
     target, place = source.load(), f"target {source.name}"
-    files, templates, rename = past.make(PLAN, _plan, source, model)
+    files, finished, templates, rename = past.make(PLAN, _plan, source, model)
     made: dict[str, Made] = {}
-    for path, data in _finished(source).items():
+    for path, data in finished.items():
         if rename is None:
             made[path] = data
         else:  # in paths too
@@ -79,18 +79,21 @@ def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
     return made
 
 
-def _plan(source: Source, model: Model) -> tuple[list[File], Templates, Callable[[str], str] | None]:
+def _plan(
+    source: Source, model: Model
+) -> tuple[list[File], Mapping[str, bytes], Templates, Callable[[str], str] | None]:
     """Collects the files of a target and what they share."""
     from .templating import Templates  # imports Jinja, which checking names does not need
 
     target = source.load()
     templates = Templates(source, target.filters(model), {"model": model, "version": model.protocol.version})
-    return list(target.files(model)), templates, target.renaming(model.protocol.package)
+    finished = {"LICENSE": (resources.root() / "LICENSE").read_bytes(), **target.runtime(_runtime(source), model)}
+    return list(target.files(model)), finished, templates, target.renaming(model.protocol.package)
 
 
-def _finished(source: Source) -> dict[str, bytes]:
+def _runtime(source: Source) -> dict[str, bytes]:
     """The files that are copied."""
-    made = {"LICENSE": (resources.root() / "LICENSE").read_bytes()}
+    made: dict[str, bytes] = {}
     for runtime in reversed(source.runtimes):
         if runtime.is_dir():
             made |= {path: file.read_bytes() for path, file in resources.files(runtime)}

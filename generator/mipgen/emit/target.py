@@ -36,6 +36,10 @@ def _no_filters(_: Model) -> Mapping[str, Callable[..., Any]]:
     return {}
 
 
+def _all(files: Mapping[str, bytes], _: Model) -> Mapping[str, bytes]:
+    return files
+
+
 def _no_identifiers(_: Model) -> Iterable[Identifier]:
     return ()
 
@@ -50,6 +54,8 @@ class Target:
     files: Callable[[Model], Iterable[File]]
     #: The filters of its templates, by name: names in the case of the language, literals, comments.
     filters: Callable[[Model], Mapping[str, Callable[..., Any]]] = _no_filters
+    #: What the output has of the files that are copied, by path; without it, all.
+    runtime: Callable[[Mapping[str, bytes], Model], Mapping[str, bytes]] = _all
     #: Yields every name that the output defines, with its scope, so that names which cannot be are found before
     #: anything is written.
     identifiers: Callable[[Model], Iterable[Identifier]] = _no_identifiers
@@ -114,6 +120,7 @@ _RIGHT: dict[str, tuple[Callable[[object], bool], str]] = {
     "title": (lambda value: isinstance(value, str) and bool(re.fullmatch(r"\S.*", value)), "a line of text"),
     "files": (callable, _FUNCTION),
     "filters": (callable, _FUNCTION),
+    "runtime": (callable, "a function that takes the files and the model"),
     "identifiers": (callable, _FUNCTION),
     "grammar": (_optional(Grammar), "a Grammar"),
     "formatter": (_optional(Formatter), "a Formatter, such as mipgen.emit.formatting.RUFF"),

@@ -18,11 +18,10 @@ import threading
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Mapping, Sequence
 from functools import partial
-from types import TracebackType
 from typing import Any, cast, overload
 
 from ._session import session
-from .baud import USUAL, changing
+from .baud import changing
 from .client import Outcome, check_seconds
 from .conversation import (
     CAPACITY,
@@ -57,6 +56,7 @@ from .port import (
     AT_ONCE,
     CONNECT_TIMEOUT,
     READ_TIMEOUT,
+    USUAL,
     WRITE_TIMEOUT,
     Reader,
     address,
@@ -75,6 +75,8 @@ CLOSE_TIMEOUT = 1.0
 
 OnData = Callable[[bytes, float, float], object]
 OnEnd = Callable[[BaseException], object]
+#: Opens a port at this baud rate.
+Opening = Callable[[int], Coroutine[Any, Any, Any]]
 
 # Nothing here waits by `asyncio.wait_for` in the task of a caller: until Python 3.12, it drops a
 # cancellation that comes in the same turn of the event loop as the result.
@@ -107,7 +109,7 @@ class Device(AtPort):
         self._writing = asyncio.Lock()
         self._written: asyncio.Future[None] | None = None  # the latest packet
         self._opening = asyncio.Lock()
-        self._again: Callable[[int], Coroutine[Any, Any, Any]] | None = None
+        self._again: Opening | None = None
         self._start(port)
 
     def _start(self, port: Any) -> None:
@@ -125,12 +127,7 @@ class Device(AtPort):
     async def __aenter__(self) -> Device:
         return self
 
-    async def __aexit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    async def __aexit__(self, *error: object) -> None:
         await self.close()
 
     async def close(self) -> None:
@@ -151,13 +148,11 @@ class Device(AtPort):
             if self._link is link:  # else another task has done it meanwhile
                 await self._open_again(self._again, within, closes)
 
-    async def _open_again(
-        self, again: Callable[[int], Coroutine[Any, Any, Any]], within: float, closes: int
-    ) -> None:
+    async def _open_again(self, again: Opening, within: float, closes: int) -> None:
         rate = self.baud or USUAL
         try:
             await self._link.stop()
-            port = await self._opened(partial(again, rate), time.monotonic() + within, closes)
+            port = await self._opened(again, rate, time.monotonic() + within, closes)
         except BaseException as error:
             self._give_up(error)
             raise
@@ -169,12 +164,10 @@ class Device(AtPort):
         self._start(port)
         self._wake(News(True, True))
 
-    async def _opened(
-        self, again: Callable[[], Coroutine[Any, Any, Any]], end: float, closes: int
-    ) -> Any:
+    async def _opened(self, again: Opening, rate: int, end: float, closes: int) -> Any:
         while True:
             try:
-                return await again()
+                return await again(rate)
             except OSError:
                 if self._closes != closes:
                     raise PortClosed(CLOSED_MEANWHILE) from None
@@ -289,6 +282,36 @@ class Device(AtPort):
             else:
                 await asyncio.wait((self._answered,), timeout=left)
 
+    # needs: session
+    async def stream(
+        self, rates: Mapping[type[Field], float], *, set: int | None = None
+    ) -> dict[type[Field], float]:
+        """Like `device.Device.stream`."""
+        return await self._follow(steps(session(), rates, set))
+
+    # needs: baud rates
+    async def change_baud(self, command: Command, attempts: int = 3) -> int:
+        """Like `device.Device.change_baud`."""
+        return await self._follow(changing(self, command, attempts))
+
+    # needs: session or baud rates
+    async def _follow(self, dialog: Dialog[T]) -> T:
+        answer: Any = None
+        failed: NoAnswer | Refused | None = None
+        while True:
+            try:
+                step = dialog.throw(failed) if failed else dialog.send(answer)
+            except StopIteration as end:
+                return cast(T, end.value)
+            answer = failed = None
+            try:
+                if step.command is None:
+                    await asyncio.sleep(step.seconds or 0)
+                else:
+                    answer = await self.request(step.command, step.seconds)
+            except (NoAnswer, Refused) as error:
+                failed = error
+
     # ----------------------------------------------------------------- data
 
     async def __aiter__(self) -> AsyncIterator[Arrival]:
@@ -343,35 +366,6 @@ class Device(AtPort):
     def clear(self) -> None:
         """Discards the data that has not been read yet, without counting it as dropped."""
         self._talk.arrivals.clear()
-
-    # ----------------------------------------------------------------- baud rate
-
-    async def stream(
-        self, rates: Mapping[type[Field], float], *, set: int | None = None
-    ) -> dict[type[Field], float]:
-        """Like `device.Device.stream`."""
-        return await self._follow(steps(session(), rates, set))
-
-    async def change_baud(self, command: Command, attempts: int = 3) -> int:
-        """Like `device.Device.change_baud`."""
-        return await self._follow(changing(self, command, attempts))
-
-    async def _follow(self, dialog: Dialog[T]) -> T:
-        answer: Any = None
-        failed: NoAnswer | Refused | None = None
-        while True:
-            try:
-                step = dialog.throw(failed) if failed else dialog.send(answer)
-            except StopIteration as end:
-                return cast(T, end.value)
-            answer = failed = None
-            try:
-                if step.command is None:
-                    await asyncio.sleep(step.seconds or 0)
-                else:
-                    answer = await self.request(step.command, step.seconds)
-            except (NoAnswer, Refused) as error:
-                failed = error
 
     # ----------------------------------------------------------------- what comes
 
@@ -537,38 +531,25 @@ class open_port:  # noqa: N801  # it is called like the function of the other mo
         on_bytes: Callback | None = None,
         on_skipped: Callback | None = None,
     ) -> None:
-        self._url = url
-        self._baud = baud
-        self._timeout = timeout
-        self._capacity = capacity
-        self._on_bytes = on_bytes
-        self._on_skipped = on_skipped
+        self._connect = partial(_connect, url)
+        self._url, self._baud = os.fspath(url), baud
+        self._device = partial(
+            Device, timeout=timeout, capacity=capacity, on_bytes=on_bytes, on_skipped=on_skipped
+        )
 
     def __await__(self) -> Generator[Any, None, Device]:
         return self._open().__await__()
 
     async def __aenter__(self) -> Device:
-        self._device = await self._open()
-        return self._device
+        self._opened = await self._open()
+        return self._opened
 
-    async def __aexit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        await self._device.close()
+    async def __aexit__(self, *error: object) -> None:
+        await self._opened.close()
 
     async def _open(self) -> Device:
-        port = await _connect(self._url, self._baud)
-        device = Device(
-            port,
-            timeout=self._timeout,
-            capacity=self._capacity,
-            on_bytes=self._on_bytes,
-            on_skipped=self._on_skipped,
-        )
-        device._again, device._url = partial(_connect, self._url), os.fspath(self._url)
+        device = self._device(await self._connect(self._baud))
+        device._again, device._url = self._connect, self._url
         return device
 
 
@@ -608,6 +589,3 @@ def _discard(opening: asyncio.Future[Any]) -> None:
 def _close(port: Any) -> None:
     """Closes a port that no device has."""
     (port[1] if isinstance(port, tuple) else port).close()
-
-
-__all__ = ["Device", "open_port"]

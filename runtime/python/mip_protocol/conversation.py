@@ -22,6 +22,7 @@ from .packet import Packet, RawField
 from .protocol import FunctionSelector
 
 F = TypeVar("F", bound=Field)
+# needs: session or baud rates
 T = TypeVar("T")
 
 #: Seconds without a byte after which an incomplete packet is discarded.
@@ -83,9 +84,7 @@ class Ticket:
 
     def __init__(self, command: Command) -> None:
         self.command = command
-        self.sent = copy(
-            command
-        )  # the same object may be in two requests; the client tells by identity
+        self.sent = copy(command)  # one may be in two requests, and the client knows it by identity
         self.outcome: Outcome | None = None
         self.done = False
 
@@ -165,18 +164,14 @@ class Conversation:
         self._tickets = [t for t in self._tickets if t not in tickets]
 
     def question(self, command: Command) -> Command | None:
-        """What to read from the device before this command, to know whether it will be
-        acknowledged."""
+        """What to read from the device before this command, to know whether it will be acknowledged."""
         for number, descriptor, _, _ in command.SILENCED_BY:
             if command.answered and (number, descriptor) not in self._settings:
                 from .registry import types
 
                 for kind in types(number, descriptor):
-                    read: Any = getattr(kind, "read", None)
-                    if (
-                        read
-                        and cast("type[Command]", kind).REQUIRED.get(FunctionSelector.READ) == 0
-                    ):
+                    read, required = getattr(kind, "read", None), getattr(kind, "REQUIRED", {})
+                    if read and required.get(FunctionSelector.READ) == 0:
                         return cast(Command, read())
         return None
 
@@ -209,8 +204,7 @@ class Conversation:
     # ----------------------------------------------------------------- what comes
 
     def receive(self, data: bytes, monotonic: float, clock: float) -> News:
-        """Takes bytes received at this time, by both clocks; no bytes if none have arrived for a
-        moment."""
+        """Takes bytes received at this time, by both clocks; no bytes if none have arrived for a moment."""
         if not data:
             return self._idle(monotonic, clock)
         self._heard = monotonic
@@ -320,6 +314,7 @@ class AtPort:
             raise PortClosed(self._end.detail) from self._end.__cause__
 
 
+# needs: session or baud rates
 class Step(NamedTuple):
     """A command to send, and the seconds for its answer; without a command, the seconds to wait."""
 
@@ -327,6 +322,7 @@ class Step(NamedTuple):
     seconds: float | None = None
 
 
+# needs: session or baud rates
 #: Steps that depend on the answers: each is sent the response, or thrown Refused or NoAnswer.
 Dialog: TypeAlias = Generator[Step, Any, T]
 
@@ -348,17 +344,3 @@ def response(ticket: Ticket, tickets: Sequence[Ticket]) -> Response | None:
 def responses(tickets: Sequence[Ticket]) -> tuple[Response | None, ...]:
     """The responses of the commands of one packet. Raises the error of the first that has failed."""
     return tuple(response(ticket, tickets) for ticket in tickets)
-
-
-__all__ = [
-    "CAPACITY",
-    "Arrival",
-    "AtPort",
-    "Conversation",
-    "Dialog",
-    "News",
-    "Step",
-    "Ticket",
-    "response",
-    "responses",
-]

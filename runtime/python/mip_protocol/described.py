@@ -89,9 +89,7 @@ class Described:
         try:
             return all(value is not None and flag.holds(value) for flag, value in held)
         except TypeError:
-            wrong = ", ".join(
-                dict.fromkeys(f"{flag.attribute} is {value!r}" for flag, value in held)
-            )
+            wrong = ", ".join({f"{f.attribute} is {value!r}": None for f, value in held})
             raise EncodeError("range", f"{wrong}, needs a whole number") from None
 
     def meaning(self, name: str, device: str | None = None) -> Any:
@@ -132,6 +130,3 @@ class Described:
 
     def __str__(self) -> str:
         return self.to_text()
-
-
-__all__ = ["Described", "help_of"]

@@ -67,8 +67,7 @@ class UnknownName(MipError, LookupError):
 
 
 class PortError(OSError, MipError):
-    """A port that cannot be opened: `errno` is the reason, `kind` is `port`; or `url` if its name
-    is wrong."""
+    """A port that cannot be opened: `errno` is the reason, `kind` is `port`; or `url` if its name is wrong."""
 
     def __init__(self, kind: str, detail: str, errno: int | None = None) -> None:
         MipError.__init__(self, kind, detail)
@@ -127,10 +126,8 @@ class NoSuchRate(MipError):
     def __init__(
         self, base: int, wanted: Mapping[type[Field], float], nearest: Mapping[type[Field], float]
     ) -> None:
-        listed = ", ".join(
-            f"{k.NAME} at {w:g} Hz (nearest: {nearest[k]!r})" for k, w in wanted.items()
-        )
-        super().__init__("rate", f"{listed}; the base rate is {base} Hz")
+        asked = [f"{k.NAME} at {w:g} Hz (nearest: {nearest[k]!r})" for k, w in wanted.items()]
+        super().__init__("rate", f"{', '.join(asked)}; the base rate is {base} Hz")
         self.args = (base, wanted, nearest)
         self.nearest = dict(nearest)
 

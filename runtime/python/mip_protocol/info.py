@@ -104,9 +104,8 @@ class EnumInfo(_Members):
 @dataclass(frozen=True)
 class BitsInfo(_Members):
     aliases: tuple[str, ...] = ()  # names of bits that overlap others
-    concerns: dict[str, tuple[str, ...]] = field(
-        default_factory=dict
-    )  # bit -> the fields and commands it is about
+    #: Bit -> the fields and commands that it is about.
+    concerns: dict[str, tuple[str, ...]] = field(default_factory=dict)
     numbers: dict[str, Any] = field(default_factory=dict)  # name -> its enumeration
 
     @cached_property

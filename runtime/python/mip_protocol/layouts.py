@@ -41,9 +41,8 @@ class Layouts:
         self.unchecked: dict[bytes, tuple[int, Decode]] = {}
         #: Key -> function for packets that have been checked.
         self.checked: dict[bytes, Decode] = {}
-        self._made: dict[
-            bytes, dict[bytes, tuple[Decode, Decode]]
-        ] = {}  # key -> headers of all fields -> both
+        #: Key -> headers of all fields -> both.
+        self._made: dict[bytes, dict[bytes, tuple[Decode, Decode]]] = {}
         self._counts: dict[bytes, int] = {}
 
     def decode(self, packet: Packet) -> Fields:

@@ -81,9 +81,7 @@ def _keys() -> dict[str, tuple[str, ...]]:
     for full, (_, _, _, title, also) in FIELDS.items():
         family, _, own = full.partition(".")
         sets = ("", family, *(name for name, of in FAMILIES.items() if of == family))
-        for words in (
-            _words(f"{first} {called}") for called in (own, title, *also) for first in sets
-        ):
+        for words in (_words(f"{a} {b}") for b in (own, title, *also) for a in sets):
             for key in ("".join(words), _key(words)):
                 keys.setdefault(key, {})[full] = None
     return {key: tuple(names) for key, names in keys.items()}
@@ -163,6 +161,3 @@ def ambiguous(name: str, names: tuple[str, ...]) -> UnknownName:
 
 def _either(names: tuple[str, ...]) -> str:
     return " or ".join(filter(None, (", ".join(names[:-1]), names[-1])))
-
-
-__all__ = ["ambiguous", "device_id", "field", "set_number", "unknown"]

@@ -40,8 +40,7 @@ class Scanner(Generic[T]):
         return items
 
     def flush(self) -> list[T]:
-        """Discards an incomplete packet, for example at the end of a file, and searches its
-        bytes."""
+        """Discards an incomplete packet, for example at the end of a file, and searches its bytes."""
         items: list[T] = []
         self._scan(b"", items, final=True)
         return items
@@ -86,8 +85,7 @@ class Scanner(Generic[T]):
     def _scan(
         self, data: bytes, items: list[Any], between: bool = False, final: bool = False
     ) -> None:
-        """Adds the packets in the waiting bytes and in these, and, if requested, the bytes between
-        them."""
+        """Adds the packets in the waiting bytes and in these, and, if requested, the bytes between them."""
         raise NotImplementedError
 
     def _find(self, buffer: bytes, at: int, final: bool) -> tuple[int, int]:
@@ -113,8 +111,7 @@ class Scanner(Generic[T]):
                 return at, 0
 
     def _behind_bad(self, buffer: bytes, at: int, size: int) -> int:
-        """Where to continue after a bad packet. Noise may repeat itself, and every repetition is
-        equally bad."""
+        """Where to continue after a bad packet. Noise may repeat itself, and every repetition is equally bad."""
         self.bad_checksums += 1
         again = buffer.find(SYNC, at + 1)
         if again < 0 or buffer[again + 2 : again + 4] != buffer[at + 2 : at + 4]:
@@ -190,6 +187,3 @@ def _pieces(data: Buffer) -> Iterator[bytes]:
     view = view.cast("B")
     for at in range(0, len(view), PIECE):
         yield view[at : at + PIECE].tobytes()
-
-
-__all__ = ["Parser", "Scanner"]

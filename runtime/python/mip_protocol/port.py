@@ -19,6 +19,8 @@ from urllib.parse import urlsplit
 
 from .errors import MissingExtra, PortError
 
+#: The baud rate of a new device.
+USUAL = 115200
 #: Seconds for which a read waits for the first byte, at ports that this module opens.
 READ_TIMEOUT = 0.05
 #: Seconds after which a write fails because the other end accepts no data.
@@ -39,9 +41,7 @@ _HOST = re.compile(r"(\[[0-9A-Fa-f:]+\]|[\w.-]+):\d{1,5}")
 
 
 #: Not `select`, which takes no files beyond the 1024th; and without a file of its own, unlike epoll.
-_Selector: type[selectors.BaseSelector] = getattr(
-    selectors, "PollSelector", selectors.SelectSelector
-)
+_Selector: Any = getattr(selectors, "PollSelector", selectors.SelectSelector)
 
 
 class Port(Protocol):
@@ -109,8 +109,7 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
 
 
 def cannot_open(url: str | os.PathLike[str], error: Exception) -> PortError:
-    """What says why a port cannot be opened. A ValueError is pyserial's, of a URL that it does not
-    know."""
+    """What says why a port cannot be opened. A ValueError is pyserial's, of a URL that it does not know."""
     number = getattr(error, "errno", None)
     if number in (errno.EAGAIN, errno.EBUSY):  # of a lock, of the device itself
         number, why = errno.EBUSY, IN_USE
@@ -150,8 +149,7 @@ def address(url: str | os.PathLike[str]) -> tuple[str, int] | None:
 
 
 def as_port(port: Any) -> Any:
-    """The port for an argument: sockets are wrapped, other objects must be ports. Raises
-    TypeError."""
+    """The port for an argument: sockets are wrapped, other objects must be ports. Raises TypeError."""
     if isinstance(port, socket.socket):
         return SocketPort(port)
     if not (callable(getattr(port, "read", None)) and callable(getattr(port, "write", None))):
@@ -166,8 +164,7 @@ def as_port(port: Any) -> Any:
 
 
 def read_some(port: Any) -> bytes:
-    """The received bytes as soon as there are any: reading one byte less would be late, one more
-    would wait."""
+    """The received bytes as soon as there are any: reading one byte less would be late, one more would wait."""
     waiting = getattr(port, "in_waiting", None)
     if waiting is not None:
         return port.read(min(max(1, waiting), AT_ONCE)) or b""
@@ -273,18 +270,3 @@ class Reader(threading.Thread):
                 pass
         if not here:
             self.join(1.0)
-
-
-__all__ = [
-    "Port",
-    "Reader",
-    "SocketPort",
-    "address",
-    "as_port",
-    "cannot_open",
-    "open_url",
-    "read_some",
-    "warn_unclosed",
-    "weakly",
-    "write_all",
-]

@@ -5,25 +5,13 @@ from __future__ import annotations
 from functools import cache
 from importlib import import_module
 
-from ._sets import MODULES
+from ._sets import MODULES as MODULES
 from .field import Field, chosen
 from .layouts import Layouts
 from .packet import Packet, RawField
 from .protocol import Acknowledge
 
 SHARED_SET = 0xFF
-
-__all__ = [
-    "MODULES",
-    "SHARED_SET",
-    "all_types",
-    "by_name",
-    "decode",
-    "decode_packet",
-    "names",
-    "set_by_name",
-    "types",
-]
 
 
 @cache

@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 from typing import Generic, Protocol, TypeAlias, TypeVar
 
 from ._clocks import TIMESTAMPS
-from .errors import PacketError
 from .packet import MAX_PAYLOAD, Packet, RawField
 
 #: The set of the fields that all data sets share, their first descriptor, and those that tell a time.
@@ -30,14 +29,14 @@ class HasPacket(Protocol):
 
 
 P = TypeVar("P", bound="Packet | HasPacket")
-_Shared: TypeAlias = tuple[RawField, ...]
+_Fields: TypeAlias = tuple[RawField, ...]
 
 
 @dataclass
 class _Group(Generic[P]):
     """The packets of one set that belong together, as far as they have arrived."""
 
-    shared: _Shared
+    shared: _Fields
     items: list[P] = field(default_factory=list)
     own: set[int] = field(default_factory=set)  # descriptors that are not shared
     last: int = -1  # the last of them
@@ -92,19 +91,14 @@ def samples(packets: Iterable[P]) -> Iterator[list[P]]:
     yield from together.flush()
 
 
-def _parts(packet: Packet) -> tuple[_Shared, list[RawField]]:
+def _parts(packet: Packet) -> tuple[_Fields, _Fields]:
     """The shared fields at the front, and the fields behind them up to a malformed one."""
-    fields: list[RawField] = []
-    try:
-        for raw in packet:
-            fields.append(raw)
-    except PacketError:
-        pass
+    fields = packet.fields
     count = next((i for i, f in enumerate(fields) if f.descriptor < FIRST_SHARED), len(fields))
-    return tuple(fields[:count]), fields[count:]
+    return fields[:count], fields[count:]
 
 
-def _continues(group: _Group[P], shared: _Shared, own: list[RawField]) -> bool:
+def _continues(group: _Group[P], shared: _Fields, own: _Fields) -> bool:
     if not own or shared != group.shared or len(group.items) >= MOST:
         return False
     first = own[0]
@@ -112,6 +106,3 @@ def _continues(group: _Group[P], shared: _Shared, own: list[RawField]) -> bool:
     new = first.descriptor not in group.own
     timed = any(raw.descriptor in TIMES for raw in shared)
     return (new or (full and first.descriptor == group.last)) and (full or timed)
-
-
-__all__ = ["Samples", "samples"]

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ..binding import Data, MipError, NoSuchRate, Refused, timestamps
+from ..binding import Data, MipError, NoSuchRate, Refused, session, timestamps
 from ..errors import Failure, Misuse
 from ..occurrence import Occurrence
 from . import inputs, live, outputs, ports, show, signals, silence, table_options
@@ -145,6 +145,8 @@ def _start(device: DeviceAtPort, rates: Rates, time: str | None) -> None:
 
     A timestamp is added if none is named, unless `time` is "none".
     """
+    if session() is None:
+        raise Failure("the specification of this package names no commands that start data")
     shared = {one.kind: rate for one, rate in rates.items() if isinstance(one.kind.SETS, range)}
     sets: dict[int, dict[type[Field], float]] = {}
     for one, rate in rates.items():
@@ -158,7 +160,7 @@ def _start(device: DeviceAtPort, rates: Rates, time: str | None) -> None:
             try:
                 device.stream(wanted | stamp, set=number)
                 break
-            except (OSError, MipError, NotImplementedError) as error:
+            except (OSError, MipError) as error:
                 if not stamp or not isinstance(error, (Refused, NoSuchRate)):
                     reason = ports.reason(error)
                     raise Failure(f"{show.set_name(number)} cannot be started: {reason}") from None

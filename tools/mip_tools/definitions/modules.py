@@ -82,7 +82,7 @@ def _listed(document: Document) -> list[tuple[str, Item]]:
 
 
 def session(document: Document, module: Any) -> None:
-    streaming, given = import_module(f"{document.package}.streaming"), document.content.get("session")
+    given = document.content.get("session")
 
     def rate(name: str) -> Any:
         return lambda answer: getattr(answer, document.member(name))
@@ -90,6 +90,7 @@ def session(document: Document, module: Any) -> None:
     def make() -> Any:
         if given is None:
             return None
+        streaming = import_module(f"{document.package}.streaming")
         older = {
             x["set"]: streaming.Older(
                 _call(document, x["base_rate"]), rate(x["rate"]), _call(document, x["format"]), x["stream"]

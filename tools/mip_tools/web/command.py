@@ -7,7 +7,7 @@ import os
 import sys
 from typing import Any
 
-from ..binding import MipError, detect_baud, open_url
+from ..binding import MipError, connect
 from ..cli import ports, signals
 from ..errors import Failure, Misuse
 from .server import Server
@@ -60,15 +60,12 @@ def _port(name: str, baud: int | None) -> Any:
     """The open port of a device, at the baud rate at which it answers. Raises Failure."""
     if os.path.isfile(name):
         raise Failure(f"{name} is a file, not a port")
-    port: Any = None
     try:
-        port = open_url(name, baud or 115200)
-        if baud is None and getattr(port, "baudrate", None) is not None:
-            _say(f"the device answers at {detect_baud(port)} Bd")
+        port = connect(name, baud)
     except (OSError, ImportError, MipError, ValueError) as error:
-        if port is not None:
-            port.close()
         raise Failure(ports.why_not(name, error)) from None
+    if baud is None and getattr(port, "baudrate", None) is not None:
+        _say(f"the device answers at {port.baudrate} Bd")
     return port
 
 

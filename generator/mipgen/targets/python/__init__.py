@@ -12,7 +12,7 @@ from mipgen.emit.target import File, Identifier, Target
 from mipgen.facts import describe
 from mipgen.lower import calls
 
-from . import docs, info, members, names, session, simulation, tables
+from . import docs, info, members, names, needs, session, simulation, tables
 
 PACKAGE = "mip_protocol"
 
@@ -29,12 +29,13 @@ def files(model: m.Model) -> Iterator[File]:
         "at_port": model.program("device.py").rstrip(),
         "at_port_aio": model.program("device_aio.py").rstrip(),
         "meaning": model.program("meaning.py").rstrip(),
-        "streams": session.of(model) is not None,
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
-    yield File("README.md", "README.md.j2", shown)
+    without = {"without": needs.left_out(model)}
+    yield File("README.md", "README.md.j2", shown | without)
     yield File("pyproject.toml", "pyproject.toml.j2")
-    for name in ("__init__", "_clocks", "_index", "_sets", "types", "protocol", "devices"):
+    yield File(f"{PACKAGE}/__init__.py", "__init__.py.j2", without)
+    for name in ("_clocks", "_index", "_sets", "types", "protocol", "devices"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
     yield File(f"{PACKAGE}/_session.py", "_session.py.j2", {"session": session.of(model)})
     protocol = model.protocol
@@ -157,6 +158,7 @@ def attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | Non
 TARGET = Target(
     title="Python >= 3.10, package mip_protocol",
     files=files,
+    runtime=needs.runtime,
     filters=filters,
     identifiers=identifiers,
     rename=package.in_source,

@@ -11,6 +11,9 @@ from mipgen.emit.render import language
 _LANGUAGE = language("python")
 _KEYWORDS = frozenset(str(k) for k in _LANGUAGE["keywords"])
 
+#: Module -> the fact of the specification without which it is left out.
+NEEDS: dict[str, str] = dict(_LANGUAGE["needs"])
+
 GRAMMAR = Grammar(r"[A-Za-z_]\w*", _KEYWORDS)
 
 #: Scalar -> its letter in a `struct` format, and its type in Python.

@@ -91,7 +91,8 @@ __all__ = [
     "AckCode", "Acknowledge", "Answer", "Arrival", "Client", "Command", "Data", "DecodeError",
     "Decoder", "Device", "EncodeError", "Field", "FunctionSelector", "MipError", "MissingExtra",
     "MissingResponse", "NoAnswer", "NoDevice", "NoSuchRate", "Outcome", "Packet", "PacketBuilder", "PacketError",
-    "Parser", "PortClosed", "PortError", "RawField", "Received", "Refused", "Response", "Samples",
-    "Skipped", "TimedOut", "Truncated", "Undecoded", "UnknownName", "checksum", "detect_baud",
-    "open_port", "samples",
+    "Parser", "PortClosed", "PortError", "RawField", "Received", "Refused", "Response",
+    "Skipped", "TimedOut", "Truncated", "Undecoded", "UnknownName", "checksum", "open_port",
+    "detect_baud",
+    "Samples", "samples",
 ]

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from .streaming import Session
 
-
-def session() -> Session | None:
+def session() -> None:
     """Imports the modules of these commands. None if the specification names none."""
     return None

@@ -1,0 +1,80 @@
+"""What a package leaves out: what would be of no use without a fact that its specification does not have.
+
+`needs` in language.yaml names the modules that need a fact. They are left out with the statements that import from
+them, and with each statement of the runtime below a comment such as `# needs: session`.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Container, Iterator, Mapping
+
+from mipgen import model as m
+from mipgen.lower.session import session
+
+from .names import NEEDS
+
+#: Fact -> does a specification have it?
+FACTS: dict[str, Callable[[m.Model], bool]] = {
+    "baud rates": lambda model: _names_rates(model) or _changes_rate(model),
+    "session": lambda model: session(model) is not None,
+    "shared fields": lambda model: any(x.kind == "shared" for x in model.families),
+}
+
+_NEEDED = re.compile(r"^ *# needs: (.+)$", re.MULTILINE)
+
+
+def _names_rates(model: m.Model) -> bool:
+    return any(port.baud_rates for device in model.devices for port in device.ports)
+
+
+def _changes_rate(model: m.Model) -> bool:
+    """Is there a command with the parameter that `Device.change_baud` reads?"""
+    return any(p.name == "baud" for f in model.fields if f.role == m.COMMAND for p in f.parameters)
+
+
+def left_out(model: m.Model) -> frozenset[str]:
+    """The modules that the package of a specification does not have."""
+    known = _known(model)
+    return frozenset(module for module, fact in NEEDS.items() if fact not in known)
+
+
+def runtime(files: Mapping[str, bytes], model: m.Model) -> dict[str, bytes]:
+    """What a package has of the finished source: all of it, unchanged, if the specification has all facts."""
+    without, known = left_out(model), _known(model)
+    if not without:
+        return dict(files)
+    return {
+        path: _reduced(data, without, known) if path.endswith(".py") else data
+        for path, data in files.items()
+        if path.rpartition("/")[2].removesuffix(".py") not in without
+    }
+
+
+def _known(model: m.Model) -> frozenset[str]:
+    return frozenset(fact for fact, has in FACTS.items() if has(model))
+
+
+def _reduced(source: bytes, without: Container[str], known: Container[str]) -> bytes:
+    lines = source.decode("utf-8").splitlines(keepends=True)
+    for first, behind in reversed(list(_useless(ast.parse(source).body, lines, without, known))):
+        del lines[first:behind]
+    return "".join(lines).encode("utf-8")
+
+
+def _useless(
+    body: list[ast.stmt], lines: list[str], without: Container[str], known: Container[str]
+) -> Iterator[tuple[int, int]]:
+    """The lines of the statements that are left out, in order, and of the comments above them."""
+    for node in body:
+        first = min([node.lineno, *(d.lineno for d in getattr(node, "decorator_list", ()))]) - 1
+        while first and lines[first - 1].lstrip().startswith("#"):
+            first -= 1
+        needed = _NEEDED.search("".join(lines[first : node.lineno]))
+        imports = isinstance(node, ast.ImportFrom) and node.level > 0 and node.module in without
+        if imports or (needed and not any(fact in known for fact in needed[1].split(" or "))):
+            yield first, node.end_lineno or 0
+        else:
+            for inner in (getattr(node, name, []) for name in ("body", "orelse", "finalbody")):
+                yield from _useless(inner, lines, without, known)
