@@ -680,6 +680,20 @@ def test_printed_tables_fit_the_paper(page: browser.Page) -> None:
         page.size(1400)
 
 
+@in_browser
+def test_nothing_is_folded_on_paper(page: browser.Page) -> None:
+    go(page, "fields/3dm/device_status.html")
+    page.run("document.querySelector('article details').open = true")
+    page.run("""
+        window.seen = () => [...document.querySelectorAll("article details")].map((box) => box.open);
+        addEventListener("beforeprint", () => { window.printed = seen(); });
+    """)
+    before = page.run("seen()")
+    page.call("Page.printToPDF")
+    assert before.count(False) > 3 and page.run("printed.every(Boolean)")
+    wait(page, f"JSON.stringify(seen()) === {json.dumps(json.dumps(before, separators=(',', ':')))}")
+
+
 #: Texts of the page with less contrast to what is behind them than 4.5 to 1, and large or bold ones with less than 3.
 FAINT = """
 (() => {

@@ -414,6 +414,18 @@
         header.append(form);
     }
 
+    /** On paper, nothing is folded. */
+    function unfoldOnPaper() {
+        let folded = [];
+        addEventListener("beforeprint", () => {
+            folded = [...document.querySelectorAll("article details:not([open])")];
+            for (const box of folded) box.open = true;
+        });
+        addEventListener("afterprint", () => {
+            for (const box of folded) box.open = false;
+        });
+    }
+
     function begin() {
         const header = document.querySelector(".md-header__inner");
         if (header) search(header);
@@ -422,6 +434,7 @@
         offerPrograms();
         beside();
         myDevice();
+        unfoldOnPaper();
         new ResizeObserver(fitWhatIsNear).observe(document.querySelector("article") ?? document.body);
     }
 
