@@ -160,7 +160,7 @@ class Device:
 """
     left = needs.runtime({"a/device.py": source, "a/streaming.py": b"", "a/streaming.txt.md": b"x"}, invented)
     assert left.keys() == {"a/device.py", "a/streaming.txt.md"}
-    assert left["a/device.py"].decode() == """\
+    expected = """\
 from .baud import rates
 
 
@@ -178,6 +178,7 @@ class Device:
             return rates()
         return ()
 """
+    assert left["a/device.py"].decode() == expected
 
 
 def test_every_fact_that_is_named_is_known() -> None:
