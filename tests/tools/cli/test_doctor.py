@@ -15,11 +15,11 @@ from typing import Any
 
 import pytest
 from mip_protocol import PacketBuilder, Parser, base, mip_3dm, shared, types
-from mip_tools.cli.scan import Scanner
-from mip_tools.doctor import findings
+from mip_tools.columns import read_log
+from mip_tools.doctor import findings, stream
 from mip_tools.doctor.events import Event, merged
+from mip_tools.doctor.examined import Examined
 from mip_tools.doctor.port import why_not_open
-from mip_tools.doctor.stream import Examination, Examined
 from mip_tools.simulator import VirtualDevice
 from program import DEVICE, mip, simulated
 from support import SEED
@@ -65,10 +65,7 @@ def packets() -> list[bytes]:
 
 
 def examined(data: bytes, device: str | None = DEVICE) -> Examined:
-    examination, scanner = Examination(device), Scanner()
-    examination.feed(scanner.feed(data))
-    examination.feed(scanner.flush())
-    return examination.end()
+    return stream.examine(read_log(data), device)
 
 
 def without(numbers: Sequence[int]) -> bytes:
@@ -239,6 +236,30 @@ def test_why_a_filter_does_not_run() -> None:
     assert "`mip fields 3dm.sensor_to_vehicle_transform_euler`" in mounting.details[0]
     (unknown,) = findings.of(examined(with_status(8), device=None))
     assert unknown.cause == "unknown device"
+
+
+def test_which_bits_are_set_at_the_end() -> None:
+    """Each bit by itself, wherever the log is divided."""
+    begun, ended = with_status(1 | 1 << 3), with_status(1 | 1 << 9)
+    heading, mounting = findings.of(examined(begun[: len(begun) // 2] + ended[len(begun) // 2 :]))
+    assert (heading.cause, mounting.cause) == ("heading_warning", "mounting_transform_warning")
+    assert ", not at the end" in heading.text and ", also at the end" in mounting.text
+
+
+@pytest.mark.parametrize("size", [3000, 20_000])
+@pytest.mark.parametrize("name", PLANTED)
+def test_the_parts_of_a_log_do_not_show(name: str, size: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    data = PLANTED[name][0]()
+    whole = examined(data)
+    monkeypatch.setattr(stream, "PART", size)
+    parts = examined(data)
+    assert parts.events == whole.events and parts.rates == whole.rates and findings.of(parts) == findings.of(whole)
+
+
+def test_sentences_without_packets() -> None:
+    """All are counted, however long the log is."""
+    (found,) = findings.of(examined(b"$GPZDA,,,,,,*48\r\n" * 10_000))
+    assert found.text == "no packet, but 10000 NMEA sentences"
 
 
 def test_a_time_that_is_not_valid() -> None:

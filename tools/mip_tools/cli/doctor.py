@@ -5,17 +5,19 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import json
-from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from ..doctor import findings, report
+from ..doctor.examined import Examined
 from ..doctor.findings import Finding
 from ..doctor.port import Patient
-from ..doctor.stream import Examination, Examined
 from ..errors import Misuse
 from . import inputs, outputs, ports, signals
 from .arguments import add_device, device_id, seconds
-from .scan import Piece
 from .stream import asked
+
+if TYPE_CHECKING:
+    from ..columns import Log
 
 EPILOG = """\
 examples:
@@ -53,14 +55,15 @@ def run(options: argparse.Namespace) -> int:
         patient = Patient(options.input, options)
         with signals.handled(signals.interrupt):
             patient.watch(options.duration, rates)
-        examined = _examined(patient.pieces, device or patient.model)
+        examined = _examined(patient.data, device or patient.model)
         patient.line(options.duration)
-        patient.rates(rates if patient.pieces else {}, examined)
+        patient.rates(rates if patient.data else {}, examined)
         said = patient.findings + (findings.of(examined) if examined.packets else [])
     elif rates:
         raise Misuse(f"{options.input} is not a port; rates are for devices")
     else:
-        examined = _examined(inputs.pieces(options.input), device)
+        with inputs.columns(options.input) as log:
+            examined = _examined(log, device)
         said = findings.of(examined)
     if options.html:
         with outputs.whole(options.html) as out:
@@ -76,10 +79,12 @@ def run(options: argparse.Namespace) -> int:
 _NOTES = ("unknown device", "no timestamps")
 
 
-def _examined(pieces: Iterable[Piece], device: str | None) -> Examined:
-    examination = Examination(device)
-    examination.feed(pieces)
-    return examination.end()
+def _examined(log: Log | bytes, device: str | None) -> Examined:
+    inputs.need_numpy()
+    from ..columns import read_log
+    from ..doctor.stream import examine
+
+    return examine(read_log(log) if isinstance(log, bytes) else log, device)
 
 
 def _print(name: str, examined: Examined, said: list[Finding]) -> None:

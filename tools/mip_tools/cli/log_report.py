@@ -14,7 +14,7 @@ from ..columns.scan import HEADER
 from ..sentences import Sentences
 from . import inputs, scan
 from .clocks import CLOCKS
-from .decoding import decoded, name_of
+from .decoding import Found, decoded, name_of
 from .intervals import Intervals
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def _add(report: Report, piece: Piece) -> None:
     report.malformed += int((covered != piece.end - piece.at - OVERHEAD).sum())
     for key, runs in fields.items():
         if key not in report.fields:
-            report.fields[key] = Kind(_name(piece, runs))
+            report.fields[key] = Kind(name_of(first(piece, runs)))
         kind = report.fields[key]
         has = np.zeros(count, bool)
         for run in runs:
@@ -122,13 +122,13 @@ def _add(report: Report, piece: Piece) -> None:
         kind.packets += int(has.sum())
 
 
-def _name(piece: Piece, runs: list[Any]) -> str:
-    """The name of the first one of some fields."""
+def first(piece: Piece, runs: list[Any]) -> Found:
+    """The first one of some fields."""
     firsts = [(int(r.packet[0]), r.offset if isinstance(r.offset, int) else int(r.offset[0]), r) for r in runs]
     packet, offset, run = min(firsts, key=lambda first: first[:2])
     begin = int(piece.at[packet]) + HEADER + offset
     data = piece.data[begin : begin + run.length].tobytes()
-    return name_of(decoded(RawField(run.set, run.descriptor, data)))
+    return decoded(RawField(run.set, run.descriptor, data))
 
 
 def _add_times(report: Report, part: Log) -> None:
@@ -143,4 +143,4 @@ def _add_times(report: Report, part: Log) -> None:
                 intervals.add_all(known.value[valid], known.offset[valid])
 
 
-__all__ = ["Kind", "Report", "examine"]
+__all__ = ["Kind", "Report", "examine", "first"]

@@ -85,19 +85,23 @@ def merged(log: Log, column: Column[Any], clock: str) -> tuple[Array, dict[str, 
         rows = np.flatnonzero(column.set == number)
         own = read(log, number, clock)
         if own.some:
-            total[rows] = _own(own, column.packet[rows])
+            total[rows] = exact(own, column.packet[rows])
             continue
         for other in CLOCKS:
             pairs = _pairs(log, other, clock) if read(log, number, other).some else None
             if pairs is not None:
-                total[rows] = _converted(_own(read(log, number, other), column.packet[rows]), *pairs)
+                total[rows] = _converted(exact(read(log, number, other), column.packet[rows]), *pairs)
                 converted[SETS[number][0] if number in SETS else f"0x{number:02X}"] = other
                 break
     return total, converted
 
 
-def _own(known: Stamps, packet: Array) -> Array:
-    """The times of packets that have a valid timestamp themselves."""
+def exact(known: Stamps, packet: Array) -> Array:
+    """The times of packets that have a valid timestamp themselves; NONE of others."""
+    if np.array_equal(packet, known.packet):
+        return known.value
+    if not len(known.packet):
+        return np.full(len(packet), NONE, np.int64)
     where = np.maximum(np.searchsorted(known.packet, packet, side="right") - 1, 0)
     return np.where(known.packet[where] == packet, known.value[where], NONE)
 

@@ -10,7 +10,7 @@ from ..cli import show
 from ..cli.clocks import stamp
 from ..cli.inputs import counted
 from .events import CAUSES, Event
-from .stream import Examined
+from .examined import Examined
 
 #: How many events of a cause are listed.
 LISTED = 5

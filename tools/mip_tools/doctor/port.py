@@ -13,6 +13,7 @@ from typing import Any
 from ..binding import (
     MipError,
     NoAnswer,
+    Parser,
     Refused,
     identify,
     module,
@@ -21,11 +22,10 @@ from ..binding import (
 )
 from ..cli import show
 from ..cli.ports import why_not
-from ..cli.scan import Piece, Scanner
 from ..cli.silence import resume_command
 from ..occurrence import Occurrence
+from .examined import Examined
 from .findings import Finding
-from .stream import Examined
 
 #: Bits on a serial line for a byte.
 _BITS = 10
@@ -42,8 +42,7 @@ class Patient:
         self.name = name
         self.findings: list[Finding] = []
         self.model: str | None = None
-        self.pieces: list[Piece] = []
-        self.bytes = 0
+        self.data = b""
         self.bases: dict[int, float] = {}  # set -> base rate, of the sets with wanted rates
         self._baud: int | None = options.baud
 
@@ -60,14 +59,12 @@ class Patient:
             answers = self._ask(device, rates)
             came.clear()
             time.sleep(seconds)
-            data = b"".join(came)
+            self.data = b"".join(came)
             lost = device.closed
-        self.bytes = len(data)
-        scanner = Scanner()
-        self.pieces = [*scanner.feed(data), *scanner.flush()]
         if lost:
             self._find("port lost", "the port was closed meanwhile", "check the plug and the power of the device")
-        self._connection(answers, any(p.packet is not None for p in self.pieces), seconds)
+        parser = Parser()
+        self._connection(answers, bool(parser.feed(self.data) or parser.flush()), seconds)
 
     def _ask(self, device: Any, rates: Mapping[Occurrence, float]) -> bool:
         """Does the device answer?"""
@@ -101,7 +98,7 @@ class Patient:
             self._find("idle", f"the device answers, but sends no data in {seconds:g} s", remedy)
         elif not answers and packets:
             self._find("no answers", "data arrive, but commands are not answered", "check the line to the device")
-        elif not answers and self.bytes:
+        elif not answers and self.data:
             remedy = (
                 f"`mip doctor {self.name} --baud auto` finds the rate" if serial else "is it a port of a MIP device?"
             )
@@ -113,9 +110,9 @@ class Patient:
 
     def line(self, seconds: float) -> None:
         """Is the line full?"""
-        if self._baud is None or not self.bytes:
+        if self._baud is None or not self.data:
             return
-        used = self.bytes * _BITS / (self._baud * seconds)
+        used = len(self.data) * _BITS / (self._baud * seconds)
         if used > FULL:
             text = f"{used:.0%} of {self._baud} Bd are used"
             self._find("line is full", text, "raise the baud rate, or send less: `mip bandwidth`")

@@ -7,8 +7,8 @@ from html import escape
 
 from ..cli import show
 from ..cli.clocks import stamp
+from .examined import Examined
 from .findings import Finding, line
-from .stream import Examined
 
 _COLOURS = {
     "line damage": "#c0392b",

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
+
+import numpy as np
+
+from ..columns.scan import Array
 
 #: So many equal intervals are a rhythm.
 STEADY = 5
@@ -10,6 +15,10 @@ STEADY = 5
 EQUAL = 0.1
 #: An interval of so many times the usual one is a gap.
 GAP = 1.5
+#: So many intervals are compared at once.
+_WINDOW = 1024
+#: No interval is longer: the difference of two of them fits into 64 bits, too.
+_LONGEST = 1 << 61
 
 
 class Moment(NamedTuple):
@@ -45,15 +54,38 @@ class Rhythm:
         self._began: Moment | None = None
         self._gaps: list[Gap] = []
 
-    def add(self, now: Moment) -> list[Gap | Change]:
-        """What is known with one more packet."""
-        before, self.last = self.last, now
-        self.first = self.first or now
-        if before is None:
-            return []
-        step = now.time - before.time
-        if step <= 0:
-            return []
+    def follow(self, times: Array, moment: Callable[[int], Moment]) -> Iterator[tuple[int, Gap | Change]]:
+        """What is known with more packets, and with which of them. `moment` has each of them."""
+        if not len(times):
+            return
+        before, self.last = self.last, moment(len(times) - 1)
+        self.first = self.first or moment(0)
+        steps = differences(np.append(times[0] if before is None else before.time, times))
+        forward = np.flatnonzero(steps > 0)
+        steps = steps[forward]
+        at = 0
+        while at < len(steps):
+            window = steps[at : at + _WINDOW]
+            steady = self._as_usual(window)
+            at += steady
+            if steady < len(window):
+                number = int(forward[at])
+                earlier = moment(number - 1) if number or before is None else before
+                yield from ((number, change) for change in self._add(int(steps[at]), earlier, moment(number)))
+                at += 1
+
+    def _as_usual(self, steps: Array) -> int:
+        """Takes the first of these intervals, as many as go on as the last one, and tell nothing new."""
+        if self.usual is None or self._gaps or not self._count:
+            return 0
+        same = np.abs(steps - self._run) < EQUAL * self._run
+        same &= np.abs(steps - self.usual) < EQUAL * self.usual
+        count = len(steps) if same.all() else int(same.argmin())
+        self._count += count
+        return count
+
+    def _add(self, step: int, before: Moment, now: Moment) -> list[Gap | Change]:
+        """What is known with one more interval."""
         if self._count and abs(step - self._run) < EQUAL * self._run:
             self._count += 1
         else:
@@ -76,4 +108,11 @@ class Rhythm:
         self.usual = usual
 
 
-__all__ = ["Change", "Gap", "Moment", "Rhythm"]
+def differences(times: Array) -> Array:
+    """The time from each one to the next, as far as that is not absurdly long."""
+    about = np.diff(times.astype(np.float64))
+    steps: Array = np.where(np.abs(about) < _LONGEST, np.diff(times), np.copysign(_LONGEST, about).astype(np.int64))
+    return steps
+
+
+__all__ = ["Change", "Gap", "Moment", "Rhythm", "differences"]

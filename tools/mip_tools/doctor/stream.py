@@ -1,294 +1,295 @@
-"""Examines the packets of a stream, from a log or as they arrive, in one pass and in bounded memory."""
+"""Examines a log, or what has arrived from a device, in one pass and in bounded memory."""
 
 from __future__ import annotations
 
-import re
-from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any
+from functools import partial
+from typing import NamedTuple
 
-from ..binding import CLOCKS, SECOND, SYNC, BitsInfo, Packet, info
-from ..cli import show
-from ..cli.clocks import dated, moments
-from ..cli.decoding import decoded, name_of, raw_fields
-from ..cli.scan import Piece
+import numpy as np
+
+from ..binding import CLOCKS, SECOND
+from ..cli import inputs
+from ..cli.clocks import dated
+from ..cli.decoding import name_of
+from ..columns import Log, times
+from ..columns.scan import Array
 from .events import Event, merged
-from .rhythm import Change, Gap, Moment, Rhythm
+from .examined import Examined, Key
+from .flags import Flags
+from .part import Line, Part
+from .rhythm import Change, Gap, Moment, Rhythm, differences
+from .skipped import Damage, Skipped
 
-_SENTENCE = re.compile(rb"\$[ -~]*\r?\n")
+#: Bytes of the log that are examined together.
+PART = 1 << 23
 #: A field has stopped, or was started, if it is so many of its intervals and seconds away from the end or the begin.
 _AWAY, _AWAY_SECONDS = 5, 1.0
 #: The time by one clock and that by another may drift apart by so much between two packets.
 _STEP = SECOND // 20
 #: A shorter gap is not a pause.
 _SHORT = 0.5
-#: How many events are kept; more are counted.
+#: How many events are kept.
 MOST = 5000
 
 
-@dataclass
-class Warned:
-    """A bit that is set in data, with what it is about."""
-
-    field: str
-    bit: str
-    text: str
-    concerns: tuple[str, ...]
-    count: int
-    total: int
-    last: bool  # is it set in the last field?
+def examine(log: Log, device: str | None = None) -> Examined:
+    """What was found in a log, which is read once."""
+    examination, progress = Examination(log.size, device), inputs.Progress(log.size)
+    for part in log.parts(PART):
+        examination.add(part, progress)
+    progress.clear()
+    return examination.end()
 
 
 @dataclass
-class Examined:
-    """What was found."""
+class _Set:
+    """What is known of a descriptor set up to some packet."""
 
-    size: int = 0
-    packets: int = 0
-    clock: str | None = None
-    events: list[Event] = field(default_factory=list)
-    warned: list[Warned] = field(default_factory=list)
-    unsynchronized: dict[int, tuple[int, int]] = field(default_factory=dict)  # set -> invalid times, and all
-    untimed: list[int] = field(default_factory=list)  # sets without timestamps
-    rates: dict[tuple[int, int], float] = field(default_factory=dict)  # set and descriptor -> Hz, the last rhythm
-    names: dict[tuple[int, int], str] = field(default_factory=dict)
-    spans: dict[int, list[tuple[int, int]]] = field(default_factory=dict)  # set -> when its packets came, in ns
-    sentences: int = 0
-    unnamed: list[str] = field(default_factory=list)  # fields whose flags depend on the device
+    first: int  # where its first packet begins
+    count: int = 0
+    end: int | None = None  # of its last packet
+    base: str = ""  # the clock by which its rhythm is followed
+    last: dict[str, int] = field(default_factory=dict)  # clock -> time of its last packet
+    invalid: int = 0  # timestamps with a date
+    dated: int = 0
+
+
+class _Noted(NamedTuple):
+    """An event, and where it becomes known: the packet, and the place in it."""
+
+    at: int
+    order: int
+    event: Event
 
 
 class Examination:
-    """Takes packets, and the bytes between them, in order."""
+    """Takes the parts of a log in order."""
 
-    def __init__(self, device: str | None = None) -> None:
-        self._device = device
-        self.result = Examined()
+    def __init__(self, size: int, device: str | None = None) -> None:
+        self.result = Examined(size)
         self._events: list[Event] = []
-        self._rhythms: dict[tuple[int, int], Rhythm] = {}
-        self._names: dict[tuple[int, int], str] = {}
-        self._last: dict[int, dict[str, int]] = {}  # set -> clock -> time of its last packet
-        self._ends: dict[int, int] = {}  # set -> where its last packet ended
-        self._base: dict[int, str] = {}  # set -> the clock by which its rhythm is followed
-        self._origins: dict[str, int] = {}  # clock -> its first time
-        self._latest: dict[str, int] = {}  # clock -> its last time
+        self._noted: list[_Noted] = []
+        self._skipped = Skipped()
+        self._flags = Flags(device)
+        self._sets: dict[int, _Set] = {}
+        self._rhythms: dict[Key, Rhythm] = {}
+        self._origins: dict[str, tuple[int, int]] = {}  # clock -> where its first time is, and this
+        self._latest: dict[str, tuple[int, int]] = {}  # clock -> the same of the last one
         self._reset = False
-        self._bits: dict[tuple[int, int], Counter[str]] = {}
-        self._counts: Counter[tuple[int, int]] = Counter()
-        self._now: dict[tuple[int, int], int] = {}
-        self._flags: dict[tuple[int, int], Any] = {}
-        self._damage: tuple[int, bytes] | None = None
         self._time: int | None = None
-        self._timed: set[int] = set()
-        self._sets: Counter[int] = Counter()
-        self._invalid: dict[int, list[int]] = {}
-        self._at = 0
 
-    def feed(self, pieces: Iterable[Piece]) -> None:
-        for piece in pieces:
-            self._at = piece.offset + len(piece.data)
-            self.result.size += len(piece.data)
-            if piece.packet is None:
-                begin, held = self._damage or (piece.offset, b"")
-                self._damage = begin, (held + piece.data)[-65536:]
-            else:
-                self._between(False)
-                self._packet(piece.packet, piece.offset, piece.offset + len(piece.data))
+    def add(self, log: Log, progress: inputs.Progress) -> None:
+        """Examines the next part."""
+        part = Part(log, self.result.names)
+        for piece in log.pieces():
+            progress.at(piece.begin)
+            part.add(piece)
+            self._damaged(self._skipped.add(piece))
+        part.complete()
+        for key, found in part.new.items():
+            self.result.names[key] = name_of(found)
+            self._flags.watch(key, found.kind)
+        self._flags.add(log)
+        for number, packets in part.sets.items():
+            self._sets.setdefault(number, _Set(int(part.at[packets[0]])))
+        self._choose(part)
+        for number in part.sets:
+            self._rhythm(part, number, self._clocks(part, number))
+            self._spans(part, number)
+        for number, packets in part.sets.items():
+            self._sets[number].count += len(packets)
+            self._sets[number].end = int(part.end[packets[-1]])
+        self.result.packets += len(part.at)
+        clock = self.result.clock
+        valid = [part.valid(number, clock) for number in part.sets] if clock else []
+        self._note(Line([(part.at[packets], time) for packets, time in valid], self._time))
 
     def end(self) -> Examined:
         """What was found, when there is no more."""
-        self._between(True)
+        self._damaged(self._skipped.end())
+        self._note(Line([], self._time))
         self._started_and_stopped()
         result = self.result
         result.events = merged(self._events)
-        result.untimed = [number for number in self._sets if number >= 0x80 and number not in self._timed]
-        result.unsynchronized = {n: (bad, all) for n, (bad, all) in self._invalid.items() if bad}
+        result.untimed = [number for number, one in self._sets.items() if not one.base]
+        result.unsynchronized = {n: (one.invalid, one.dated) for n, one in self._sets.items() if one.invalid}
         result.rates = {k: SECOND / r.usual for k, r in self._rhythms.items() if r.usual}
-        result.names = dict(self._names)
-        result.warned = list(self._warned())
+        result.sentences = self._skipped.sentences
+        result.unnamed = self._flags.unnamed
+        result.warned = list(self._flags.warned(result.names))
         return result
 
-    # ------------------------------------------------------------------ bytes between packets
+    # ------------------------------------------------------------------ events
 
-    def _between(self, at_end: bool) -> None:
-        if self._damage is None:
-            return
-        (begin, data), self._damage = self._damage, None
-        self.result.sentences += len(_SENTENCE.findall(data))
-        rest = _SENTENCE.sub(b"", data).strip(b"\r\n")
-        cut_off = at_end and ((SYNC.startswith(rest[:2]) and len(rest) < 4) or "missing" in show.damage(rest))
-        if not rest or begin == 0 or cut_off:
-            return  # a recording begins and ends anywhere
-        said = f"{len(rest)} bytes are not packets{': ' if show.damage(rest) else ''}{show.damage(rest)}"
-        self._note(Event("line damage", begin, begin + len(data), self._time, details=[said]))
+    def _damaged(self, found: Iterator[Damage]) -> None:
+        for begin, end, text in found:
+            self._noted.append(_Noted(begin, 0, Event("line damage", begin, end, None, details=[text])))
 
-    def _note(self, event: Event) -> None:
+    def _note(self, line: Line) -> None:
+        """Keeps the events that have become known, with their times, in the order in which they became so."""
+        for noted in sorted(self._noted, key=lambda noted: noted[:2]):
+            noted.event.time = line.at(noted.at)
+            self._keep(noted.event)
+        self._noted.clear()
+        self._time = line.last
+
+    def _keep(self, event: Event) -> None:
         last = next((e for e in reversed(self._events[-8:]) if e.cause == event.cause and e.overlaps(event)), None)
         if last is not None:
             last.absorb(event)
         elif len(self._events) < MOST:
             self._events.append(event)
 
-    # ------------------------------------------------------------------ packets
+    # ------------------------------------------------------------------ clocks
 
-    def _packet(self, packet: Packet, begin: int, end: int) -> None:
-        self.result.packets += 1
-        number = packet.set
-        self._sets[number] += 1
-        if number < 0x80:
-            return
-        said = moments(packet)
-        for clock, time in said.items():
+    def _choose(self, part: Part) -> None:
+        """The clock of the report is the best one that the log has up to here."""
+        for clock in CLOCKS:
+            if clock == self.result.clock:
+                return
+            if any(part.times(number, clock).some for number in part.sets):
+                self.result.clock, self._time = clock, None
+                self.result.spans.clear()
+                for event in self._events:
+                    event.time = None
+                return
+
+    def _clocks(self, part: Part, number: int) -> Array:
+        """Compares the clocks of a set; returns the packets with which that of its rhythm begins anew."""
+        one, sets = self._sets[number], part.sets[number]
+        known = {clock: part.times(number, clock) for clock in CLOCKS}
+        for clock, stamps in known.items():
             if dated(clock):
-                counts = self._invalid.setdefault(number, [0, 0])
-                counts[0] += time is None
-                counts[1] += 1
-        times = {clock: time for clock, time in said.items() if time is not None}
-        if times:
-            self._timed.add(number)
-            self._clocks(number, times, begin, end)
-        beat = times.get(self._base.get(number, ""))
-        others = self.result.packets - self._sets[number]
-        for raw in raw_fields(packet):
-            key = number, raw.descriptor
-            self._counts[key] += 1
-            if key not in self._names:
-                self._names[key] = name_of(decoded(raw))
-            self._look(key, raw)
-            if beat is not None:
-                self._beat(key, Moment(beat, begin, end, others))
-        self._ends[number] = end
-
-    def _clocks(self, number: int, times: dict[str, int], begin: int, end: int) -> None:
-        """Compares the clocks with those of the last packet of the set."""
-        best = next(c for c in CLOCKS if c in times)
-        if self.result.clock is None or list(CLOCKS).index(best) < list(CLOCKS).index(self.result.clock):
-            self.result.clock, self._time = best, times[best]
-            self.result.spans.clear()
-        if self.result.clock in times:
-            self._time = times[self.result.clock]
-            self._span(number, self._time)
-        before = self._last.get(number, {})
-        at = self._ends.get(number, begin)
-        steps = {c: times[c] - before[c] for c in times if c in before}
+                one.dated += len(stamps.value)
+                one.invalid += int((stamps.value == times.NONE).sum())
+        packets = np.unique(np.concatenate([part.valid(number, clock)[0] for clock in CLOCKS]))
+        if not len(packets):
+            return np.asarray(packets)
+        value = {clock: times.exact(stamps, packets) for clock, stamps in known.items()}
         # The clock that has no date runs on when the date is set.
-        base = self._base.setdefault(number, next(c for c in reversed(list(CLOCKS)) if c in times))
-        if base in times:
-            self._origins.setdefault(base, times[base])
-            self._latest[base] = times[base]
-        if steps.get(base, 0) < 0:
-            cause = "clock step" if dated(base) else "reset"
-            note = f"the {base} clock goes back by {-steps[base] / SECOND:.3f} s"
-            self._note(Event(cause, at, begin, self._time, sets={number}, details=[note]))
-            self._restart(number, cause == "reset")
-        elif base in steps:
-            for clock, step in steps.items():
-                apart = step - steps[base]
-                if abs(apart) > _STEP:
-                    note = f"the {clock} clock jumps by {apart / SECOND:+.3f} s against the {base} clock"
-                    self._note(Event("clock step", at, begin, self._time, sets={number}, details=[note]))
-        self._last[number] = times
+        one.base = one.base or next(c for c in reversed(list(CLOCKS)) if value[c][0] != times.NONE)
+        value = {clock: np.append(one.last.get(clock, times.NONE), value[clock]) for clock in CLOCKS}
+        there = {clock: value[clock] != times.NONE for clock in CLOCKS}
+        both = {clock: there[clock][1:] & there[clock][:-1] for clock in CLOCKS}
+        steps = {clock: np.where(both[clock], differences(value[clock]), 0) for clock in CLOCKS}
 
-    def _restart(self, number: int, reset: bool) -> None:
-        for (set, _), rhythm in self._rhythms.items():
-            if set == number:
-                rhythm.restart()
-        self._reset = self._reset or reset
+        def found(row: int, cause: str, text: str) -> None:
+            packet = int(packets[row])
+            begin, earlier = int(part.at[packet]), part.before(number, packet)
+            end = int(part.end[sets[earlier - 1]]) if earlier else one.end
+            event = Event(cause, begin if end is None else end, begin, None, sets={number}, details=[text])
+            self._noted.append(_Noted(begin, 0, event))
 
-    def _span(self, number: int, time: int) -> None:
-        """Packets that follow each other within a second, or three usual intervals, are one span."""
+        def step(row: int, clock: str) -> int:
+            return int(value[clock][row + 1]) - int(value[clock][row])
+
+        back = np.flatnonzero(steps[one.base] < 0)
+        for row in back.tolist():
+            cause = "clock step" if dated(one.base) else "reset"
+            self._reset = self._reset or cause == "reset"
+            found(row, cause, f"the {one.base} clock goes back by {-step(row, one.base) / SECOND:.3f} s")
+        runs_on = both[one.base] & (steps[one.base] >= 0)
+        for clock in CLOCKS:
+            apart = both[clock] & runs_on & (np.abs(steps[clock] - steps[one.base]) > _STEP)
+            for row in np.flatnonzero(apart).tolist():
+                seconds = (step(row, clock) - step(row, one.base)) / SECOND
+                found(row, "clock step", f"the {clock} clock jumps by {seconds:+.3f} s against the {one.base} clock")
+        one.last = {clock: int(value[clock][-1]) for clock in CLOCKS if value[clock][-1] != times.NONE}
+        return np.asarray(packets[back])
+
+    def _spans(self, part: Part, number: int) -> None:
+        """Packets that follow each other within a quarter of a second, or 1.5 usual intervals, are one span."""
+        if self.result.clock is None:
+            return
         spans = self.result.spans.setdefault(number, [])
+        _, time = part.valid(number, self.result.clock)
         usual = max((r.usual or 0 for (n, _), r in self._rhythms.items() if n == number), default=0)
-        if spans and 0 <= time - spans[-1][1] <= max(SECOND // 4, 1.5 * usual):
-            spans[-1] = spans[-1][0], time
-        elif len(spans) < MOST:
-            spans.append((time, time))
+        if not len(time):
+            return
+        steps = differences(np.append(spans[-1][1] if spans else time[0], time))
+        new = (steps < 0) | (steps > max(SECOND // 4, 1.5 * usual))
+        new[0] |= not spans
+        begins = np.flatnonzero(new).tolist()
+        ends = [*begins, len(time)]
+        if ends[0]:
+            spans[-1] = spans[-1][0], int(time[ends[0] - 1])
+        for begin, end in zip(begins[: MOST - len(spans)], ends[1:]):
+            spans.append((int(time[begin]), int(time[end - 1])))
 
-    def _beat(self, key: tuple[int, int], moment: Moment) -> None:
-        rhythm = self._rhythms.get(key)
-        if rhythm is None:
-            rhythm = self._rhythms[key] = Rhythm()
-        for change in rhythm.add(moment):
-            if isinstance(change, Gap):
-                self._gap(key, change)
-            else:
-                self._changed(key, change)
+    # ------------------------------------------------------------------ rhythms
 
-    def _gap(self, key: tuple[int, int], gap: Gap) -> None:
+    def _rhythm(self, part: Part, number: int, restarts: Array) -> None:
+        """Follows the fields of a set."""
+        base = self._sets[number].base
+        if not base:
+            return
+        packets, beats = part.valid(number, base)
+        if len(packets):
+            first, last = ((int(part.at[packets[i]]), int(beats[i])) for i in (0, -1))
+            self._origins[base] = min(first, self._origins.get(base, first))
+            self._latest[base] = max(last, self._latest.get(base, last))
+        for key in dict.fromkeys((*self._rhythms, *part.packets)):
+            if key[0] == number:
+                packets = part.packets.get(key, packets[:0])
+                beats = times.exact(part.times(number, base), packets)
+                self._follow(part, key, packets[beats != times.NONE], beats[beats != times.NONE], restarts)
+
+    def _follow(self, part: Part, key: Key, packets: Array, beats: Array, restarts: Array) -> None:
+        """Follows a field in packets that have a time."""
+        if key not in self._rhythms:
+            if not len(packets):
+                return
+            self._rhythms[key] = Rhythm()
+        rhythm, number = self._rhythms[key], key[0]
+        cuts = np.searchsorted(packets, restarts)
+        for i, (some, when) in enumerate(zip(np.split(packets, cuts), np.split(beats, cuts))):
+            if i:
+                rhythm.restart()
+            for row, change in rhythm.follow(when, partial(self._moment, part, number, some, when)):
+                at = int(part.at[some[row]])
+                event = self._gap(number, change, at) if isinstance(change, Gap) else self._changed(key, change)
+                self._noted.append(_Noted(at, part.order[key], event))
+
+    def _moment(self, part: Part, number: int, packets: Array, beats: Array, row: int) -> Moment:
+        """One of the packets of a field."""
+        packet = int(packets[row])
+        same = self._sets[number].count + part.before(number, packet)
+        others = self.result.packets + packet - same
+        return Moment(int(beats[row]), int(part.at[packet]), int(part.end[packet]), others)
+
+    def _gap(self, number: int, gap: Gap, known: int) -> Event:
+        """A gap, as it is known when a packet begins that comes in time again."""
         seconds = (gap.after.time - gap.before.time - gap.usual) / SECOND
         # When all pause, each other set may still have a packet at the begin and one at the end.
-        went_on = gap.after.others - gap.before.others > 2 * (len(self._ends) - 1)
+        sets = sum(one.first < known for one in self._sets.values())
+        went_on = gap.after.others - gap.before.others > 2 * (sets - 1)
         cause = "overload" if went_on or seconds < _SHORT else "pause"
-        event = Event(cause, gap.before.end, gap.after.begin, self._time, seconds, {key[0]})
-        if cause == "pause" and dated(self._base[key[0]]):
+        event = Event(cause, gap.before.end, gap.after.begin, None, seconds, {number})
+        if cause == "pause" and dated(self._sets[number].base):
             event.details.append("or the time was set: there is no clock without a date to compare it with")
-        self._note(event)
+        return event
 
-    def _changed(self, key: tuple[int, int], change: Change) -> None:
-        note = f"{self._names[key]}: {SECOND / change.old:.4g} Hz became {SECOND / change.new:.4g} Hz"
-        at = change.at
-        self._note(Event("changed format", at.begin, at.end, self._time, sets={key[0]}, details=[note]))
+    def _changed(self, key: Key, change: Change) -> Event:
+        text = f"{self.result.names[key]}: {SECOND / change.old:.4g} Hz became {SECOND / change.new:.4g} Hz"
+        return Event("changed format", change.at.begin, change.at.end, None, sets={key[0]}, details=[text])
 
     def _started_and_stopped(self) -> None:
         """Fields that came later than the others, or ended before them."""
-        for key, rhythm in self._rhythms.items():
-            if rhythm.usual is None or rhythm.last is None or rhythm.first is None:
+        for key, name in self.result.names.items():
+            rhythm = self._rhythms.get(key)
+            if rhythm is None or rhythm.usual is None or rhythm.last is None or rhythm.first is None:
                 continue
             away = max(_AWAY * rhythm.usual, _AWAY_SECONDS * SECOND)
-            name, base = self._names[key], self._base[key[0]]
-            if self._latest[base] - rhythm.last.time > away:
-                at = rhythm.last
-                event = Event("changed format", at.end, at.end + 1, self._time, sets={key[0]})
-                event.details.append(f"{name} stopped")
-                self._note(event)
-            if not self._reset and rhythm.first.time - self._origins[base] > away:
-                at = rhythm.first
-                event = Event("changed format", at.begin, at.begin + 1, self._time, sets={key[0]})
-                event.details.append(f"{name} started")
-                self._note(event)
+            base = self._sets[key[0]].base
+            if self._latest[base][1] - rhythm.last.time > away:
+                self._limit(key, rhythm.last.end, f"{name} stopped")
+            if not self._reset and rhythm.first.time - self._origins[base][1] > away:
+                self._limit(key, rhythm.first.begin, f"{name} started")
 
-    # ------------------------------------------------------------------ flags
-
-    def _look(self, key: tuple[int, int], raw: Any) -> None:
-        """Counts the bits that concern something."""
-        places = self._flags.get(key)
-        if places is None:
-            places = self._flags[key] = self._places(decoded(raw).kind)
-        if not places:
-            return
-        value = decoded(raw).value
-        if value is None:
-            return
-        bits = self._bits.setdefault(key, Counter())
-        for attribute, members in places:
-            number = int(getattr(value, attribute) or 0)
-            for bit in members:
-                if number & bit.mask:
-                    bits[bit.name] += 1
-                    self._now[key] = self._counts[key]
-
-    def _places(self, kind: Any) -> list[tuple[str, list[Any]]]:
-        if kind is None:
-            return []
-        places = []
-        for p in info(kind).parameters:
-            if p.variants and self._device is None and any("type" in v.changes for v in p.variants):
-                self.result.unnamed += [kind.NAME] if kind.NAME not in self.result.unnamed else []
-            here = p.on(self._device) if self._device is not None else p
-            if here.type is None or p.kind != "scalar":
-                continue
-            said = info(here.type)
-            if isinstance(said, BitsInfo):
-                places.append((p.attribute, [bit for bit in said.bits if bit.concerns]))
-        return [(name, bits) for name, bits in places if bits]
-
-    def _warned(self) -> Iterable[Warned]:
-        for key, bits in self._bits.items():
-            known = {bit.name: bit for _, members in self._flags[key] for bit in members}
-            for name, count in bits.items():
-                bit = known[name]
-                last = self._now.get(key) == self._counts[key]
-                yield Warned(self._names[key], name, bit.text, bit.concerns, count, self._counts[key], last)
+    def _limit(self, key: Key, at: int, text: str) -> None:
+        self._keep(Event("changed format", at, at + 1, self._time, sets={key[0]}, details=[text]))
 
 
-__all__ = ["Examination", "Examined", "Warned"]
+__all__ = ["PART", "Examination", "examine"]

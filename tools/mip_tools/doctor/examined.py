@@ -1,0 +1,44 @@
+"""What was found in a stream."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from .events import Event
+
+#: A descriptor set, and a descriptor in it.
+Key = tuple[int, int]
+
+
+@dataclass
+class Warned:
+    """A bit that is set in data, with what it is about."""
+
+    field: str
+    bit: str
+    text: str
+    concerns: tuple[str, ...]
+    count: int
+    total: int
+    last: bool  # is it set in the last field?
+
+
+@dataclass
+class Examined:
+    """What was found."""
+
+    size: int = 0
+    packets: int = 0
+    clock: str | None = None
+    events: list[Event] = field(default_factory=list)
+    warned: list[Warned] = field(default_factory=list)
+    unsynchronized: dict[int, tuple[int, int]] = field(default_factory=dict)  # set -> invalid times, and all
+    untimed: list[int] = field(default_factory=list)  # sets without timestamps
+    rates: dict[Key, float] = field(default_factory=dict)  # in Hz, of the last rhythm
+    names: dict[Key, str] = field(default_factory=dict)
+    spans: dict[int, list[tuple[int, int]]] = field(default_factory=dict)  # set -> when its packets came, in ns
+    sentences: int = 0
+    unnamed: list[str] = field(default_factory=list)  # fields whose flags depend on the device
+
+
+__all__ = ["Examined", "Key", "Warned"]

@@ -1,0 +1,93 @@
+"""A part of a log, as its examination needs it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+import numpy as np
+
+from ..cli.decoding import Found
+from ..cli.log_report import first
+from ..columns import Log, times, walk
+from ..columns.piece import Piece
+from ..columns.scan import Array
+from .examined import Key
+
+
+class Part:
+    """The packets of a part of a log, numbered from 0, and the fields of data in them."""
+
+    def __init__(self, log: Log, known: Collection[Key]) -> None:
+        """`known` are the fields that came before."""
+        self.log = log
+        #: The others: each with its first occurrence.
+        self.new: dict[Key, Found] = {}
+        #: Of each, a place in a packet: fields are in this order.
+        self.order: dict[Key, int] = {}
+        self._known = known
+        self._places: list[tuple[Array, Array, Array]] = []
+        self._packets: dict[Key, list[Array]] = {}
+
+    def add(self, piece: Piece) -> None:
+        """Adds the next piece of it."""
+        self._places.append((piece.begin + piece.at, piece.begin + piece.end, piece.sets()))
+        fields: dict[Key, list[walk.Run]] = {}
+        for run in piece.runs or ():
+            if run.set >= 0x80:
+                fields.setdefault((run.set, run.descriptor), []).append(run)
+        for key, runs in fields.items():
+            packet, offset = walk.places(runs, len(piece.at))
+            self._packets.setdefault(key, []).append(packet + piece.number)
+            self.order.setdefault(key, int(offset[0]))
+            if key not in self._known and key not in self.new:
+                self.new[key] = first(piece, runs)
+
+    def complete(self) -> None:
+        """All pieces were added."""
+        nothing = (np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, np.uint8))
+        #: Where the packets begin and end in the file.
+        self.at, self.end, sets = (np.concatenate(parts) for parts in zip(nothing, *self._places))
+        numbers = {n: np.flatnonzero(sets == n) for n in np.flatnonzero(np.bincount(sets, minlength=256)).tolist()}
+        #: Set of data -> its packets, in the order of the first ones.
+        self.sets = dict(sorted(((n, p) for n, p in numbers.items() if n >= 0x80), key=lambda one: int(one[1][0])))
+        #: Field -> the packets that have it.
+        self.packets = {key: np.concatenate(packets) for key, packets in self._packets.items()}
+        self.new = dict(sorted(self.new.items(), key=lambda one: (self.packets[one[0]][0], self.order[one[0]])))
+
+    def times(self, number: int, clock: str) -> times.Stamps:
+        """The timestamps of a set."""
+        return times.read(self.log, number, clock)
+
+    def valid(self, number: int, clock: str) -> tuple[Array, Array]:
+        """Packets of a set with valid ones, and their times."""
+        stamps = times.read(self.log, number, clock)
+        right = stamps.value != times.NONE
+        return stamps.packet[right], stamps.value[right]
+
+    def before(self, number: int, packet: int) -> int:
+        """How many packets of a set come before a packet."""
+        return int(np.searchsorted(self.sets[number], packet))
+
+
+class Line:
+    """The times of a part by one clock, over all sets."""
+
+    def __init__(self, known: list[tuple[Array, Array]], before: int | None) -> None:
+        """Of each set, where its packets begin in the file, and their times; the last one before this part."""
+        at, time = (np.concatenate(parts) for parts in zip((np.zeros(0, np.int64),) * 2, *known))
+        order = np.argsort(at, kind="stable")
+        self._at, self._time = at[order], time[order]
+        self._before = before
+
+    @property
+    def last(self) -> int | None:
+        """The last one."""
+        return int(self._time[-1]) if len(self._time) else self._before
+
+    def at(self, offset: int) -> int | None:
+        """The last one of the packets up to a place in the file."""
+        count = int(np.searchsorted(self._at, offset, side="right"))
+        return int(self._time[count - 1]) if count else self._before
+
+
+__all__ = ["Line", "Part"]

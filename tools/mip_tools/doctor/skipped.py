@@ -1,0 +1,75 @@
+"""The bytes between packets: NMEA sentences, and what is neither."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from ..binding import SYNC
+from ..cli import show
+from ..columns.between import Gaps
+from ..columns.piece import Piece
+
+_SENTENCE = re.compile(rb"\$[ -~]*\r?\n")
+_MOST = 1 << 16  # bytes that are kept
+
+
+class Damage(NamedTuple):
+    """Bytes between two packets that are not all sentences."""
+
+    begin: int
+    end: int
+    text: str
+
+
+class Skipped:
+    """Takes the pieces of a log."""
+
+    def __init__(self) -> None:
+        self.sentences = 0
+        self._gaps = Gaps()
+        self._begin = self._end = 0
+        self._others = b""  # what is no sentence
+        self._count = 0  # of these bytes
+        self._line = b""  # the last line, which may go on
+
+    def add(self, piece: Piece) -> Iterator[Damage]:
+        """The damage that is complete, as more follows."""
+        for gap in self._gaps.of(piece):
+            if not gap.goes_on:
+                yield from self._complete(False)
+                self._begin = gap.offset
+            self._end = gap.offset + len(gap.data)
+            text = self._line + gap.data
+            stop = text.rfind(b"\n") + 1
+            others, count = _SENTENCE.subn(b"", text[:stop])
+            self.sentences += count
+            self._other(others)
+            self._line = text[stop:]
+            if len(self._line) > _MOST:
+                self._other(self._line)
+                self._line = b""
+        if self._end < piece.begin + piece.size:  # a packet follows
+            yield from self._complete(False)
+
+    def end(self) -> Iterator[Damage]:
+        """The damage at the end of the log."""
+        yield from self._complete(True)
+
+    def _other(self, data: bytes) -> None:
+        self._others = (self._others + data)[-_MOST:]
+        self._count += len(data)
+
+    def _complete(self, at_end: bool) -> Iterator[Damage]:
+        self._other(self._line)
+        rest = self._others.strip(b"\r\n")
+        count = self._count - len(self._others) + len(rest)
+        self._others, self._line, self._count = b"", b"", 0
+        reason = show.damage(rest)
+        cut_off = at_end and ((SYNC.startswith(rest[:2]) and len(rest) < 4) or "missing" in reason)
+        if rest and self._begin and not cut_off:  # a recording begins and ends anywhere
+            yield Damage(self._begin, self._end, f"{count} bytes are not packets{': ' * bool(reason)}{reason}")
+
+
+__all__ = ["Damage", "Skipped"]
