@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import random
+import re
 import socket
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -155,6 +156,14 @@ def test_where_and_how_long() -> None:
     assert event.begin <= begin <= event.end and event.seconds == pytest.approx(1.6, abs=0.05)
     (first, second) = examined(damaged()).events
     assert first.begin <= 3000 < first.end and second.begin <= 20000 < second.end
+
+
+@pytest.mark.parametrize("name, seconds", [("a later time", 10), ("an earlier time", -3)])
+def test_a_step_of_a_clock_is_as_long_as_it_was_planted(name: str, seconds: float) -> None:
+    make, _ = PLANTED[name]
+    (event,) = examined(make()).events
+    told = [float(number) for text in event.details for number in re.findall(r"by ([+-][\d.]+) s", text)]
+    assert told and told == pytest.approx([seconds] * len(told), abs=0.01), event.details
 
 
 def test_several_causes_in_one_log() -> None:
