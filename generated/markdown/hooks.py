@@ -46,8 +46,6 @@ _BEGINNINGS = {
     "devices/": 120,
 }
 _TABLES = re.compile(r"(?:packets|units)\.md$")  # pages with tables that can be found
-_LONG = 10  # rows from which a table is laid out only when it is near the window
-_TABLE = re.compile(r"<table>(.*?)</table>", re.S)
 _LEFT_OUT = re.compile(r"<(pre|table)\b.*?</\1>", re.S)
 
 _frames: dict[str, dict[str, str]] = {}  # "command" or "data" -> a complete program in each language
@@ -77,7 +75,6 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
 def on_page_content(content: str, page: Any, **_: Any) -> str:
     """Keeps the text of a page for the search, which finds what indexes lead to and not these. Colours packets."""
     path = page.file.src_uri
-    content = _TABLE.sub(_sized, content)
     if path.startswith("indexes/"):
         return content
     if path.startswith("fields/"):
@@ -174,12 +171,6 @@ def _plain(markup: str) -> str:
     """The text of HTML. Inline elements do not part words."""
     apart = re.sub(r"</?(?:code|em|strong|a|span|sub|sup)\b[^>]*>", "", markup)
     return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", apart)).split())
-
-
-def _sized(table: re.Match[str]) -> str:
-    """Notes the number of rows of a long table: site.css computes its height from it until it is near the window."""
-    rows = table[1].count("<tr>")
-    return f'<table style="--rows: {rows}">{table[1]}</table>' if rows >= _LONG else table[0]
 
 
 def _tab(match: re.Match[str]) -> str:

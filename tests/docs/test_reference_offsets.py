@@ -143,7 +143,7 @@ def documented_lengths(manual: Manual, f: m.Field, values: dict[str, Any], fille
     if f.family == "protocol":
         return {f.max_size + 2}
     if f.role != m.COMMAND:
-        (text,) = re.findall(r"(?:^|\. )Field length: (.*?)\. ", words(section), re.M)
+        (text,) = re.findall(r"(?:^|\. )Field length: (.*?)\.(?: |$)", words(section), re.M)
         return lengths(text.replace(" with all optional parameters", ""), filler.counts)
     rows = table_with(section, "Packet", "Field length")
     function = values.get("function")

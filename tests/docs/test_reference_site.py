@@ -616,7 +616,7 @@ SCROLLING = (
 @in_browser
 def test_wide_tables_break_names(page: browser.Page) -> None:
     """Only where they would have to scroll, and between the words of a name."""
-    page.size(1400, 20000)  # what is far from the window has no layout
+    page.size(1400)
     for address in (*PAGES, "fields/filter/mag_dip_angle_error_adaptive_measurement.html", "fields/gnss_data/dop.html"):
         if address.startswith(("tools/", "compare/", "guides/")):
             continue
@@ -630,7 +630,6 @@ def test_wide_tables_break_names(page: browser.Page) -> None:
     wait(page, "document.querySelector('article table wbr')")
     before = page.run("[...new Set([...document.querySelectorAll('wbr')].map((x) => x.previousSibling.data.at(-1)))]")
     assert set(before) <= set("_.*") | set("abcdefghijklmnopqrstuvwxyz"), before
-    page.size(1400)
 
 
 #: Rows of a long table that is far below the window, and of one that is folded.
@@ -642,23 +641,12 @@ FAR = (
 
 @in_browser
 @pytest.mark.parametrize("address", FAR)
-def test_links_lead_to_rows_without_layout(page: browser.Page, address: str) -> None:
-    """A long table is laid out, and a folded one opens, when a link leads to one of its rows."""
+def test_links_lead_to_rows_far_away_and_folded(page: browser.Page, address: str) -> None:
+    """What is folded opens."""
     page.size(1400)
     go(page, address)
     row = f"document.getElementById({address.partition('#')[2]!r}).closest('tr').getBoundingClientRect()"
     wait(page, f"{row}.height > 0 && {row}.top > 0 && {row}.bottom < innerHeight")
-
-
-@in_browser
-def test_far_tables_are_not_laid_out(page: browser.Page) -> None:
-    page.size(1400)
-    go(page, "fields/gnss_data/raw.html")
-    row = "[...document.querySelectorAll('article tr:has([id*=beidou_b2q])')][0]"
-    seen = "checkVisibility({ contentVisibilityAuto: true })"
-    wait(page, f"document.querySelector('article tr').{seen} && !{row}.{seen}")
-    page.run(f"{row}.scrollIntoView()")
-    wait(page, f"{row}.{seen}")
 
 
 @in_browser

@@ -93,8 +93,9 @@
         table.dataset.narrow = last < LONG ? "short" : "long";
     }
 
-    /** Breaks names in boxes that are too wide; those that still are scroll and can be reached by the keyboard. */
-    function fit(boxes) {
+    /** What is too wide for the window breaks, and if that is not enough, scrolls by itself and can be reached by the keyboard. */
+    function fit() {
+        const boxes = [...document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)")];
         const isWide = (box) => box.scrollWidth > box.clientWidth;
         for (const box of boxes.filter(isWide)) for (const table of box.querySelectorAll("table:not([data-narrow])")) breakNames(table);
         const wide = boxes.map(isWide); // before the first change: to measure after each would lay out the page each time
@@ -102,15 +103,6 @@
             if (wide[i]) box.tabIndex = 0;
             else box.removeAttribute("tabindex");
         }
-    }
-
-    /** Fits what is near the window, now and after scrolling. The rest has no layout yet. */
-    let near;
-    function fitWhatIsNear() {
-        near?.disconnect();
-        const fitted = (entries) => fit(entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target));
-        near = new IntersectionObserver(fitted, { rootMargin: "50%" });
-        for (const box of document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)")) near.observe(box);
     }
 
     // ------------------------------------------------------------------------------------------------ whole programs
@@ -435,7 +427,7 @@
         beside();
         myDevice();
         unfoldOnPaper();
-        new ResizeObserver(fitWhatIsNear).observe(document.querySelector("article") ?? document.body);
+        new ResizeObserver(fit).observe(document.querySelector("article") ?? document.body);
     }
 
     if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", begin);
