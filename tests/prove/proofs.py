@@ -349,9 +349,13 @@ def write(cbmc: str) -> None:
             sum((known[p].outcome if p in known else "") == o for p in members) for o in ("proved", "not proved", "")
         ]
         rows.append(f"| {kind}, {function} | {bounds[kind]} | " + " | ".join(map(str, counts)) + " |")
-    late = [p.name for p, r in known.items() if r.outcome == "not proved"]
+    late: dict[str, list[str]] = {}
+    for p, r in known.items():
+        if r.outcome == "not proved":
+            late.setdefault(p.name.split(", ")[0], []).append(p.function)
     if late:
-        rows += ["", f"Not in the time: {'; '.join(late)}."]
+        listed = ", ".join(f"`{name}` ({', '.join(functions)})" for name, functions in late.items())
+        rows += ["", f"Not proved in the time: {listed}."]
     text = TABLE.read_text("utf-8")
     before, _, rest = text.partition(BEGIN)
     head = [f"Sources of {revision or 'no revision'}.", "", "| Core | Looked at | Result |", "|---|---|---|"]

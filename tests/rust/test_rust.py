@@ -157,7 +157,7 @@ members = ["mip-protocol"]
 
 
 @heavy(LONG)
-def test_serde_defmt_and_embedded_io() -> None:
+def test_serde_and_embedded_io() -> None:
     with with_dependencies() as folder:
         passes(folder, "test", "--quiet")
 

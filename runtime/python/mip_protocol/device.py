@@ -435,9 +435,9 @@ def open_port(
 ) -> Device:
     """Opens the port of a device: /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT, …
 
-    `baud`: the baud rate; None finds it, if the specification names rates. The other arguments are those of `Device`. All except
-    TCP connections need pyserial, which the extra `serial` installs. A serial port is opened for this
-    device alone. Raises PortError, an OSError, if the port cannot be opened or is in use, NoDevice if
+    `baud`: the baud rate; None finds it, if the specification names rates. The other arguments are
+    those of `Device`. All except TCP connections need pyserial, which the extra `serial` installs.
+    A serial port is opened for this device alone. Raises PortError, an OSError, if the port cannot be opened or is in use, NoDevice if
     no baud rate is found, and MissingExtra.
     """
     port = connect(url, baud)

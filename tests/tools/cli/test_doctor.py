@@ -15,7 +15,7 @@ from threading import Thread
 from typing import Any
 
 import pytest
-from mip_protocol import PacketBuilder, Parser, base, mip_3dm, shared, types
+from mip_protocol import PacketBuilder, Parser, base, mip_3dm, shared, timestamps, types
 from mip_tools.columns import read_log
 from mip_tools.doctor import findings, stream
 from mip_tools.doctor.events import Event, merged
@@ -164,6 +164,12 @@ def test_a_step_of_a_clock_is_as_long_as_it_was_planted(name: str, seconds: floa
     (event,) = examined(make()).events
     told = [float(number) for text in event.details for number in re.findall(r"by ([+-][\d.]+) s", text)]
     assert told and told == pytest.approx([seconds] * len(told), abs=0.01), event.details
+
+
+def test_an_event_has_the_time_of_the_packet_that_shows_it() -> None:
+    (event,) = examined(reset()).events
+    (first, *_) = Parser().feed(reset()[len(clean()) :])
+    assert event.time == timestamps.moments(first)["gps"] < timestamps.moments(Parser().feed(clean())[-1])["gps"]
 
 
 def test_several_causes_in_one_log() -> None:

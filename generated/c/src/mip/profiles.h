@@ -124,7 +124,7 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ar;
  * and pressure sensor.
  *
  * Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
- * Uncertain: The manual warns of a bug of NMEA input without stating what it is.
+ * Uncertain: The manual warns of a bug in the NMEA input, and does not describe it.
  *
  * - mip-sdk-4: Device models
  */

@@ -1870,7 +1870,7 @@ const CV7_GNSS_INS_1: &Evidence =
 /// sensor.
 ///
 /// Generation 7. Model number 6292. Manual: MicroStrain 3DM-CV7-GNSS/INS Documentation, 8500-0099.
-/// Uncertain: The manual warns of a bug of NMEA input without stating what it is.
+/// Uncertain: The manual warns of a bug in the NMEA input, and does not describe it.
 ///
 /// Source: mip-sdk-4: Device models.
 ///
