@@ -376,6 +376,20 @@ test("a WebSocket", async () => {
     await assert.rejects(openWebSocket("ws://none", { WebSocket: null }), { kind: "websocket" });
 });
 
+test("a WebSocket that the other end closes says why", async () => {
+    let opened;
+    class Closing extends fakeSocket(acknowledging()) {
+        constructor(url) {
+            super(url);
+            opened = this;
+        }
+    }
+    const device = await openWebSocket("ws://localhost:1", { WebSocket: Closing });
+    opened.dispatchEvent(Object.assign(new Event("close"), { reason: "the cable is pulled" }));
+    await assert.rejects(device.request(new Ping()), /the port is lost: the cable is pulled/);
+    await assert.rejects(device.next(), /the port is lost: the cable is pulled/);
+});
+
 test("a TCP connection that the other end closes", async () => {
     const server = net.createServer((socket) => {
         socket.write(DATA);

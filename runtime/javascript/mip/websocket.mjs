@@ -14,7 +14,7 @@ function connected(socket) {
     const pieces = [];
     let wake = () => {};
     let ended = false;
-    let why; // as the other end says it
+    let why = ""; // as the other end says it
     const end = ({ reason }) => {
         ended = true;
         why = reason;
@@ -39,7 +39,7 @@ function connected(socket) {
             if (why) throw new MipError("closed", why);
         },
         write(bytes) {
-            if (ended) throw new MipError("closed", "the WebSocket is closed");
+            if (ended) throw new MipError("closed", why || "the WebSocket is closed");
             socket.send(bytes);
         },
         close: () => socket.close(),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import socket
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -187,6 +188,43 @@ def test_a_port_that_is_lost_or_cannot_be_opened_is_said_to_the_page() -> None:
         page = Page(server, f"/{server.token}")
         assert page.message() == (CLOSE, b"\x03\xf5it is gone")
         page.close()
+
+
+@pytest.mark.parametrize("ending", ["the server", "the port"])
+def test_a_page_that_is_sending_reads_why_it_ends(ending: str) -> None:
+    """What it sends meanwhile would reset a connection that is closed, and the reason would be lost."""
+    ports: list[LivePort] = []
+
+    def open_port() -> LivePort:
+        ports.append(LivePort(VirtualDevice(DEVICE)))
+        return ports[0]
+
+    with serving(open_port) as server:
+        page = Page(server, f"/{server.token}")
+        page.send(masked(BINARY, PING_COMMAND))
+        page.receive(ACKNOWLEDGE)
+        (server.stop if ending == "the server" else ports[0].close)()
+        for _ in range(5):
+            page.send(masked(BINARY, PING_COMMAND))
+            time.sleep(0.05)
+        while (message := page.message())[0] != CLOSE:
+            pass
+        assert message[1][2:].startswith(b"mip serve has ended" if ending == "the server" else b"the port is lost")
+        page.send(masked(CLOSE, message[1][:2]))
+        assert page.socket.recv(1) == b""
+        page.close()
+
+
+def test_a_page_that_never_closes_its_end_is_cut_off(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("mip_tools.web.server.PATIENCE", 0.2)
+    with serving() as server:
+        page = Page(server, f"/{server.token}")
+        page.send(masked(BINARY, PING_COMMAND))
+        page.receive(ACKNOWLEDGE)
+    while (message := page.message())[0] != CLOSE:
+        pass
+    assert page.socket.recv(1) == b""
+    page.close()
 
 
 @pytest.mark.parametrize(

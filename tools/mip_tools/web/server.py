@@ -8,6 +8,7 @@ import secrets
 import selectors
 import socket
 import threading
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, Protocol
@@ -16,7 +17,7 @@ from ..errors import Failure
 from .frames import BINARY, CLOSE, GOING, NORMAL, PING, PONG, TRY_AGAIN, Frames, Wrong, accept_key, closing, frame
 
 HOST = "127.0.0.1"
-#: Seconds in which a browser must ask, and take what it is sent.
+#: Seconds in which a browser must ask, take what it is sent, and close its end.
 PATIENCE = 5.0
 #: Bytes of a request, which browsers keep far below.
 _LONGEST = 16384
@@ -76,7 +77,12 @@ class Server:
         return self
 
     def __exit__(self, *_: object) -> None:
+        """Stops, and waits until the pages have read why."""
         self.stop()
+        end = time.monotonic() + PATIENCE
+        for page in list(self._pages):
+            if not page.left.wait(max(0, end - time.monotonic())):
+                page.cut()
 
     def run(self) -> None:
         """Serves until `stop`."""
@@ -96,7 +102,6 @@ class Server:
         for page in list(self._pages):
             with suppress(OSError):
                 page.end(closing(GOING, "mip serve has ended"))
-                page.client.shutdown(socket.SHUT_RDWR)
 
     def _serve(self, client: socket.socket) -> None:
         with client:
@@ -119,8 +124,10 @@ class Server:
                 self._pages.add(page)
                 try:
                     page.end(self._talk(page))
+                    page.drain()
                 finally:
                     self._pages.discard(page)
+                    page.left.set()
 
     def _key(self, lines: list[str]) -> str:
         """The key of a handshake by a page that knows the token. Raises Refused."""
@@ -172,7 +179,8 @@ class Server:
             except Exception as error:  # of the port, or of a page that takes nothing
                 with suppress(OSError):
                     page.end(closing(GOING, f"the port is lost: {error}"))
-                    page.client.shutdown(socket.SHUT_RDWR)
+                if not ended.wait(PATIENCE):
+                    page.cut()
 
         reader = threading.Thread(target=to_page, daemon=True)
         reader.start()
@@ -210,6 +218,7 @@ class Connection:
 
     def __init__(self, client: socket.socket) -> None:
         self.client = client
+        self.left = threading.Event()
         self._sending = threading.Lock()
         self._ended = False
 
@@ -223,6 +232,19 @@ class Connection:
             if not self._ended:
                 self._ended = True
                 self.client.sendall(last)
+
+    def drain(self) -> None:
+        """Reads until the page closes its end: a socket that is closed with unread data resets the connection, and the
+        page loses the message that says why."""
+        self.client.shutdown(socket.SHUT_WR)
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end and self.client.recv(_AT_ONCE):
+            pass
+
+    def cut(self) -> None:
+        """Ends the connection with a page that does not close its end."""
+        with suppress(OSError):
+            self.client.shutdown(socket.SHUT_RDWR)
 
 
 def _request(client: socket.socket) -> list[str]:
