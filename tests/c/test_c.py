@@ -110,6 +110,20 @@ def test_lines_are_short(spec: str) -> None:
             assert len(line) <= 100 or max(map(len, re.findall(r"\w+", line))) > 50, f"{path}:{number}: {line}"
 
 
+@both
+def test_an_empty_line_before_each_comment(spec: str) -> None:
+    """Or a directive, such as `#ifdef`. Lists are allowed of constants, and of names that take one line each."""
+    listed = r"extern [^(]*;|inline constexpr .*;"
+    for path in sorted(p for p in folder(spec).rglob("*.h*") if p.suffix in (".h", ".hpp")):
+        text = path.read_text("utf-8").replace("\\\n", "")
+        assert not (joined := re.findall(r"^.*\S.*/\*\*.*", text, re.M)), f"{path}: {joined[0]}"
+        for before, after in re.findall(r"^(.*\S.*)\n(?=/\*\*(?:[^*]|\*(?!/))*\*/\n(.*))", text, re.M):
+            directive = re.match(r"#(?!define)", before)
+            constants = after.startswith("#define") and re.match(r"#define|typedef|};", before)  # of a type, too
+            names = re.fullmatch(listed, before) and re.fullmatch(listed, after)
+            assert directive or constants or names, f"{path}: an empty line is missing behind: {before}"
+
+
 def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
     shutil.copytree(folder("invented") / "src", tmp_path / "src")
     constants = tmp_path / "src/mip/constants.h"

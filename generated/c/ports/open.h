@@ -7,6 +7,7 @@
 void mip_line_open_serial(struct mip_line *line, const char *name, uint32_t baud);
 void mip_line_open_tcp(struct mip_line *line, const char *host, const char *number);
 bool mip_line_set_mode(const struct mip_line *line, uint32_t baud);
+
 /** Waits, and returns the time after that, both in milliseconds. */
 uint32_t mip_line_pause(uint32_t milliseconds);
 

@@ -52,6 +52,7 @@ enum mip_3dm_factory_streaming_action MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_factory_streaming_action_name(uint8_t value);
+
 /**
  * Constellation in the settings of a receiver. The values are not those of enum
  * mip_gnss_constellation, which GNSS data use.
@@ -75,6 +76,7 @@ enum mip_3dm_constellation_id MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_constellation_id_name(uint8_t value);
+
 /**
  * Options of a constellation.
  *
@@ -83,6 +85,7 @@ MIP_API const char *mip_3dm_constellation_id_name(uint8_t value);
 typedef uint16_t mip_3dm_constellation_options;
 /** Bit 0. The L1-SAIF signal; QZSS only. */
 #define MIP_3DM_CONSTELLATION_OPTIONS_L1SAIF 0x0001U
+
 /**
  * Tracking of one constellation by a receiver.
  *
@@ -113,6 +116,7 @@ typedef uint16_t mip_3dm_sbas_options;
 #define MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS 0x0002U
 /** Bit 2. Only GPS satellites with SBAS integrity information are used. */
 #define MIP_3DM_SBAS_OPTIONS_APPLY_INTEGRITY 0x0004U
+
 /**
  * Storage of the last fix of a receiver.
  *
@@ -127,6 +131,7 @@ enum mip_3dm_assisted_fix_option MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
+
 /**
  * Source of the pulse per second.
  *
@@ -154,6 +159,7 @@ enum mip_3dm_pps_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
+
 /**
  * The part of the event system that is queried.
  *
@@ -168,6 +174,7 @@ enum mip_3dm_event_support_query MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_event_support_query_name(uint8_t value);
+
 /**
  * Capacity of a device for one trigger or action type.
  *
@@ -234,6 +241,7 @@ enum mip_3dm_receiver_dynamics MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_receiver_dynamics_name(uint8_t value);
+
 /**
  * Processing steps of 3-series devices. Uncertain: Bits 4, 5, 9 and 12 are from the single-byte
  * protocol of the 3DM-GX3. MSCL has the quaternion as 0x10000, which exceeds 16 bits. Uncertain:
@@ -264,6 +272,7 @@ typedef uint16_t mip_3dm_data_conditioning_flags;
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_DISABLE_UP_COMPENSATION 0x0800U
 /** Bit 12. Computes the quaternion. */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_QUATERNION_CALCULATION 0x1000U
+
 /**
  * Bandwidth of the magnetometer of 3-series devices.
  *
@@ -278,6 +287,7 @@ enum mip_3dm_mag_bandwidth MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_mag_bandwidth_name(uint8_t value);
+
 /**
  * A time counter of the sensor data.
  *
@@ -297,6 +307,7 @@ enum mip_3dm_imu_timestamp_selector MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_imu_timestamp_selector_name(uint8_t value);
+
 /**
  * Operation of the odometer input.
  *
@@ -311,6 +322,7 @@ enum mip_3dm_odometer_mode MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_odometer_mode_name(uint8_t value);
+
 /**
  * A sensor whose range can be set.
  *
@@ -331,6 +343,7 @@ enum mip_3dm_sensor_range_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_sensor_range_type_name(uint8_t value);
+
 /**
  * A range that a sensor supports.
  *
@@ -357,6 +370,7 @@ enum mip_3dm_internal_sensor MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_internal_sensor_name(uint8_t value);
+
 /**
  * Format of a data stream.
  *
@@ -371,6 +385,7 @@ enum mip_3dm_stream_format MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_stream_format_name(uint8_t value);
+
 /**
  * Power state of an internal sensor.
  *
@@ -389,6 +404,7 @@ enum mip_3dm_sensor_power_state MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_sensor_power_state_name(uint8_t value);
+
 /**
  * Level of detail of a device status.
  *
@@ -403,6 +419,7 @@ enum mip_3dm_device_status_selector MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_device_status_selector_name(uint8_t value);
+
 /**
  * A data stream of a device of the generations 3 to 5.
  *
@@ -421,6 +438,7 @@ enum mip_3dm_legacy_data_stream MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
+
 /**
  * State of the system in the device status of the 3DM-GX4-45 and the 3DM-RQ1-45.
  *
@@ -484,13 +502,15 @@ static inline mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_dat
 MIP_CHECKED static inline mip_error mip_3dm_poll_imu_data_encode(
     const struct mip_3dm_poll_imu_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
-} /**
-   * Poll IMU Data. Fills the structure and returns its address.
-   *
-   * - suppress_ack: Send no acknowledge.
-   * - num_descriptors: Number of fields. The number of elements of descriptors.
-   * - descriptors: Fields to send. Refers to fields of MIP_SENSOR_SET.
-   */
+}
+
+/**
+ * Poll IMU Data. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - descriptors: Fields to send. Refers to fields of MIP_SENSOR_SET.
+ */
 static inline struct mip_3dm_poll_imu_data *
 mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppress_ack,
                            uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
@@ -551,14 +571,16 @@ static inline mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_d
 MIP_CHECKED static inline mip_error mip_3dm_poll_gnss_data_encode(
     const struct mip_3dm_poll_gnss_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
-} /**
-   * Poll GNSS Data. Fills the structure and returns its address.
-   *
-   * - suppress_ack: Send no acknowledge.
-   * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
-   * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
-   *   decimation in place of the reserved number and does not document how a poll uses it.
-   */
+}
+
+/**
+ * Poll GNSS Data. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
+ * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
+ *   decimation in place of the reserved number and does not document how a poll uses it.
+ */
 static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -616,13 +638,15 @@ static inline mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filt
 MIP_CHECKED static inline mip_error mip_3dm_poll_filter_data_encode(
     const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
-} /**
-   * Poll Estimation Filter Data. Fills the structure and returns its address.
-   *
-   * - suppress_ack: Send no acknowledge.
-   * - num_descriptors: Number of fields. The number of elements of descriptors.
-   * - descriptors: Fields to send. Refers to fields of MIP_FILTER_DATA_SET.
-   */
+}
+
+/**
+ * Poll Estimation Filter Data. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - descriptors: Fields to send. Refers to fields of MIP_FILTER_DATA_SET.
+ */
 static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
     struct mip_3dm_poll_filter_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -680,13 +704,15 @@ static inline mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_d
 MIP_CHECKED static inline mip_error mip_3dm_poll_nmea_data_encode(
     const struct mip_3dm_poll_nmea_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
-} /**
-   * Poll NMEA Data. Fills the structure and returns its address.
-   *
-   * - suppress_ack: Send no acknowledge.
-   * - count: Number of sentences. The number of elements of format_entries.
-   * - format_entries: Sentences to send.
-   */
+}
+
+/**
+ * Poll NMEA Data. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - count: Number of sentences. The number of elements of format_entries.
+ * - format_entries: Sentences to send.
+ */
 static inline struct mip_3dm_poll_nmea_data *
 mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool suppress_ack,
                             uint8_t count, const struct mip_nmea_message format_entries[]) {
@@ -734,6 +760,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_encode(
     const struct mip_3dm_get_imu_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_codec, value, builder);
 }
+
 /**
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
@@ -769,6 +796,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
     const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_response_codec, value, builder);
 }
+
 /**
  * Get GNSS Data Base Rate: command (0x0C,0x07).
  *
@@ -806,6 +834,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_encode(
     const struct mip_3dm_get_gnss_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_codec, value, builder);
 }
+
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
@@ -842,6 +871,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
     const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_response_codec, value, builder);
 }
+
 /**
  * IMU Message Format: command (0x0C,0x08).
  *
@@ -893,12 +923,14 @@ static inline mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_mes
 MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_encode(
     const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
-   * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
+ */
 static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_write(
     struct mip_3dm_imu_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -909,6 +941,7 @@ static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_writ
              mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_read(struct mip_3dm_imu_message_format *command) {
@@ -916,6 +949,7 @@ mip_3dm_imu_message_format_read(struct mip_3dm_imu_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_save(struct mip_3dm_imu_message_format *command) {
@@ -923,6 +957,7 @@ mip_3dm_imu_message_format_save(struct mip_3dm_imu_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_load(struct mip_3dm_imu_message_format *command) {
@@ -930,6 +965,7 @@ mip_3dm_imu_message_format_load(struct mip_3dm_imu_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
@@ -975,6 +1011,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_response_codec, value, builder);
 }
+
 /**
  * GNSS Message Format: command (0x0C,0x09).
  *
@@ -1025,14 +1062,15 @@ static inline mip_error mip_3dm_gnss_message_format_decode(
 MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_encode(
     const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
-   *   Required for write.
-   * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for
-   * write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
+ *   Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write.
+ */
 static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write(
     struct mip_3dm_gnss_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1043,6 +1081,7 @@ static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_wr
              mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_read(struct mip_3dm_gnss_message_format *command) {
@@ -1050,6 +1089,7 @@ mip_3dm_gnss_message_format_read(struct mip_3dm_gnss_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_save(struct mip_3dm_gnss_message_format *command) {
@@ -1057,6 +1097,7 @@ mip_3dm_gnss_message_format_save(struct mip_3dm_gnss_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_load(struct mip_3dm_gnss_message_format *command) {
@@ -1064,6 +1105,7 @@ mip_3dm_gnss_message_format_load(struct mip_3dm_gnss_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command) {
@@ -1110,6 +1152,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
     const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_response_codec, value, builder);
 }
+
 /**
  * Estimation Filter Message Format: command (0x0C,0x0A).
  *
@@ -1162,13 +1205,15 @@ static inline mip_error mip_3dm_filter_message_format_decode(
 MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_encode(
     const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
-   * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
-   *   write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
+ *   write.
+ */
 static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_format_write(
     struct mip_3dm_filter_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1179,6 +1224,7 @@ static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_forma
              mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_read(struct mip_3dm_filter_message_format *command) {
@@ -1186,6 +1232,7 @@ mip_3dm_filter_message_format_read(struct mip_3dm_filter_message_format *command
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_save(struct mip_3dm_filter_message_format *command) {
@@ -1193,6 +1240,7 @@ mip_3dm_filter_message_format_save(struct mip_3dm_filter_message_format *command
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_load(struct mip_3dm_filter_message_format *command) {
@@ -1200,6 +1248,7 @@ mip_3dm_filter_message_format_load(struct mip_3dm_filter_message_format *command
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *command) {
@@ -1245,6 +1294,7 @@ MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_response_encod
     const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_response_codec, value, builder);
 }
+
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
@@ -1281,6 +1331,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_encode(
     const struct mip_3dm_get_filter_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_codec, value, builder);
 }
+
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
@@ -1316,6 +1367,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode
     const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_response_codec, value, builder);
 }
+
 /**
  * NMEA Message Format: command (0x0C,0x0C).
  *
@@ -1367,12 +1419,14 @@ static inline mip_error mip_3dm_nmea_message_format_decode(
 MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_encode(
     const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - count: Number of sentences. The number of elements of format_entries. Required for write.
-   * - format_entries: Sentences to stream. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - count: Number of sentences. The number of elements of format_entries. Required for write.
+ * - format_entries: Sentences to stream. Required for write.
+ */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, uint8_t count,
                                   const struct mip_nmea_message format_entries[]) {
@@ -1383,6 +1437,7 @@ mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, u
              mip_counted(count, format_entries, sizeof(format_entries[0])));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_read(struct mip_3dm_nmea_message_format *command) {
@@ -1390,6 +1445,7 @@ mip_3dm_nmea_message_format_read(struct mip_3dm_nmea_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_save(struct mip_3dm_nmea_message_format *command) {
@@ -1397,6 +1453,7 @@ mip_3dm_nmea_message_format_save(struct mip_3dm_nmea_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_load(struct mip_3dm_nmea_message_format *command) {
@@ -1404,6 +1461,7 @@ mip_3dm_nmea_message_format_load(struct mip_3dm_nmea_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_default(struct mip_3dm_nmea_message_format *command) {
@@ -1448,6 +1506,7 @@ MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_response_encode(
     const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_response_codec, value, builder);
 }
+
 /**
  * Poll Data: command (0x0C,0x0D).
  *
@@ -1497,14 +1556,16 @@ static inline mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value
 MIP_CHECKED static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_data_codec, value, builder);
-} /**
-   * Poll Data. Fills the structure and returns its address.
-   *
-   * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
-   * - suppress_ack: Send no acknowledge.
-   * - num_descriptors: Number of fields. The number of elements of descriptors.
-   * - descriptors: Field descriptors. Refers to fields of descriptor_set.
-   */
+}
+
+/**
+ * Poll Data. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+ * - suppress_ack: Send no acknowledge.
+ * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - descriptors: Field descriptors. Refers to fields of descriptor_set.
+ */
 static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_poll_data *command,
                                                                uint8_t descriptor_set,
                                                                mip_bool suppress_ack,
@@ -1554,11 +1615,13 @@ static inline mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rat
 MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode(
     const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_codec, value, builder);
-} /**
-   * Get Data Base Rate. Fills the structure and returns its address.
-   *
-   * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
-   */
+}
+
+/**
+ * Get Data Base Rate. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+ */
 static inline struct mip_3dm_get_base_rate *
 mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1603,6 +1666,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
     const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_response_codec, value, builder);
 }
+
 /**
  * Message Format: command (0x0C,0x0F).
  *
@@ -1655,13 +1719,15 @@ static inline mip_error mip_3dm_message_format_decode(struct mip_3dm_message_for
 MIP_CHECKED static inline mip_error mip_3dm_message_format_encode(
     const struct mip_3dm_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
-   * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
-   * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
+ * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
+ */
 static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
     struct mip_3dm_message_format *command, uint8_t descriptor_set, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1673,6 +1739,7 @@ static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
              mip_counted(num_descriptors, descriptors, sizeof(descriptors[0])));
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -1685,6 +1752,7 @@ mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -1697,6 +1765,7 @@ mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -1709,6 +1778,7 @@ mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -1760,6 +1830,7 @@ MIP_CHECKED static inline mip_error mip_3dm_message_format_response_encode(
     const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_response_codec, value, builder);
 }
+
 /**
  * Factory Streaming: command (0x0C,0x10).
  *
@@ -1796,11 +1867,13 @@ static inline mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_
 MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode(
     const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_factory_streaming_codec, value, builder);
-} /**
-   * Factory Streaming. Fills the structure and returns its address.
-   *
-   * - action: Treatment of the existing formats. A value of enum mip_3dm_factory_streaming_action.
-   */
+}
+
+/**
+ * Factory Streaming. Fills the structure and returns its address.
+ *
+ * - action: Treatment of the existing formats. A value of enum mip_3dm_factory_streaming_action.
+ */
 static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
     struct mip_3dm_factory_streaming *command, enum mip_3dm_factory_streaming_action action) {
     memset(command, 0, sizeof(*command));
@@ -1871,19 +1944,21 @@ static inline mip_error mip_3dm_data_stream_control_decode(
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_encode(
     const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
-   *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
-   * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
-   * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
-   * 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
-   *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream;
-   * only MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
-   * - enable: True if the stream is sent. Default: true. Required for write. The stream starts with
-   *   current data. What was measured while it was disabled is not sent.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set; 0 means all streams (save, load, default). On the
+ *   3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
+ *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25,
+ *   3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35,
+ *   3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
+ *   mip_3dm_legacy_data_stream. On the 3DM-GX5-15: values of enum mip_3dm_legacy_data_stream; only
+ *   MIP_3DM_LEGACY_DATA_STREAM_IMU and MIP_3DM_LEGACY_DATA_STREAM_FILTER.
+ * - enable: True if the stream is sent. Default: true. Required for write. The stream starts with
+ *   current data. What was measured while it was disabled is not sent.
+ */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -1892,6 +1967,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_wr
     command->enable = mip_truth(enable);
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -1910,6 +1986,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_re
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -1928,6 +2005,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_sa
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -1946,6 +2024,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_lo
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -2012,6 +2091,7 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_response_codec, value, builder);
 }
+
 /**
  * Raw RTCM 2.3 message: command (0x0C,0x20).
  *
@@ -2054,11 +2134,13 @@ static inline mip_error mip_3dm_raw_rtcm_2_3_message_decode(
 MIP_CHECKED static inline mip_error mip_3dm_raw_rtcm_2_3_message_encode(
     const struct mip_3dm_raw_rtcm_2_3_message *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_raw_rtcm_2_3_message_codec, value, builder);
-} /**
-   * Raw RTCM 2.3 message. Fills the structure and returns its address.
-   *
-   * - data_: Bytes of the RTCM stream.
-   */
+}
+
+/**
+ * Raw RTCM 2.3 message. Fills the structure and returns its address.
+ *
+ * - data_: Bytes of the RTCM stream.
+ */
 static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_make(
     struct mip_3dm_raw_rtcm_2_3_message *command, uint8_t data__count, const uint8_t data_[]) {
     memset(command, 0, sizeof(*command));
@@ -2138,15 +2220,17 @@ static inline mip_error mip_3dm_constellation_settings_decode(
 MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_encode(
     const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - max_channels: Maximum number of tracking channels in use; at most the number that the
-   * response reports as available. Unit: 1. Required for write.
-   * - config_count: Number of entries. The number of elements of settings. Range: 0 to 41. Required
-   *   for write.
-   * - settings: One entry for each constellation. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - max_channels: Maximum number of tracking channels in use; at most the number that the response
+ *   reports as available. Unit: 1. Required for write.
+ * - config_count: Number of entries. The number of elements of settings. Range: 0 to 41. Required
+ *   for write.
+ * - settings: One entry for each constellation. Required for write.
+ */
 static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_settings_write(
     struct mip_3dm_constellation_settings *command, uint16_t max_channels, uint8_t config_count,
     const struct mip_3dm_constellation_settings_entry settings[]) {
@@ -2158,6 +2242,7 @@ static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_setti
              mip_counted(config_count, settings, sizeof(settings[0])));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_read(struct mip_3dm_constellation_settings *command) {
@@ -2165,6 +2250,7 @@ mip_3dm_constellation_settings_read(struct mip_3dm_constellation_settings *comma
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_save(struct mip_3dm_constellation_settings *command) {
@@ -2172,6 +2258,7 @@ mip_3dm_constellation_settings_save(struct mip_3dm_constellation_settings *comma
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_load(struct mip_3dm_constellation_settings *command) {
@@ -2179,6 +2266,7 @@ mip_3dm_constellation_settings_load(struct mip_3dm_constellation_settings *comma
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *command) {
@@ -2230,6 +2318,7 @@ MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_enco
     const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_response_codec, value, builder);
 }
+
 /**
  * GNSS SBAS Settings: command (0x0C,0x22).
  *
@@ -2287,17 +2376,19 @@ static inline mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sb
 MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_encode(
     const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
-   *   default 1.
-   * - sbas_options: Purposes of SBAS. Required for write. On the 3DM-GX5-35: default
-   *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
-   * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
-   *   included_prns. Required for write.
-   * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
+ *   default 1.
+ * - sbas_options: Purposes of SBAS. Required for write. On the 3DM-GX5-35: default
+ *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
+ * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
+ *   included_prns. Required for write.
+ * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
+ */
 static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_write(
     struct mip_3dm_gnss_sbas_settings *command, uint8_t enable_sbas,
     mip_3dm_sbas_options sbas_options, uint8_t num_included_prns, const uint16_t included_prns[]) {
@@ -2310,6 +2401,7 @@ static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_writ
              mip_counted(num_included_prns, included_prns, sizeof(included_prns[0])));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_read(struct mip_3dm_gnss_sbas_settings *command) {
@@ -2317,6 +2409,7 @@ mip_3dm_gnss_sbas_settings_read(struct mip_3dm_gnss_sbas_settings *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_save(struct mip_3dm_gnss_sbas_settings *command) {
@@ -2324,6 +2417,7 @@ mip_3dm_gnss_sbas_settings_save(struct mip_3dm_gnss_sbas_settings *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_load(struct mip_3dm_gnss_sbas_settings *command) {
@@ -2331,6 +2425,7 @@ mip_3dm_gnss_sbas_settings_load(struct mip_3dm_gnss_sbas_settings *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
@@ -2379,6 +2474,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_response_codec, value, builder);
 }
+
 /**
  * GNSS Assisted Fix: command (0x0C,0x23).
  *
@@ -2438,13 +2534,15 @@ static inline mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_ass
 MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_encode(
     const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - option: Storage of data for a faster first fix. A value of enum mip_3dm_assisted_fix_option.
-   *   Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
-   *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - option: Storage of data for a faster first fix. A value of enum mip_3dm_assisted_fix_option.
+ *   Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
+ *   MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+ */
 static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     struct mip_3dm_gnss_assisted_fix *command, enum mip_3dm_assisted_fix_option option) {
     memset(command, 0, sizeof(*command));
@@ -2453,6 +2551,7 @@ static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     command->flags = 255;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
@@ -2461,6 +2560,7 @@ mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_save(struct mip_3dm_gnss_assisted_fix *command) {
@@ -2469,6 +2569,7 @@ mip_3dm_gnss_assisted_fix_save(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_load(struct mip_3dm_gnss_assisted_fix *command) {
@@ -2477,6 +2578,7 @@ mip_3dm_gnss_assisted_fix_load(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
@@ -2526,6 +2628,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
     const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_response_codec, value, builder);
 }
+
 /**
  * GNSS Time Assistance: command (0x0C,0x24).
  *
@@ -2576,14 +2679,16 @@ static inline mip_error mip_3dm_gnss_time_assistance_decode(
 MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_encode(
     const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
-   * - week_number: GPS week number since 1980. Unit: week. Required for write.
-   * - accuracy: Estimated accuracy of the time that is sent. Unit: s. Range: at least 0. Required
-   * for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800. Required for write.
+ * - week_number: GPS week number since 1980. Unit: week. Required for write.
+ * - accuracy: Estimated accuracy of the time that is sent. Unit: s. Range: at least 0. Required for
+ *   write.
+ */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
                                    uint16_t week_number, float accuracy) {
@@ -2594,6 +2699,7 @@ mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command,
     command->accuracy = accuracy;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) {
@@ -2641,6 +2747,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode
     const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_response_codec, value, builder);
 }
+
 /**
  * PPS Source Control: command (0x0C,0x28).
  *
@@ -2696,16 +2803,18 @@ static inline mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_sou
 MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_encode(
     const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
-   *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
-   *   3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
-   *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
-   *   On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
-   *   MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the pulse. A value of enum mip_3dm_pps_source. Required for write. On the
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS,
+ *   3DM-GV7-AR and 3DM-GV7-INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
+ *   MIP_3DM_PPS_SOURCE_GENERATED. On the 3DM-CV7-GNSS/INS: default MIP_3DM_PPS_SOURCE_RECEIVER_1.
+ *   On the 3DM-GQ7-GNSS/INS: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_RECEIVER_1,
+ *   MIP_3DM_PPS_SOURCE_RECEIVER_2, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
+ */
 static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_write(
     struct mip_3dm_pps_source_control *command, enum mip_3dm_pps_source source) {
     memset(command, 0, sizeof(*command));
@@ -2713,6 +2822,7 @@ static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_writ
     command->source = (uint8_t)source;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_read(struct mip_3dm_pps_source_control *command) {
@@ -2720,6 +2830,7 @@ mip_3dm_pps_source_control_read(struct mip_3dm_pps_source_control *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_save(struct mip_3dm_pps_source_control *command) {
@@ -2727,6 +2838,7 @@ mip_3dm_pps_source_control_save(struct mip_3dm_pps_source_control *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_load(struct mip_3dm_pps_source_control *command) {
@@ -2734,6 +2846,7 @@ mip_3dm_pps_source_control_load(struct mip_3dm_pps_source_control *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
@@ -2777,6 +2890,7 @@ MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode(
     const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_response_codec, value, builder);
 }
+
 /**
  * Get Supported Events: command (0x0C,0x2A).
  *
@@ -2811,11 +2925,13 @@ static inline mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_even
 MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode(
     const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_codec, value, builder);
-} /**
-   * Get Supported Events. Fills the structure and returns its address.
-   *
-   * - query: Triggers or actions. A value of enum mip_3dm_event_support_query.
-   */
+}
+
+/**
+ * Get Supported Events. Fills the structure and returns its address.
+ *
+ * - query: Triggers or actions. A value of enum mip_3dm_event_support_query.
+ */
 static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
     struct mip_3dm_get_event_support *command, enum mip_3dm_event_support_query query) {
     memset(command, 0, sizeof(*command));
@@ -2867,6 +2983,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_support_response_encode(
     const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_response_codec, value, builder);
 }
+
 /**
  * Event Control: command (0x0C,0x2B).
  *
@@ -2918,13 +3035,15 @@ static inline mip_error mip_3dm_event_control_decode(struct mip_3dm_event_contro
 MIP_CHECKED static inline mip_error mip_3dm_event_control_encode(
     const struct mip_3dm_event_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - instance: Trigger instance; 0 means all configured triggers, except for read.
-   * - mode: New mode. A value of enum mip_event_trigger_mode. Default:
-   *   MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all configured triggers, except for read.
+ * - mode: New mode. A value of enum mip_event_trigger_mode. Default:
+ *   MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write.
+ */
 static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     struct mip_3dm_event_control *command, uint8_t instance, enum mip_event_trigger_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -2933,6 +3052,7 @@ static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -2945,6 +3065,7 @@ mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -2957,6 +3078,7 @@ mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -2969,6 +3091,7 @@ mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -3021,6 +3144,7 @@ MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode(
     const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_response_codec, value, builder);
 }
+
 /**
  * Get Event Trigger Status: command (0x0C,0x2C).
  *
@@ -3061,13 +3185,15 @@ static inline mip_error mip_3dm_get_event_trigger_status_decode(
 MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
-} /**
-   * Get Event Trigger Status. Fills the structure and returns its address.
-   *
-   * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements
-   * of requested_instances.
-   * - requested_instances: Numbers of the triggers to report; none for all.
-   */
+}
+
+/**
+ * Get Event Trigger Status. Fills the structure and returns its address.
+ *
+ * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements of
+ *   requested_instances.
+ * - requested_instances: Numbers of the triggers to report; none for all.
+ */
 static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger_status_make(
     struct mip_3dm_get_event_trigger_status *command, uint8_t requested_count,
     const uint8_t requested_instances[]) {
@@ -3115,6 +3241,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_response_en
     const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_response_codec, value, builder);
 }
+
 /**
  * Get Event Action Status: command (0x0C,0x2D).
  *
@@ -3155,13 +3282,15 @@ static inline mip_error mip_3dm_get_event_action_status_decode(
 MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
-} /**
-   * Get Event Action Status. Fills the structure and returns its address.
-   *
-   * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
-   *   requested_instances.
-   * - requested_instances: Numbers of the actions to report; none for all.
-   */
+}
+
+/**
+ * Get Event Action Status. Fills the structure and returns its address.
+ *
+ * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
+ *   requested_instances.
+ * - requested_instances: Numbers of the actions to report; none for all.
+ */
 static inline struct mip_3dm_get_event_action_status *
 mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *command,
                                      uint8_t requested_count, const uint8_t requested_instances[]) {
@@ -3209,6 +3338,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_response_enc
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_response_codec, value, builder);
 }
+
 /** The member of mip_3dm_event_trigger_config that `type` selects. */
 union mip_3dm_event_trigger_config_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
@@ -3282,15 +3412,17 @@ static inline mip_error mip_3dm_event_trigger_config_decode(
 MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_encode(
     const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - instance: Trigger instance; 0 means all (save, load, default).
-   * - type: Kind of trigger. A value of enum mip_event_trigger_type. Default:
-   *   MIP_EVENT_TRIGGER_TYPE_NONE. Required for write.
-   * - parameters: The condition. Selected by type. Required for write. Empty if type is
-   *   MIP_EVENT_TRIGGER_TYPE_NONE.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - instance: Trigger instance; 0 means all (save, load, default).
+ * - type: Kind of trigger. A value of enum mip_event_trigger_type. Default:
+ *   MIP_EVENT_TRIGGER_TYPE_NONE. Required for write.
+ * - parameters: The condition. Selected by type. Required for write. Empty if type is
+ *   MIP_EVENT_TRIGGER_TYPE_NONE.
+ */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_write(
     struct mip_3dm_event_trigger_config *command, uint8_t instance,
     enum mip_event_trigger_type type,
@@ -3304,6 +3436,7 @@ static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_
     }
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -3316,6 +3449,7 @@ mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -3328,6 +3462,7 @@ mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -3340,6 +3475,7 @@ mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -3411,6 +3547,7 @@ MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_response_encode
     const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_response_codec, value, builder);
 }
+
 /** The member of mip_3dm_event_action_config that `type` selects. */
 union mip_3dm_event_action_config_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
@@ -3481,16 +3618,18 @@ static inline mip_error mip_3dm_event_action_config_decode(
 MIP_CHECKED static inline mip_error mip_3dm_event_action_config_encode(
     const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - instance: Action instance; 0 means all (save, load, default).
-   * - trigger: Trigger instance that the action follows. Required for write.
-   * - type: Kind of action. A value of enum mip_event_action_type. Default:
-   *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
-   * - parameters: Effect of the action. Selected by type. Required for write. Empty if type is
-   *   MIP_EVENT_ACTION_TYPE_NONE.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - instance: Action instance; 0 means all (save, load, default).
+ * - trigger: Trigger instance that the action follows. Required for write.
+ * - type: Kind of action. A value of enum mip_event_action_type. Default:
+ *   MIP_EVENT_ACTION_TYPE_NONE. Required for write.
+ * - parameters: Effect of the action. Selected by type. Required for write. Empty if type is
+ *   MIP_EVENT_ACTION_TYPE_NONE.
+ */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, uint8_t instance,
                                   uint8_t trigger, enum mip_event_action_type type,
@@ -3505,6 +3644,7 @@ mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, u
     }
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -3517,6 +3657,7 @@ mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -3529,6 +3670,7 @@ mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -3541,6 +3683,7 @@ mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -3606,6 +3749,7 @@ MIP_CHECKED static inline mip_error mip_3dm_event_action_config_response_encode(
     const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_response_codec, value, builder);
 }
+
 /**
  * Device Start Up Settings: command (0x0C,0x30).
  *
@@ -3647,14 +3791,16 @@ static inline mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_set
 MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode(
     const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_settings_codec, value, builder);
-} /** Save the current setting to non-volatile memory. Fills the structure and returns its address.
-   */
+}
+
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_save(struct mip_3dm_device_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_load(struct mip_3dm_device_settings *command) {
@@ -3662,6 +3808,7 @@ mip_3dm_device_settings_load(struct mip_3dm_device_settings *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
@@ -3735,13 +3882,15 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - roll: Rotation about the x axis. Unit: rad. Required for write.
-   * - pitch: Rotation about the y axis. Unit: rad. Required for write.
-   * - yaw: Rotation about the z axis. Unit: rad. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - roll: Rotation about the x axis. Unit: rad. Required for write.
+ * - pitch: Rotation about the y axis. Unit: rad. Required for write.
+ * - yaw: Rotation about the z axis. Unit: rad. Required for write.
+ */
 static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
 mip_3dm_sensor_to_vehicle_transform_euler_write(
     struct mip_3dm_sensor_to_vehicle_transform_euler *command, float roll, float pitch, float yaw) {
@@ -3752,6 +3901,7 @@ mip_3dm_sensor_to_vehicle_transform_euler_write(
     command->yaw = yaw;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
 mip_3dm_sensor_to_vehicle_transform_euler_read(
@@ -3760,6 +3910,7 @@ mip_3dm_sensor_to_vehicle_transform_euler_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
 mip_3dm_sensor_to_vehicle_transform_euler_save(
@@ -3768,6 +3919,7 @@ mip_3dm_sensor_to_vehicle_transform_euler_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
 mip_3dm_sensor_to_vehicle_transform_euler_load(
@@ -3776,6 +3928,7 @@ mip_3dm_sensor_to_vehicle_transform_euler_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
 mip_3dm_sensor_to_vehicle_transform_euler_default(
@@ -3827,6 +3980,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_re
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_response_codec, value, builder);
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
  *
@@ -3889,12 +4043,14 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaterni
     const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
-   *   Elements: w, x, y, z. Unit: 1. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - q: Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
+ *   Elements: w, x, y, z. Unit: 1. Required for write.
+ */
 static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
 mip_3dm_sensor_to_vehicle_transform_quaternion_write(
     struct mip_3dm_sensor_to_vehicle_transform_quaternion *command, const float q[4]) {
@@ -3903,6 +4059,7 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_write(
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
 mip_3dm_sensor_to_vehicle_transform_quaternion_read(
@@ -3911,6 +4068,7 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
 mip_3dm_sensor_to_vehicle_transform_quaternion_save(
@@ -3919,6 +4077,7 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
 mip_3dm_sensor_to_vehicle_transform_quaternion_load(
@@ -3927,6 +4086,7 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
 mip_3dm_sensor_to_vehicle_transform_quaternion_default(
@@ -3978,6 +4138,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaterni
     return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, value,
                       builder);
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
  *
@@ -4038,12 +4199,14 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-   *   Unit: 1. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - dcm: The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+ *   Unit: 1. Required for write.
+ */
 static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
 mip_3dm_sensor_to_vehicle_transform_dcm_write(
     struct mip_3dm_sensor_to_vehicle_transform_dcm *command, const float dcm[9]) {
@@ -4052,6 +4215,7 @@ mip_3dm_sensor_to_vehicle_transform_dcm_write(
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
 mip_3dm_sensor_to_vehicle_transform_dcm_read(
@@ -4060,6 +4224,7 @@ mip_3dm_sensor_to_vehicle_transform_dcm_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
 mip_3dm_sensor_to_vehicle_transform_dcm_save(
@@ -4068,6 +4233,7 @@ mip_3dm_sensor_to_vehicle_transform_dcm_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
 mip_3dm_sensor_to_vehicle_transform_dcm_load(
@@ -4076,6 +4242,7 @@ mip_3dm_sensor_to_vehicle_transform_dcm_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
 mip_3dm_sensor_to_vehicle_transform_dcm_default(
@@ -4125,6 +4292,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_resp
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, value, builder);
 }
+
 /**
  * GPS dynamics mode: command (0x0C,0x34).
  *
@@ -4171,11 +4339,13 @@ static inline mip_error mip_3dm_gps_dynamics_mode_decode(struct mip_3dm_gps_dyna
 MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_encode(
     const struct mip_3dm_gps_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - mode: Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: Assumed dynamics. A value of enum mip_3dm_receiver_dynamics. Required for write.
+ */
 static inline struct mip_3dm_gps_dynamics_mode *mip_3dm_gps_dynamics_mode_write(
     struct mip_3dm_gps_dynamics_mode *command, enum mip_3dm_receiver_dynamics mode) {
     memset(command, 0, sizeof(*command));
@@ -4183,6 +4353,7 @@ static inline struct mip_3dm_gps_dynamics_mode *mip_3dm_gps_dynamics_mode_write(
     command->mode = (uint8_t)mode;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gps_dynamics_mode *
 mip_3dm_gps_dynamics_mode_read(struct mip_3dm_gps_dynamics_mode *command) {
@@ -4190,6 +4361,7 @@ mip_3dm_gps_dynamics_mode_read(struct mip_3dm_gps_dynamics_mode *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gps_dynamics_mode *
 mip_3dm_gps_dynamics_mode_save(struct mip_3dm_gps_dynamics_mode *command) {
@@ -4197,6 +4369,7 @@ mip_3dm_gps_dynamics_mode_save(struct mip_3dm_gps_dynamics_mode *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gps_dynamics_mode *
 mip_3dm_gps_dynamics_mode_load(struct mip_3dm_gps_dynamics_mode *command) {
@@ -4204,6 +4377,7 @@ mip_3dm_gps_dynamics_mode_load(struct mip_3dm_gps_dynamics_mode *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gps_dynamics_mode *
 mip_3dm_gps_dynamics_mode_default(struct mip_3dm_gps_dynamics_mode *command) {
@@ -4248,6 +4422,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
     const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_response_codec, value, builder);
 }
+
 /**
  * IMU signal conditioning: command (0x0C,0x35).
  *
@@ -4334,23 +4509,25 @@ static inline mip_error mip_3dm_imu_signal_conditioning_decode(
 MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_encode(
     const struct mip_3dm_imu_signal_conditioning *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - orientation_decimation: Divisor of 1000 Hz that sets the rate at which the orientation is
-   *   computed. Unit: 1. Range: 1 to 1000. Required for write.
-   * - data_conditioning_flags: Processing steps. Default: 3. Required for write.
-   * - inertial_filter_width: Width of the accelerometer and gyroscope filter in samples. Unit: 1.
-   *   Range: 1 to 32. Default: 15. Required for write.
-   * - mag_filter_width: Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32.
-   *   Default: 17. Required for write.
-   * - up_compensation: Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000.
-   *   Default: 10. Required for write.
-   * - north_compensation: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
-   *   Default: 10. Required for write.
-   * - mag_bandwidth: Bandwidth of the magnetometer of 3-series devices. A value of enum
-   *   mip_3dm_mag_bandwidth. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - orientation_decimation: Divisor of 1000 Hz that sets the rate at which the orientation is
+ *   computed. Unit: 1. Range: 1 to 1000. Required for write.
+ * - data_conditioning_flags: Processing steps. Default: 3. Required for write.
+ * - inertial_filter_width: Width of the accelerometer and gyroscope filter in samples. Unit: 1.
+ *   Range: 1 to 32. Default: 15. Required for write.
+ * - mag_filter_width: Width of the magnetometer filter in samples. Unit: 1. Range: 1 to 32.
+ *   Default: 17. Required for write.
+ * - up_compensation: Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000.
+ *   Default: 10. Required for write.
+ * - north_compensation: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
+ *   Default: 10. Required for write.
+ * - mag_bandwidth: Bandwidth of the magnetometer of 3-series devices. A value of enum
+ *   mip_3dm_mag_bandwidth. Required for write.
+ */
 static inline struct mip_3dm_imu_signal_conditioning *mip_3dm_imu_signal_conditioning_write(
     struct mip_3dm_imu_signal_conditioning *command, uint16_t orientation_decimation,
     mip_3dm_data_conditioning_flags data_conditioning_flags, uint8_t inertial_filter_width,
@@ -4367,6 +4544,7 @@ static inline struct mip_3dm_imu_signal_conditioning *mip_3dm_imu_signal_conditi
     command->mag_bandwidth = (uint8_t)mag_bandwidth;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_signal_conditioning *
 mip_3dm_imu_signal_conditioning_read(struct mip_3dm_imu_signal_conditioning *command) {
@@ -4374,6 +4552,7 @@ mip_3dm_imu_signal_conditioning_read(struct mip_3dm_imu_signal_conditioning *com
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_signal_conditioning *
 mip_3dm_imu_signal_conditioning_save(struct mip_3dm_imu_signal_conditioning *command) {
@@ -4381,6 +4560,7 @@ mip_3dm_imu_signal_conditioning_save(struct mip_3dm_imu_signal_conditioning *com
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_signal_conditioning *
 mip_3dm_imu_signal_conditioning_load(struct mip_3dm_imu_signal_conditioning *command) {
@@ -4388,6 +4568,7 @@ mip_3dm_imu_signal_conditioning_load(struct mip_3dm_imu_signal_conditioning *com
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_signal_conditioning *
 mip_3dm_imu_signal_conditioning_default(struct mip_3dm_imu_signal_conditioning *command) {
@@ -4452,6 +4633,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_enc
     const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_response_codec, value, builder);
 }
+
 /**
  * IMU timestamp: command (0x0C,0x36).
  *
@@ -4498,12 +4680,14 @@ static inline mip_error mip_3dm_imu_timestamp_decode(struct mip_3dm_imu_timestam
 MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_encode(
     const struct mip_3dm_imu_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
-   * - time: Value of the counter, in the unit that `selector` states. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
+ * - time: Value of the counter, in the unit that `selector` states. Required for write.
+ */
 static inline struct mip_3dm_imu_timestamp *
 mip_3dm_imu_timestamp_write(struct mip_3dm_imu_timestamp *command,
                             enum mip_3dm_imu_timestamp_selector selector, uint32_t time) {
@@ -4513,6 +4697,7 @@ mip_3dm_imu_timestamp_write(struct mip_3dm_imu_timestamp *command,
     command->time = time;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -4563,6 +4748,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode(
     const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_response_codec, value, builder);
 }
+
 /**
  * Accelerometer Bias Configuration: command (0x0C,0x37).
  *
@@ -4612,12 +4798,14 @@ static inline mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *val
 MIP_CHECKED static inline mip_error
 mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
-   *   g. Frame: sensor. Required for write and apply.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - bias: Bias that the device subtracts from the measured acceleration. Elements: x, y, z. Unit:
+ *   g. Frame: sensor. Required for write and apply.
+ */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4625,6 +4813,7 @@ mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_read(struct mip_3dm_accel_bias *command) {
@@ -4632,6 +4821,7 @@ mip_3dm_accel_bias_read(struct mip_3dm_accel_bias *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_save(struct mip_3dm_accel_bias *command) {
@@ -4639,6 +4829,7 @@ mip_3dm_accel_bias_save(struct mip_3dm_accel_bias *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_load(struct mip_3dm_accel_bias *command) {
@@ -4646,6 +4837,7 @@ mip_3dm_accel_bias_load(struct mip_3dm_accel_bias *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
@@ -4653,6 +4845,7 @@ mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
@@ -4706,6 +4899,7 @@ MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
     const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_response_codec, value, builder);
 }
+
 /**
  * Gyroscope Bias Configuration: command (0x0C,0x38).
  *
@@ -4757,12 +4951,14 @@ static inline mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value
 MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
-   *   rad/s. Frame: sensor. Required for write and apply.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - bias: Bias that the device subtracts from the measured angular rate. Elements: x, y, z. Unit:
+ *   rad/s. Frame: sensor. Required for write and apply.
+ */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4770,24 +4966,28 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_g
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_read(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_save(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_load(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *
 mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
@@ -4795,6 +4995,7 @@ mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
@@ -4851,6 +5052,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
     const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_response_codec, value, builder);
 }
+
 /**
  * Capture Gyroscope Bias: command (0x0C,0x39).
  *
@@ -4897,11 +5099,13 @@ static inline mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_
 MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode(
     const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_capture_gyro_bias_codec, value, builder);
-} /**
-   * Capture Gyroscope Bias. Fills the structure and returns its address.
-   *
-   * - averaging_time_ms: Time to average over. Unit: ms. Range: 1000 to 30000.
-   */
+}
+
+/**
+ * Capture Gyroscope Bias. Fills the structure and returns its address.
+ *
+ * - averaging_time_ms: Time to average over. Unit: ms. Range: 1000 to 30000.
+ */
 static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
     struct mip_3dm_capture_gyro_bias *command, uint16_t averaging_time_ms) {
     memset(command, 0, sizeof(*command));
@@ -4965,12 +5169,14 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_decode(
 MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
     const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
-   *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - offset: Offset that the device subtracts from the measured magnetic field. Elements: x, y, z.
+ *   Unit: gauss. Frame: sensor. Required for write and apply. On the 3DM-GX5-45: default 0, 0, 0.
+ */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_write(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -4978,6 +5184,7 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_read(struct mip_3dm_mag_hard_iron_offset *command) {
@@ -4985,6 +5192,7 @@ mip_3dm_mag_hard_iron_offset_read(struct mip_3dm_mag_hard_iron_offset *command) 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_save(struct mip_3dm_mag_hard_iron_offset *command) {
@@ -4992,6 +5200,7 @@ mip_3dm_mag_hard_iron_offset_save(struct mip_3dm_mag_hard_iron_offset *command) 
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_load(struct mip_3dm_mag_hard_iron_offset *command) {
@@ -4999,6 +5208,7 @@ mip_3dm_mag_hard_iron_offset_load(struct mip_3dm_mag_hard_iron_offset *command) 
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *command) {
@@ -5006,6 +5216,7 @@ mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *comman
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
@@ -5060,6 +5271,7 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode
     const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_response_codec, value, builder);
 }
+
 /**
  * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
  *
@@ -5116,12 +5328,14 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_decode(
 MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
     const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31,
-   * m32, m33. Unit: 1. Frame: sensor. Required for write and apply.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - matrix: Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
+ *   m33. Unit: 1. Frame: sensor. Required for write and apply.
+ */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_write(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
     memset(command, 0, sizeof(*command));
@@ -5129,6 +5343,7 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
     memcpy(command->matrix, matrix, sizeof(command->matrix));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_read(struct mip_3dm_mag_soft_iron_matrix *command) {
@@ -5136,6 +5351,7 @@ mip_3dm_mag_soft_iron_matrix_read(struct mip_3dm_mag_soft_iron_matrix *command) 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_save(struct mip_3dm_mag_soft_iron_matrix *command) {
@@ -5143,6 +5359,7 @@ mip_3dm_mag_soft_iron_matrix_save(struct mip_3dm_mag_soft_iron_matrix *command) 
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_load(struct mip_3dm_mag_soft_iron_matrix *command) {
@@ -5150,6 +5367,7 @@ mip_3dm_mag_soft_iron_matrix_load(struct mip_3dm_mag_soft_iron_matrix *command) 
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *command) {
@@ -5157,6 +5375,7 @@ mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *comman
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
@@ -5211,6 +5430,7 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode
     const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, builder);
 }
+
 /**
  * Coning and Sculling Enable: command (0x0C,0x3E).
  *
@@ -5255,11 +5475,13 @@ static inline mip_error mip_3dm_coning_sculling_enable_decode(
 MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_encode(
     const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: True if the compensation is on. Default: true. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: True if the compensation is on. Default: true. Required for write.
+ */
 static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_enable_write(
     struct mip_3dm_coning_sculling_enable *command, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -5267,6 +5489,7 @@ static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_ena
     command->enable = mip_truth(enable);
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_read(struct mip_3dm_coning_sculling_enable *command) {
@@ -5274,6 +5497,7 @@ mip_3dm_coning_sculling_enable_read(struct mip_3dm_coning_sculling_enable *comma
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_save(struct mip_3dm_coning_sculling_enable *command) {
@@ -5281,6 +5505,7 @@ mip_3dm_coning_sculling_enable_save(struct mip_3dm_coning_sculling_enable *comma
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_load(struct mip_3dm_coning_sculling_enable *command) {
@@ -5288,6 +5513,7 @@ mip_3dm_coning_sculling_enable_load(struct mip_3dm_coning_sculling_enable *comma
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *command) {
@@ -5331,6 +5557,7 @@ MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_enco
     const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_response_codec, value, builder);
 }
+
 /**
  * UART Baud Rate: command (0x0C,0x40).
  *
@@ -5385,12 +5612,14 @@ static inline mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_r
 MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_encode(
     const struct mip_3dm_uart_baud_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - baud: Baud rate, one of those that the port supports. Unit: Bd. Required for write. On the
-   *   3DM-GX5-15 and 3DM-GX5-45: default 115200.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - baud: Baud rate, one of those that the port supports. Unit: Bd. Required for write. On the
+ *   3DM-GX5-15 and 3DM-GX5-45: default 115200.
+ */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -5398,6 +5627,7 @@ mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t ba
     command->baud = baud;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_read(struct mip_3dm_uart_baud_rate *command) {
@@ -5405,6 +5635,7 @@ mip_3dm_uart_baud_rate_read(struct mip_3dm_uart_baud_rate *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_save(struct mip_3dm_uart_baud_rate *command) {
@@ -5412,6 +5643,7 @@ mip_3dm_uart_baud_rate_save(struct mip_3dm_uart_baud_rate *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_load(struct mip_3dm_uart_baud_rate *command) {
@@ -5419,6 +5651,7 @@ mip_3dm_uart_baud_rate_load(struct mip_3dm_uart_baud_rate *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
@@ -5463,6 +5696,7 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
     const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_response_codec, value, builder);
 }
+
 /**
  * GPIO Configuration: command (0x0C,0x41).
  *
@@ -5535,21 +5769,23 @@ static inline mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *v
 MIP_CHECKED static inline mip_error
 mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
-   * - feature: Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED.
-   *   Required for write.
-   * - behavior: Role of the pin within the feature; 0 if the feature has no roles. Required for
-   *   write. If feature is MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If
-   *   feature is MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is
-   *   MIP_GPIO_FEATURE_PPS: values of enum mip_gpio_pps_behavior. If feature is
-   *   MIP_GPIO_FEATURE_ENCODER: values of enum mip_gpio_encoder_behavior. If feature is
-   *   MIP_GPIO_FEATURE_TIMESTAMP: values of enum mip_gpio_timestamp_behavior. If feature is
-   *   MIP_GPIO_FEATURE_UART: values of enum mip_gpio_uart_behavior.
-   * - pin_mode: Electrical options. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - pin: GPIO pin, counted from 1; 0 means all pins (save, load, default).
+ * - feature: Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED.
+ *   Required for write.
+ * - behavior: Role of the pin within the feature; 0 if the feature has no roles. Required for
+ *   write. If feature is MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If
+ *   feature is MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is
+ *   MIP_GPIO_FEATURE_PPS: values of enum mip_gpio_pps_behavior. If feature is
+ *   MIP_GPIO_FEATURE_ENCODER: values of enum mip_gpio_encoder_behavior. If feature is
+ *   MIP_GPIO_FEATURE_TIMESTAMP: values of enum mip_gpio_timestamp_behavior. If feature is
+ *   MIP_GPIO_FEATURE_UART: values of enum mip_gpio_uart_behavior.
+ * - pin_mode: Electrical options. Required for write.
+ */
 static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     struct mip_3dm_gpio_config *command, uint8_t pin, enum mip_gpio_feature feature,
     uint8_t behavior, mip_gpio_pin_mode pin_mode) {
@@ -5561,6 +5797,7 @@ static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     command->pin_mode = pin_mode;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -5573,6 +5810,7 @@ mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -5585,6 +5823,7 @@ mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -5597,6 +5836,7 @@ mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -5657,6 +5897,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode(
     const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_response_codec, value, builder);
 }
+
 /**
  * GPIO State: command (0x0C,0x42).
  *
@@ -5711,12 +5952,14 @@ static inline mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *val
 MIP_CHECKED static inline mip_error
 mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - pin: GPIO pin, counted from 1. Range: at least 1.
-   * - state: True is high. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - pin: GPIO pin, counted from 1. Range: at least 1.
+ * - state: True is high. Required for write.
+ */
 static inline struct mip_3dm_gpio_state *
 mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bool state) {
     memset(command, 0, sizeof(*command));
@@ -5725,6 +5968,7 @@ mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bo
     command->state = mip_truth(state);
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -5773,6 +6017,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode(
     const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_response_codec, value, builder);
 }
+
 /**
  * Odometer Configuration: command (0x0C,0x43).
  *
@@ -5826,16 +6071,18 @@ static inline mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_c
 MIP_CHECKED static inline mip_error mip_3dm_odometer_config_encode(
     const struct mip_3dm_odometer_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - mode: Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write.
-   * - scaling: Pulses per distance travelled; negative if the encoder rotates backwards. Unit:
-   *   pulse/m. Required for write. Pulses on line A per turn of the wheel, divided by the
-   *   circumference of the wheel.
-   * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0.
-   * Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: Operation of the input. A value of enum mip_3dm_odometer_mode. Required for write.
+ * - scaling: Pulses per distance travelled; negative if the encoder rotates backwards. Unit:
+ *   pulse/m. Required for write. Pulses on line A per turn of the wheel, divided by the
+ *   circumference of the wheel.
+ * - uncertainty: Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0. Required
+ *   for write.
+ */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
                               enum mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
@@ -5846,6 +6093,7 @@ mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
     command->uncertainty = uncertainty;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_read(struct mip_3dm_odometer_config *command) {
@@ -5853,6 +6101,7 @@ mip_3dm_odometer_config_read(struct mip_3dm_odometer_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_save(struct mip_3dm_odometer_config *command) {
@@ -5860,6 +6109,7 @@ mip_3dm_odometer_config_save(struct mip_3dm_odometer_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_load(struct mip_3dm_odometer_config *command) {
@@ -5867,6 +6117,7 @@ mip_3dm_odometer_config_load(struct mip_3dm_odometer_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_default(struct mip_3dm_odometer_config *command) {
@@ -5917,6 +6168,7 @@ MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
     const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_response_codec, value, builder);
 }
+
 /**
  * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
  *
@@ -5989,19 +6241,21 @@ static inline mip_error mip_3dm_imu_low_pass_filter_decode(
 MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_encode(
     const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
-   *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
-   *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
-   *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
-   * - enable: True if the quantity is filtered. Default: true. Required for write.
-   * - manual: True uses `frequency`; false uses half the rate of the message format. Default:
-   * false. Required for write.
-   * - frequency: Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for
-   *   write. On the 3DM-GX5-15: range at most 250.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - target_descriptor: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17. Refers to fields of MIP_SENSOR_SET. On the
+ *   3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular
+ *   rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
+ * - enable: True if the quantity is filtered. Default: true. Required for write.
+ * - manual: True uses `frequency`; false uses half the rate of the message format. Default: false.
+ *   Required for write.
+ * - frequency: Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. Required for
+ *   write. On the 3DM-GX5-15: range at most 250.
+ */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_write(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor, mip_bool enable,
     mip_bool manual, uint16_t frequency) {
@@ -6013,6 +6267,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_wr
     command->frequency = frequency;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -6028,6 +6283,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_re
     command->target_descriptor = target_descriptor;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -6043,6 +6299,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_sa
     command->target_descriptor = target_descriptor;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -6058,6 +6315,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_lo
     command->target_descriptor = target_descriptor;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -6122,6 +6380,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
     const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_response_codec, value, builder);
 }
+
 /**
  * Complementary Filter Configuration: command (0x0C,0x51).
  *
@@ -6197,19 +6456,21 @@ static inline mip_error mip_3dm_complementary_filter_decode(
 MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_encode(
     const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for
-   * write. On the 3DM-GX5-15: default true.
-   * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write.
-   * On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10:
-   * MSCL does not offer it. On the 3DM-GX5-15: default true.
-   * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1
-   * to 1000. Default: 10. Required for write.
-   * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
-   *   Default: 10. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for write.
+ *   On the 3DM-GX5-15: default true.
+ * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write. On
+ *   the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL
+ *   does not offer it. On the 3DM-GX5-15: default true.
+ * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1 to
+ *   1000. Default: 10. Required for write.
+ * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
+ *   Default: 10. Required for write.
+ */
 static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_write(
     struct mip_3dm_complementary_filter *command, mip_bool pitch_roll_enable,
     mip_bool heading_enable, float pitch_roll_time_constant, float heading_time_constant) {
@@ -6221,6 +6482,7 @@ static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_
     command->heading_time_constant = heading_time_constant;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_read(struct mip_3dm_complementary_filter *command) {
@@ -6228,6 +6490,7 @@ mip_3dm_complementary_filter_read(struct mip_3dm_complementary_filter *command) 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_save(struct mip_3dm_complementary_filter *command) {
@@ -6235,6 +6498,7 @@ mip_3dm_complementary_filter_save(struct mip_3dm_complementary_filter *command) 
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_load(struct mip_3dm_complementary_filter *command) {
@@ -6242,6 +6506,7 @@ mip_3dm_complementary_filter_load(struct mip_3dm_complementary_filter *command) 
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *command) {
@@ -6292,6 +6557,7 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode
     const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_response_codec, value, builder);
 }
+
 /**
  * Sensor Range: command (0x0C,0x52).
  *
@@ -6340,12 +6606,14 @@ static inline mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range 
 MIP_CHECKED static inline mip_error
 mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
-   * - setting: Number of the range. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - sensor: Sensor whose range is set or read. A value of enum mip_3dm_sensor_range_type.
+ * - setting: Number of the range. Required for write.
+ */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
     memset(command, 0, sizeof(*command));
@@ -6354,6 +6622,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     command->setting = setting;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -6366,6 +6635,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     command->sensor = (uint8_t)sensor;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -6378,6 +6648,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     command->sensor = (uint8_t)sensor;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -6390,6 +6661,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     command->sensor = (uint8_t)sensor;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -6439,6 +6711,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode(
     const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_response_codec, value, builder);
 }
+
 /**
  * Get Calibrated Sensor Ranges: command (0x0C,0x53).
  *
@@ -6475,11 +6748,13 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
 MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, builder);
-} /**
-   * Get Calibrated Sensor Ranges. Fills the structure and returns its address.
-   *
-   * - sensor: The sensor; not all. A value of enum mip_3dm_sensor_range_type.
-   */
+}
+
+/**
+ * Get Calibrated Sensor Ranges. Fills the structure and returns its address.
+ *
+ * - sensor: The sensor; not all. A value of enum mip_3dm_sensor_range_type.
+ */
 static inline struct mip_3dm_get_calibrated_sensor_ranges *
 mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_ranges *command,
                                           enum mip_3dm_sensor_range_type sensor) {
@@ -6534,6 +6809,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, builder);
 }
+
 /**
  * Low-Pass Anti-Aliasing Filter: command (0x0C,0x54).
  *
@@ -6597,17 +6873,19 @@ static inline mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_f
 MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_encode(
     const struct mip_3dm_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - descriptor_set: Descriptor set of the field.
-   * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
-   * - enable: True if the field is filtered. Required for write.
-   * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
-   *   Required for write.
-   * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
-   *   Unit: Hz. Range: at least 0. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Descriptor set of the field.
+ * - field_descriptor: Field descriptor; 0 if the set is 0. Refers to fields of descriptor_set.
+ * - enable: True if the field is filtered. Required for write.
+ * - manual: True uses `frequency`; false uses half the rate of the field in the message format.
+ *   Required for write.
+ * - frequency: Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use.
+ *   Unit: Hz. Range: at least 0. Required for write.
+ */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor,
     mip_bool enable, mip_bool manual, float frequency) {
@@ -6620,6 +6898,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     command->frequency = frequency;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -6634,6 +6913,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     command->field_descriptor = field_descriptor;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -6648,6 +6928,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
     command->field_descriptor = field_descriptor;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -6662,6 +6943,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
     command->field_descriptor = field_descriptor;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -6720,6 +7002,7 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
     const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_response_codec, value, builder);
 }
+
 /**
  * Data stream format: command (0x0C,0x60).
  *
@@ -6771,12 +7054,14 @@ static inline mip_error mip_3dm_data_stream_format_decode(struct mip_3dm_data_st
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_encode(
     const struct mip_3dm_data_stream_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
-   * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - stream: Stream whose format is set or read. A value of enum mip_3dm_internal_sensor.
+ * - format: Format of a data stream. A value of enum mip_3dm_stream_format.
+ */
 static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_write(
     struct mip_3dm_data_stream_format *command, enum mip_3dm_internal_sensor stream,
     enum mip_3dm_stream_format format) {
@@ -6786,6 +7071,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_writ
     command->format = (uint8_t)format;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -6801,6 +7087,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_read
     command->format = (uint8_t)format;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -6816,6 +7103,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_save
     command->format = (uint8_t)format;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -6831,6 +7119,7 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_load
     command->format = (uint8_t)format;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -6885,6 +7174,7 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
     const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_response_codec, value, builder);
 }
+
 /**
  * Device power state: command (0x0C,0x61).
  *
@@ -6938,13 +7228,15 @@ static inline mip_error mip_3dm_device_power_state_decode(struct mip_3dm_device_
 MIP_CHECKED static inline mip_error mip_3dm_device_power_state_encode(
     const struct mip_3dm_device_power_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
-   * - state: Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state.
-   * Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - device_: The sensor. A value of enum mip_3dm_internal_sensor.
+ * - state: Power state of an internal sensor. A value of enum mip_3dm_sensor_power_state. Required
+ *   for write.
+ */
 static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_write(
     struct mip_3dm_device_power_state *command, enum mip_3dm_internal_sensor device_,
     enum mip_3dm_sensor_power_state state) {
@@ -6954,6 +7246,7 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_writ
     command->state = (uint8_t)state;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -6966,6 +7259,7 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_read
     command->device = (uint8_t)device_;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -6978,6 +7272,7 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_save
     command->device = (uint8_t)device_;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -6990,6 +7285,7 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_load
     command->device = (uint8_t)device_;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -7041,6 +7337,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
     const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_response_codec, value, builder);
 }
+
 /**
  * GPS advanced settings: command (0x0C,0x62).
  *
@@ -7082,14 +7379,16 @@ static inline mip_error mip_3dm_gps_advanced_settings_decode(
 MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode(
     const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_advanced_settings_codec, value, builder);
-} /** Save the current setting to non-volatile memory. Fills the structure and returns its address.
-   */
+}
+
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gps_advanced_settings *
 mip_3dm_gps_advanced_settings_save(struct mip_3dm_gps_advanced_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gps_advanced_settings *
 mip_3dm_gps_advanced_settings_load(struct mip_3dm_gps_advanced_settings *command) {
@@ -7097,6 +7396,7 @@ mip_3dm_gps_advanced_settings_load(struct mip_3dm_gps_advanced_settings *command
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gps_advanced_settings *
 mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *command) {
@@ -7159,14 +7459,15 @@ static inline mip_error mip_3dm_device_status_decode(struct mip_3dm_device_statu
 MIP_CHECKED static inline mip_error mip_3dm_device_status_encode(
     const struct mip_3dm_device_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_codec, value, builder);
-} /**
-   * Device Status. Fills the structure and returns its address.
-   *
-   * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
-   *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
-   * - status_selector: Level of detail of the reply. A value of enum
-   * mip_3dm_device_status_selector.
-   */
+}
+
+/**
+ * Device Status. Fills the structure and returns its address.
+ *
+ * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
+ *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
+ * - status_selector: Level of detail of the reply. A value of enum mip_3dm_device_status_selector.
+ */
 static inline struct mip_3dm_device_status *
 mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model_number,
                            enum mip_3dm_device_status_selector status_selector) {
@@ -7226,6 +7527,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_rq1_imu_response
     const struct mip_3dm_device_status_basic_rq1_imu_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_rq1_imu_response_codec, value, builder);
 }
+
 /**
  * Basic Device Status: response (0x0C,0x90).
  *
@@ -7283,6 +7585,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
     const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_response_codec, value, builder);
 }
+
 /**
  * Basic Device Status without a state: response (0x0C,0x90).
  *
@@ -7341,6 +7644,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_without_state_re
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_without_state_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status: response (0x0C,0x90).
  *
@@ -7420,6 +7724,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_en
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status with GNSS: response (0x0C,0x90).
  *
@@ -7520,6 +7825,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_respon
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-GQ4-45: response (0x0C,0x90).
  *
@@ -7625,6 +7931,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_resp
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-RQ1-45: response (0x0C,0x90).
  *
@@ -7730,6 +8037,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_resp
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25: response (0x0C,0x90).
  *
@@ -7825,6 +8133,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of an IMU: response (0x0C,0x90).
  *
@@ -7920,6 +8229,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the inertial sensor of the 3DM-GX4-45: response (0x0C,0x90).
  *
@@ -8015,6 +8325,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_res
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx4_imu_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the inertial sensor of the 3DM-RQ1-45: response (0x0C,0x90).
  *
@@ -8105,6 +8416,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_res
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_rq1_imu_response_codec, value, builder);
 }
+
 /**
  * Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
  *
@@ -8164,6 +8476,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_enc
     const struct mip_3dm_device_status_basic_gx3_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_gx3_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45: response (0x0C,0x90).
  *
@@ -8278,6 +8591,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx3_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx3_response_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

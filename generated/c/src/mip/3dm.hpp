@@ -452,6 +452,7 @@ struct imu_message_format_response_ : ::mip_3dm_imu_message_format_response {
         return {c_type::descriptors, c_type::num_descriptors};
     }
 };
+
 /** IMU Message Format response. See struct mip_3dm_imu_message_format_response. */
 using imu_message_format_response = imu_message_format_response_;
 
@@ -461,6 +462,7 @@ struct gnss_message_format_response_ : ::mip_3dm_gnss_message_format_response {
         return {c_type::descriptors, c_type::num_descriptors};
     }
 };
+
 /** GNSS Message Format response. See struct mip_3dm_gnss_message_format_response. */
 using gnss_message_format_response = gnss_message_format_response_;
 
@@ -470,6 +472,7 @@ struct filter_message_format_response_ : ::mip_3dm_filter_message_format_respons
         return {c_type::descriptors, c_type::num_descriptors};
     }
 };
+
 /** Estimation Filter Message Format response. See struct mip_3dm_filter_message_format_response. */
 using filter_message_format_response = filter_message_format_response_;
 
@@ -484,6 +487,7 @@ struct nmea_message_format_response_ : ::mip_3dm_nmea_message_format_response {
         return {c_type::format_entries, c_type::count};
     }
 };
+
 /** NMEA Message Format response. See struct mip_3dm_nmea_message_format_response. */
 using nmea_message_format_response = nmea_message_format_response_;
 
@@ -496,6 +500,7 @@ struct message_format_response_ : ::mip_3dm_message_format_response {
         return {c_type::descriptors, c_type::num_descriptors};
     }
 };
+
 /** Message Format response. See struct mip_3dm_message_format_response. */
 using message_format_response = message_format_response_;
 
@@ -508,6 +513,7 @@ struct constellation_settings_response_ : ::mip_3dm_constellation_settings_respo
         return {c_type::settings, c_type::config_count};
     }
 };
+
 /** Constellation Settings response. See struct mip_3dm_constellation_settings_response. */
 using constellation_settings_response = constellation_settings_response_;
 
@@ -520,6 +526,7 @@ struct gnss_sbas_settings_response_ : ::mip_3dm_gnss_sbas_settings_response {
         return {c_type::included_prns, c_type::num_included_prns};
     }
 };
+
 /** GNSS SBAS Settings response. See struct mip_3dm_gnss_sbas_settings_response. */
 using gnss_sbas_settings_response = gnss_sbas_settings_response_;
 
@@ -529,6 +536,7 @@ struct gnss_assisted_fix_response_ : ::mip_3dm_gnss_assisted_fix_response {
         return static_cast<::mip::mip_3dm::assisted_fix_option>(c_type::option);
     }
 };
+
 /** GNSS Assisted Fix response. See struct mip_3dm_gnss_assisted_fix_response. */
 using gnss_assisted_fix_response = gnss_assisted_fix_response_;
 
@@ -541,6 +549,7 @@ struct pps_source_control_response_ : ::mip_3dm_pps_source_control_response {
         return static_cast<::mip::mip_3dm::pps_source>(c_type::source);
     }
 };
+
 /** PPS Source Control response. See struct mip_3dm_pps_source_control_response. */
 using pps_source_control_response = pps_source_control_response_;
 
@@ -553,6 +562,7 @@ struct get_event_support_response_ : ::mip_3dm_get_event_support_response {
         return {c_type::entries, c_type::num_entries};
     }
 };
+
 /** Get Supported Events response. See struct mip_3dm_get_event_support_response. */
 using get_event_support_response = get_event_support_response_;
 
@@ -562,6 +572,7 @@ struct event_control_response_ : ::mip_3dm_event_control_response {
         return static_cast<::mip::event_trigger_mode>(c_type::mode);
     }
 };
+
 /** Event Control response. See struct mip_3dm_event_control_response. */
 using event_control_response = event_control_response_;
 
@@ -571,6 +582,7 @@ struct get_event_trigger_status_response_ : ::mip_3dm_get_event_trigger_status_r
         return {c_type::triggers, c_type::count};
     }
 };
+
 /** Get Event Trigger Status response. See struct mip_3dm_get_event_trigger_status_response. */
 using get_event_trigger_status_response = get_event_trigger_status_response_;
 
@@ -580,6 +592,7 @@ struct get_event_action_status_response_ : ::mip_3dm_get_event_action_status_res
         return {c_type::actions, c_type::count};
     }
 };
+
 /** Get Event Action Status response. See struct mip_3dm_get_event_action_status_response. */
 using get_event_action_status_response = get_event_action_status_response_;
 
@@ -589,6 +602,7 @@ struct event_trigger_config_response_ : ::mip_3dm_event_trigger_config_response 
         return static_cast<::mip::event_trigger_type>(c_type::type);
     }
 };
+
 /** Event Trigger Configuration response. See struct mip_3dm_event_trigger_config_response. */
 using event_trigger_config_response = event_trigger_config_response_;
 
@@ -598,6 +612,7 @@ struct event_action_config_response_ : ::mip_3dm_event_action_config_response {
         return static_cast<::mip::event_action_type>(c_type::type);
     }
 };
+
 /** Event Action Configuration response. See struct mip_3dm_event_action_config_response. */
 using event_action_config_response = event_action_config_response_;
 
@@ -627,6 +642,7 @@ struct gps_dynamics_mode_response_ : ::mip_3dm_gps_dynamics_mode_response {
         return static_cast<::mip::mip_3dm::receiver_dynamics>(c_type::mode);
     }
 };
+
 /** GPS dynamics mode response. See struct mip_3dm_gps_dynamics_mode_response. */
 using gps_dynamics_mode_response = gps_dynamics_mode_response_;
 
@@ -640,6 +656,7 @@ struct imu_signal_conditioning_response_ : ::mip_3dm_imu_signal_conditioning_res
         return static_cast<::mip::mip_3dm::mag_bandwidth>(c_type::mag_bandwidth);
     }
 };
+
 /** IMU signal conditioning response. See struct mip_3dm_imu_signal_conditioning_response. */
 using imu_signal_conditioning_response = imu_signal_conditioning_response_;
 
@@ -649,6 +666,7 @@ struct imu_timestamp_response_ : ::mip_3dm_imu_timestamp_response {
         return static_cast<::mip::mip_3dm::imu_timestamp_selector>(c_type::selector);
     }
 };
+
 /** IMU timestamp response. See struct mip_3dm_imu_timestamp_response. */
 using imu_timestamp_response = imu_timestamp_response_;
 
@@ -679,6 +697,7 @@ struct gpio_config_response_ : ::mip_3dm_gpio_config_response {
         return static_cast<::mip::gpio_pin_mode>(c_type::pin_mode);
     }
 };
+
 /** GPIO Configuration response. See struct mip_3dm_gpio_config_response. */
 using gpio_config_response = gpio_config_response_;
 
@@ -691,6 +710,7 @@ struct odometer_config_response_ : ::mip_3dm_odometer_config_response {
         return static_cast<::mip::mip_3dm::odometer_mode>(c_type::mode);
     }
 };
+
 /** Odometer Configuration response. See struct mip_3dm_odometer_config_response. */
 using odometer_config_response = odometer_config_response_;
 
@@ -708,6 +728,7 @@ struct sensor_range_response_ : ::mip_3dm_sensor_range_response {
         return static_cast<::mip::mip_3dm::sensor_range_type>(c_type::sensor);
     }
 };
+
 /** Sensor Range response. See struct mip_3dm_sensor_range_response. */
 using sensor_range_response = sensor_range_response_;
 
@@ -720,6 +741,7 @@ struct get_calibrated_sensor_ranges_response_ : ::mip_3dm_get_calibrated_sensor_
         return {c_type::ranges, c_type::num_ranges};
     }
 };
+
 /**
  * Get Calibrated Sensor Ranges response. See struct mip_3dm_get_calibrated_sensor_ranges_response.
  */
@@ -737,6 +759,7 @@ struct data_stream_format_response_ : ::mip_3dm_data_stream_format_response {
         return static_cast<::mip::mip_3dm::stream_format>(c_type::format);
     }
 };
+
 /** Data stream format response. See struct mip_3dm_data_stream_format_response. */
 using data_stream_format_response = data_stream_format_response_;
 
@@ -749,6 +772,7 @@ struct device_power_state_response_ : ::mip_3dm_device_power_state_response {
         return static_cast<::mip::mip_3dm::sensor_power_state>(c_type::state);
     }
 };
+
 /** Device power state response. See struct mip_3dm_device_power_state_response. */
 using device_power_state_response = device_power_state_response_;
 

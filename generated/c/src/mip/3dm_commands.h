@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_imu_data_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_imu_data_exchange;
 
@@ -62,6 +63,7 @@ static inline struct mip_result mip_call_3dm_poll_imu_data_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_gnss_data_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_gnss_data_exchange;
 
@@ -104,6 +106,7 @@ static inline struct mip_result mip_call_3dm_poll_gnss_data_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_filter_data_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_filter_data_exchange;
 
@@ -146,6 +149,7 @@ static inline struct mip_result mip_call_3dm_poll_filter_data_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_nmea_data_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_nmea_data_exchange;
 
@@ -186,6 +190,7 @@ static inline struct mip_result mip_call_3dm_poll_nmea_data_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_imu_base_rate_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_get_imu_base_rate_exchange;
 
@@ -210,6 +215,7 @@ static inline struct mip_result mip_call_3dm_get_imu_base_rate(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_gnss_base_rate_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange;
 
@@ -234,6 +240,7 @@ static inline struct mip_result mip_call_3dm_get_gnss_base_rate(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_message_format_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_imu_message_format_exchange;
 
@@ -316,6 +323,7 @@ static inline struct mip_result mip_call_3dm_imu_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_message_format_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_gnss_message_format_exchange;
 
@@ -400,6 +408,7 @@ static inline struct mip_result mip_call_3dm_gnss_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_filter_message_format_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_filter_message_format_exchange;
 
@@ -491,6 +500,7 @@ static inline struct mip_result mip_call_3dm_filter_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_filter_base_rate_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_get_filter_base_rate_exchange;
 
@@ -516,6 +526,7 @@ static inline struct mip_result mip_call_3dm_get_filter_base_rate(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_nmea_message_format_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_nmea_message_format_exchange;
 
@@ -599,6 +610,7 @@ static inline struct mip_result mip_call_3dm_nmea_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_data_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_data_exchange;
 
@@ -643,6 +655,7 @@ mip_call_3dm_poll_data_with(struct mip_device *device, const struct mip_3dm_poll
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_base_rate_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_get_base_rate_exchange;
 
@@ -687,6 +700,7 @@ static inline struct mip_result mip_call_3dm_get_base_rate_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_message_format_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_message_format_exchange;
 
@@ -793,6 +807,7 @@ static inline struct mip_result mip_call_3dm_message_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_factory_streaming_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_factory_streaming_exchange;
 
@@ -830,6 +845,7 @@ static inline struct mip_result mip_call_3dm_factory_streaming_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_data_stream_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_data_stream_control_exchange;
 
@@ -959,6 +975,7 @@ static inline struct mip_result mip_call_3dm_data_stream_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_raw_rtcm_2_3_message_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange;
 
@@ -997,6 +1014,7 @@ static inline struct mip_result mip_call_3dm_raw_rtcm_2_3_message_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_constellation_settings_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_constellation_settings_exchange;
 
@@ -1090,6 +1108,7 @@ static inline struct mip_result mip_call_3dm_constellation_settings_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_sbas_settings_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange;
 
@@ -1178,6 +1197,7 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_assisted_fix_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange;
 
@@ -1254,6 +1274,7 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_time_assistance_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_gnss_time_assistance_exchange;
 
@@ -1311,6 +1332,7 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_pps_source_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_pps_source_control_exchange;
 
@@ -1389,6 +1411,7 @@ static inline struct mip_result mip_call_3dm_pps_source_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_event_support_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_get_event_support_exchange;
 
@@ -1431,6 +1454,7 @@ static inline struct mip_result mip_call_3dm_get_event_support_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_event_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_event_control_exchange;
 
@@ -1531,6 +1555,7 @@ static inline struct mip_result mip_call_3dm_event_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_event_trigger_status_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_get_event_trigger_status_exchange;
 
@@ -1582,6 +1607,7 @@ static inline struct mip_result mip_call_3dm_get_event_trigger_status_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_event_action_status_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_get_event_action_status_exchange;
 
@@ -1632,6 +1658,7 @@ static inline struct mip_result mip_call_3dm_get_event_action_status_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_event_trigger_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_event_trigger_config_exchange;
 
@@ -1734,6 +1761,7 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_event_action_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_event_action_config_exchange;
 
@@ -1838,6 +1866,7 @@ static inline struct mip_result mip_call_3dm_event_action_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_device_settings_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_device_settings_exchange;
 
@@ -1889,6 +1918,7 @@ static inline struct mip_result mip_call_3dm_device_settings_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_euler_exchange;
 
@@ -1981,6 +2011,7 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_w
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_quaternion_exchange;
 
@@ -2080,6 +2111,7 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quatern
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_dcm_exchange;
 
@@ -2172,6 +2204,7 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_dcm_wit
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gps_dynamics_mode_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange;
 
@@ -2245,6 +2278,7 @@ static inline struct mip_result mip_call_3dm_gps_dynamics_mode_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_signal_conditioning_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange;
 
@@ -2345,6 +2379,7 @@ static inline struct mip_result mip_call_3dm_imu_signal_conditioning_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_timestamp_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_imu_timestamp_exchange;
 
@@ -2405,6 +2440,7 @@ static inline struct mip_result mip_call_3dm_imu_timestamp_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_accel_bias_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_accel_bias_exchange;
 
@@ -2504,6 +2540,7 @@ mip_call_3dm_accel_bias_with(struct mip_device *device, const struct mip_3dm_acc
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gyro_bias_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_gyro_bias_exchange;
 
@@ -2601,6 +2638,7 @@ mip_call_3dm_gyro_bias_with(struct mip_device *device, const struct mip_3dm_gyro
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_capture_gyro_bias_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_capture_gyro_bias_exchange;
 
@@ -2643,6 +2681,7 @@ static inline struct mip_result mip_call_3dm_capture_gyro_bias_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_mag_hard_iron_offset_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange;
 
@@ -2740,6 +2779,7 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_mag_soft_iron_matrix_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange;
 
@@ -2837,6 +2877,7 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_coning_sculling_enable_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_coning_sculling_enable_exchange;
 
@@ -2916,6 +2957,7 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_uart_baud_rate_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_uart_baud_rate_exchange;
 
@@ -2988,6 +3030,7 @@ static inline struct mip_result mip_call_3dm_uart_baud_rate_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gpio_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_gpio_config_exchange;
 
@@ -3100,6 +3143,7 @@ mip_call_3dm_gpio_config_with(struct mip_device *device, const struct mip_3dm_gp
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gpio_state_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_gpio_state_exchange;
 
@@ -3159,6 +3203,7 @@ mip_call_3dm_gpio_state_with(struct mip_device *device, const struct mip_3dm_gpi
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_odometer_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_odometer_config_exchange;
 
@@ -3243,6 +3288,7 @@ static inline struct mip_result mip_call_3dm_odometer_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_low_pass_filter_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange;
 
@@ -3369,6 +3415,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_complementary_filter_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_complementary_filter_exchange;
 
@@ -3463,6 +3510,7 @@ static inline struct mip_result mip_call_3dm_complementary_filter_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_range_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_sensor_range_exchange;
 
@@ -3562,6 +3610,7 @@ static inline struct mip_result mip_call_3dm_sensor_range_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange;
 
@@ -3605,6 +3654,7 @@ static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_low_pass_filter_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_low_pass_filter_exchange;
 
@@ -3727,6 +3777,7 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_data_stream_format_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_data_stream_format_exchange;
 
@@ -3836,6 +3887,7 @@ static inline struct mip_result mip_call_3dm_data_stream_format_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_device_power_state_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_device_power_state_exchange;
 
@@ -3935,6 +3987,7 @@ static inline struct mip_result mip_call_3dm_device_power_state_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gps_advanced_settings_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_gps_advanced_settings_exchange;
 
@@ -3985,6 +4038,7 @@ static inline struct mip_result mip_call_3dm_gps_advanced_settings_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_device_status_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3dm_device_status_exchange;
 

@@ -39,6 +39,7 @@ enum mip_aiding_frame_format MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_frame_format_name(uint8_t value);
+
 /**
  * Replies of the device to aiding measurements.
  *
@@ -55,6 +56,7 @@ enum mip_aiding_echo_mode MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_echo_mode_name(uint8_t value);
+
 /** Clock of the time of a measurement. */
 enum mip_aiding_timebase MIP_ENUM_8 {
     /** Internal reference clock of the device. */
@@ -67,6 +69,7 @@ enum mip_aiding_timebase MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_timebase_name(uint8_t value);
+
 /** Time at which a measurement was taken. */
 struct mip_aiding_measurement_time {
     /** Clock of the time. A value of enum mip_aiding_timebase. */
@@ -85,6 +88,7 @@ typedef uint16_t mip_aiding_axis_flags;
 #define MIP_AIDING_AXIS_FLAGS_Y 0x0002U
 /** Bit 2. Third axis. */
 #define MIP_AIDING_AXIS_FLAGS_Z 0x0004U
+
 /** Valid coordinates of a position; the others are ignored. */
 typedef uint16_t mip_aiding_llh_axis_flags;
 /** Bit 0. Latitude and its uncertainty are valid. */
@@ -175,17 +179,19 @@ static inline mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_c
 MIP_CHECKED static inline mip_error mip_aiding_frame_config_encode(
     const struct mip_aiding_frame_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - frame_id: Number of the frame. Range: 1 to 4.
-   * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write
-   * and read.
-   * - tracking_enabled: True if the filter estimates the errors of the frame. Required for write.
-   * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
-   *   Required for write.
-   * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - frame_id: Number of the frame. Range: 1 to 4.
+ * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
+ *   read.
+ * - tracking_enabled: True if the filter estimates the errors of the frame. Required for write.
+ * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
+ *   Required for write.
+ * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
+ */
 static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     struct mip_aiding_frame_config *command, uint8_t frame_id, enum mip_aiding_frame_format format,
     mip_bool tracking_enabled, const float translation[3],
@@ -201,6 +207,7 @@ static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     }
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -217,6 +224,7 @@ mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t fr
     command->format = (uint8_t)format;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -229,6 +237,7 @@ mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t fr
     command->frame_id = frame_id;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -241,6 +250,7 @@ mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t fr
     command->frame_id = frame_id;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -312,6 +322,7 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
     const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_response_codec, value, builder);
 }
+
 /**
  * Echo control: command (0x13,0x1F).
  *
@@ -357,11 +368,13 @@ static inline mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_co
 MIP_CHECKED static inline mip_error mip_aiding_echo_control_encode(
     const struct mip_aiding_echo_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - mode: Answers to the measurements. A value of enum mip_aiding_echo_mode. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: Answers to the measurements. A value of enum mip_aiding_echo_mode. Required for write.
+ */
 static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     struct mip_aiding_echo_control *command, enum mip_aiding_echo_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -369,6 +382,7 @@ static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_read(struct mip_aiding_echo_control *command) {
@@ -376,6 +390,7 @@ mip_aiding_echo_control_read(struct mip_aiding_echo_control *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_save(struct mip_aiding_echo_control *command) {
@@ -383,6 +398,7 @@ mip_aiding_echo_control_save(struct mip_aiding_echo_control *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_load(struct mip_aiding_echo_control *command) {
@@ -390,6 +406,7 @@ mip_aiding_echo_control_load(struct mip_aiding_echo_control *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
@@ -433,6 +450,7 @@ MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
     const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_response_codec, value, builder);
 }
+
 /**
  * ECEF position: command (0x13,0x21).
  *
@@ -490,20 +508,21 @@ static inline mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_p
 MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode(
     const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_position_codec, value, builder);
-} /**
-   * ECEF position. Fills the structure and returns its address.
-   *
-   * - time: Time of the measurement.
-   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
-   * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
-   *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
-   *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
-   * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
-   *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
-   * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
-   * valid_flags.
-   * - valid_flags: Valid axes.
-   */
+}
+
+/**
+ * ECEF position. Fills the structure and returns its address.
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
+ *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range:
+ *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
+ *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - valid_flags: Valid axes.
+ */
 static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
     struct mip_aiding_ecef_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const double position[3], const float uncertainty[3],
@@ -587,23 +606,25 @@ static inline mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_pos
 MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode(
     const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_llh_position_codec, value, builder);
-} /**
-   * LLH position. Fills the structure and returns its address.
-   *
-   * - time: Time of the measurement.
-   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
-   * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid
-   * if MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
-   * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
-   * Valid if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
-   * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
-   *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
-   * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
-   *   Range: greater than 0. Each element has its own valid flag. north:
-   *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE
-   * in valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
-   * - valid_flags: Valid coordinates.
-   */
+}
+
+/**
+ * LLH position. Fills the structure and returns its address.
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
+ *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid
+ *   if MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags is set.
+ * - height: Height above the ellipsoid. Unit: m. Frame: llh. Valid if
+ *   MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags is set.
+ * - uncertainty: Uncertainty of the position. Elements: north, east, down. Unit: m. Frame: ned.
+ *   Range: greater than 0. Each element has its own valid flag. north:
+ *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags, east: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in
+ *   valid_flags, down: MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
+ * - valid_flags: Valid coordinates.
+ */
 static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
     struct mip_aiding_llh_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, double latitude, double longitude, double height, const float uncertainty[3],
@@ -666,15 +687,17 @@ static inline mip_error mip_aiding_height_above_ellipsoid_decode(
 MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode(
     const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_height_above_ellipsoid_codec, value, builder);
-} /**
-   * Height above ellipsoid. Fills the structure and returns its address.
-   *
-   * - time: Time of the measurement.
-   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
-   * - height: Height above the ellipsoid. Unit: m. Frame: llh.
-   * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
-   * - valid_flags: Not 0: the measurement is valid.
-   */
+}
+
+/**
+ * Height above ellipsoid. Fills the structure and returns its address.
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - height: Height above the ellipsoid. Unit: m. Frame: llh.
+ * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
+ * - valid_flags: Not 0: the measurement is valid.
+ */
 static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(
     struct mip_aiding_height_above_ellipsoid *command,
     const struct mip_aiding_measurement_time *time, uint8_t frame_id, float height,
@@ -748,20 +771,21 @@ static inline mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_v
 MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode(
     const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_velocity_codec, value, builder);
-} /**
-   * ECEF velocity. Fills the structure and returns its address.
-   *
-   * - time: Time of the measurement.
-   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
-   * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef.
-   * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
-   *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
-   * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
-   *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
-   * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
-   * valid_flags.
-   * - valid_flags: Valid axes.
-   */
+}
+
+/**
+ * ECEF velocity. Fills the structure and returns its address.
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each
+ *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range:
+ *   greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
+ *   y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - valid_flags: Valid axes.
+ */
 static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
     struct mip_aiding_ecef_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -836,20 +860,22 @@ static inline mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_vel
 MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode(
     const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ned_velocity_codec, value, builder);
-} /**
-   * NED velocity. Fills the structure and returns its address.
-   *
-   * - time: Time of the measurement.
-   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
-   * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
-   *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags,
-   * east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
-   * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
-   *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
-   *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
-   *   valid_flags.
-   * - valid_flags: Valid axes.
-   */
+}
+
+/**
+ * NED velocity. Fills the structure and returns its address.
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
+ *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Uncertainty of the velocity. Elements: north, east, down. Unit: m/s. Frame: ned.
+ *   Range: greater than 0. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in
+ *   valid_flags, east: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
+ * - valid_flags: Valid axes.
+ */
 static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
     struct mip_aiding_ned_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -931,20 +957,22 @@ static inline mip_error mip_aiding_body_frame_velocity_decode(
 MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode(
     const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_body_frame_velocity_codec, value, builder);
-} /**
-   * Body frame velocity. Fills the structure and returns its address.
-   *
-   * - time: Time of the measurement.
-   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
-   * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
-   *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
-   *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
-   * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
-   *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
-   *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
-   *   valid_flags.
-   * - valid_flags: Valid axes.
-   */
+}
+
+/**
+ * Body frame velocity. Fills the structure and returns its address.
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
+ *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding.
+ *   Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+ *   valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
+ * - valid_flags: Valid axes.
+ */
 static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_velocity_make(
     struct mip_aiding_body_frame_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1008,16 +1036,18 @@ static inline mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_he
 MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode(
     const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_true_heading_codec, value, builder);
-} /**
-   * True heading. Fills the structure and returns its address.
-   *
-   * - time: Time of the measurement.
-   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
-   * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-   *   3.141592653589793. Positive: clockwise seen from above.
-   * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
-   * - valid_flags: Not 0: the measurement is valid.
-   */
+}
+
+/**
+ * True heading. Fills the structure and returns its address.
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+ *   3.141592653589793. Positive: clockwise seen from above.
+ * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
+ * - valid_flags: Not 0: the measurement is valid.
+ */
 static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
     struct mip_aiding_true_heading *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float heading, float uncertainty, uint16_t valid_flags) {
@@ -1088,20 +1118,22 @@ static inline mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magne
 MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode(
     const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_magnetic_field_codec, value, builder);
-} /**
-   * Magnetic field. Fills the structure and returns its address.
-   *
-   * - time: Time of the measurement.
-   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
-   * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.
-   * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
-   *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
-   * - uncertainty: Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame:
-   *   aiding. Range: greater than 0. Each element has its own valid flag. x:
-   * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
-   * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
-   * - valid_flags: Valid axes.
-   */
+}
+
+/**
+ * Magnetic field. Fills the structure and returns its address.
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each
+ *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+ *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+ * - uncertainty: Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame:
+ *   aiding. Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X
+ *   in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
+ *   valid_flags.
+ * - valid_flags: Valid axes.
+ */
 static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
     struct mip_aiding_magnetic_field *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float magnetic_field[3], const float uncertainty[3],
@@ -1162,15 +1194,17 @@ static inline mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *v
 MIP_CHECKED static inline mip_error
 mip_aiding_pressure_encode(const struct mip_aiding_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_pressure_codec, value, builder);
-} /**
-   * Pressure. Fills the structure and returns its address.
-   *
-   * - time: Time of the measurement.
-   * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
-   * - pressure: Air pressure. Unit: mbar.
-   * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
-   * - valid_flags: Not 0: the measurement is valid.
-   */
+}
+
+/**
+ * Pressure. Fills the structure and returns its address.
+ *
+ * - time: Time of the measurement.
+ * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - pressure: Air pressure. Unit: mbar.
+ * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
+ * - valid_flags: Not 0: the measurement is valid.
+ */
 static inline struct mip_aiding_pressure *mip_aiding_pressure_make(
     struct mip_aiding_pressure *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float pressure, float uncertainty, uint16_t valid_flags) {

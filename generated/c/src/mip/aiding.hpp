@@ -106,6 +106,7 @@ struct frame_config_response_ : ::mip_aiding_frame_config_response {
         return static_cast<::mip::aiding::frame_format>(c_type::format);
     }
 };
+
 /** Frame configuration response. See struct mip_aiding_frame_config_response. */
 using frame_config_response = frame_config_response_;
 
@@ -115,6 +116,7 @@ struct echo_control_response_ : ::mip_aiding_echo_control_response {
         return static_cast<::mip::aiding::echo_mode>(c_type::mode);
     }
 };
+
 /** Echo control response. See struct mip_aiding_echo_control_response. */
 using echo_control_response = echo_control_response_;
 

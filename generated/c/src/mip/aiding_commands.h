@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_frame_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_frame_config_exchange;
 
@@ -128,6 +129,7 @@ static inline struct mip_result mip_call_aiding_frame_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_echo_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_echo_control_exchange;
 
@@ -199,6 +201,7 @@ static inline struct mip_result mip_call_aiding_echo_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_ecef_position_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_ecef_position_exchange;
 
@@ -244,6 +247,7 @@ static inline struct mip_result mip_call_aiding_ecef_position_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_llh_position_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_llh_position_exchange;
 
@@ -297,6 +301,7 @@ static inline struct mip_result mip_call_aiding_llh_position_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_height_above_ellipsoid_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange;
 
@@ -341,6 +346,7 @@ static inline struct mip_result mip_call_aiding_height_above_ellipsoid_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_ecef_velocity_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_ecef_velocity_exchange;
 
@@ -386,6 +392,7 @@ static inline struct mip_result mip_call_aiding_ecef_velocity_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_ned_velocity_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_ned_velocity_exchange;
 
@@ -434,6 +441,7 @@ static inline struct mip_result mip_call_aiding_ned_velocity_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_body_frame_velocity_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_body_frame_velocity_exchange;
 
@@ -482,6 +490,7 @@ static inline struct mip_result mip_call_aiding_body_frame_velocity_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_true_heading_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_true_heading_exchange;
 
@@ -526,6 +535,7 @@ static inline struct mip_result mip_call_aiding_true_heading_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_magnetic_field_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_magnetic_field_exchange;
 
@@ -572,6 +582,7 @@ static inline struct mip_result mip_call_aiding_magnetic_field_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_pressure_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_aiding_pressure_exchange;
 

@@ -96,6 +96,7 @@ MIP_CHECKED static inline mip_error mip_base_ping_encode(const struct mip_base_p
                                                          struct mip_builder *builder) {
     return mip_encode(&mip_base_ping_codec, value, builder);
 }
+
 /**
  * Set to idle: command (0x01,0x02).
  *
@@ -137,6 +138,7 @@ MIP_CHECKED static inline mip_error mip_base_set_idle_encode(const struct mip_ba
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_base_set_idle_codec, value, builder);
 }
+
 /**
  * Get device information: command (0x01,0x03).
  *
@@ -175,6 +177,7 @@ MIP_CHECKED static inline mip_error mip_base_get_device_info_encode(
     const struct mip_base_get_device_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_codec, value, builder);
 }
+
 /**
  * Get device information response: response (0x01,0x81).
  *
@@ -211,6 +214,7 @@ MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode(
     const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_response_codec, value, builder);
 }
+
 /**
  * Get device descriptors: command (0x01,0x04).
  *
@@ -253,6 +257,7 @@ MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_encode(
     const struct mip_base_get_device_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_codec, value, builder);
 }
+
 /**
  * Get device descriptors response: response (0x01,0x82).
  *
@@ -295,6 +300,7 @@ MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_response_enc
     const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_response_codec, value, builder);
 }
+
 /**
  * Built-in test: command (0x01,0x05).
  *
@@ -341,6 +347,7 @@ MIP_CHECKED static inline mip_error mip_base_built_in_test_encode(
     const struct mip_base_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_codec, value, builder);
 }
+
 /**
  * Built-in test response: response (0x01,0x83).
  *
@@ -389,6 +396,7 @@ MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode(
     const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_response_codec, value, builder);
 }
+
 /**
  * Resume: command (0x01,0x06).
  *
@@ -428,6 +436,7 @@ MIP_CHECKED static inline mip_error mip_base_resume_encode(const struct mip_base
                                                            struct mip_builder *builder) {
     return mip_encode(&mip_base_resume_codec, value, builder);
 }
+
 /**
  * Get device descriptors (extended): command (0x01,0x07).
  *
@@ -469,6 +478,7 @@ MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_encode(
     const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_codec, value, builder);
 }
+
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
@@ -510,6 +520,7 @@ MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_response_e
     const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_response_codec, value, builder);
 }
+
 /**
  * Continuous built-in test: command (0x01,0x08).
  *
@@ -554,6 +565,7 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_encode(
     const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_codec, value, builder);
 }
+
 /**
  * Continuous built-in test response: response (0x01,0x88).
  *
@@ -594,6 +606,7 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_e
     const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_response_codec, value, builder);
 }
+
 /**
  * Comm port speed: command (0x01,0x09).
  *
@@ -655,21 +668,23 @@ static inline mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *v
 MIP_CHECKED static inline mip_error
 mip_base_comm_speed_encode(const struct mip_base_comm_speed *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On
-   * the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of
-   * enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
-   *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
-   *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
-   *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
-   *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
-   * On the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
-   *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
-   *   3DM-RTK: the values are not known.
-   * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - port: Port id of the device; 0 means all ports, and is for save, load and default only. On the
+ *   3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of enum
+ *   mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-CV7-GNSS/INS: values of enum mip_comm_interface. On the
+ *   3DM-CV7-INS and 3DM-CX7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and
+ *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
+ *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
+ *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
+ *   3DM-RTK: the values are not known.
+ * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
+ */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -678,6 +693,7 @@ mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uin
     command->baud = baud;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -699,6 +715,7 @@ mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -720,6 +737,7 @@ mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -741,6 +759,7 @@ mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -810,6 +829,7 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
     const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_response_codec, value, builder);
 }
+
 /**
  * GPS time update: command (0x01,0x72).
  *
@@ -877,14 +897,16 @@ static inline mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time
 MIP_CHECKED static inline mip_error mip_base_gps_time_update_encode(
     const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
-   * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id
-   * is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
-   *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - field_id: Meaning of the value. A value of enum mip_base_gps_time_field.
+ * - value: Week or seconds, as selected by `field_id`. Required for write and apply. If field_id is
+ *   MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
+ *   field_id is MIP_BASE_GPS_TIME_FIELD_TOW: unit s. Whole seconds of the GPS week.
+ */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
                                enum mip_base_gps_time_field field_id, uint32_t value) {
@@ -894,6 +916,7 @@ mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
     command->value = value;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -906,6 +929,7 @@ static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     command->field_id = (uint8_t)field_id;
     return command;
 }
+
 /**
  * Apply the new setting without sending an ACK (5-series devices). Fills the structure and returns
  * its address.
@@ -966,6 +990,7 @@ MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_week_number_response_codec, value, builder);
 }
+
 /**
  * GPS time update, time of week: response (0x01,0x85).
  *
@@ -1005,6 +1030,7 @@ MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode
     const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_tow_response_codec, value, builder);
 }
+
 /**
  * Reset device: command (0x01,0x7E).
  *
@@ -1042,6 +1068,7 @@ MIP_CHECKED static inline mip_error
 mip_base_soft_reset_encode(const struct mip_base_soft_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_soft_reset_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

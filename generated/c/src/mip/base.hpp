@@ -82,6 +82,7 @@ struct get_device_descriptors_response_ : ::mip_base_get_device_descriptors_resp
         return {c_type::descriptors, c_type::descriptors_count};
     }
 };
+
 /** Get device descriptors response. See struct mip_base_get_device_descriptors_response. */
 using get_device_descriptors_response = get_device_descriptors_response_;
 
@@ -94,6 +95,7 @@ struct get_extended_descriptors_response_ : ::mip_base_get_extended_descriptors_
         return {c_type::descriptors, c_type::descriptors_count};
     }
 };
+
 /**
  * Get device descriptors (extended) response. See struct
  * mip_base_get_extended_descriptors_response.

@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_ping_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_ping_exchange;
 
@@ -37,6 +38,7 @@ static inline struct mip_result mip_call_base_ping(struct mip_device *device) {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_set_idle_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_set_idle_exchange;
 
@@ -56,6 +58,7 @@ static inline struct mip_result mip_call_base_set_idle(struct mip_device *device
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_get_device_info_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_get_device_info_exchange;
 
@@ -80,6 +83,7 @@ static inline struct mip_result mip_call_base_get_device_info(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_get_device_descriptors_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_get_device_descriptors_exchange;
 
@@ -104,6 +108,7 @@ static inline struct mip_result mip_call_base_get_device_descriptors(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_built_in_test_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_built_in_test_exchange;
 
@@ -128,6 +133,7 @@ static inline struct mip_result mip_call_base_built_in_test(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_resume_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_resume_exchange;
 
@@ -146,6 +152,7 @@ static inline struct mip_result mip_call_base_resume(struct mip_device *device) 
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_get_extended_descriptors_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_get_extended_descriptors_exchange;
 
@@ -171,6 +178,7 @@ static inline struct mip_result mip_call_base_get_extended_descriptors(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_continuous_built_in_test_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_continuous_built_in_test_exchange;
 
@@ -195,6 +203,7 @@ static inline struct mip_result mip_call_base_continuous_built_in_test(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_comm_speed_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_comm_speed_exchange;
 
@@ -338,6 +347,7 @@ mip_call_base_comm_speed_with(struct mip_device *device, const struct mip_base_c
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_gps_time_update_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_gps_time_update_exchange;
 
@@ -454,6 +464,7 @@ static inline struct mip_result mip_call_base_gps_time_update_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_soft_reset_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_base_soft_reset_exchange;
 

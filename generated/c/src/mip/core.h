@@ -456,27 +456,33 @@ static inline mip_error mip_builder_reserve(struct mip_builder *builder, uint8_t
 static inline uint8_t mip_get_8(const uint8_t *from) {
     return from[0];
 }
+
 /** Reads a number of 16 bits, high byte first. */
 static inline uint16_t mip_get_16(const uint8_t *from) {
     return (uint16_t)((uint32_t)from[0] << 8 | from[1]);
 }
+
 /** Reads a number of 32 bits, high byte first. */
 static inline uint32_t mip_get_32(const uint8_t *from) {
     return (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3];
 }
+
 /** Reads a number of 64 bits, high byte first. */
 static inline uint64_t mip_get_64(const uint8_t *from) {
     return (uint64_t)mip_get_32(from) << 32 | mip_get_32(from + 4);
 }
+
 /** Writes a number of 8 bits. */
 static inline void mip_put_8(uint8_t *to, uint8_t value) {
     to[0] = value;
 }
+
 /** Writes a number of 16 bits, high byte first. */
 static inline void mip_put_16(uint8_t *to, uint16_t value) {
     to[0] = (uint8_t)(value >> 8);
     to[1] = (uint8_t)value;
 }
+
 /** Writes a number of 32 bits, high byte first. */
 static inline void mip_put_32(uint8_t *to, uint32_t value) {
     to[0] = (uint8_t)(value >> 24);
@@ -484,6 +490,7 @@ static inline void mip_put_32(uint8_t *to, uint32_t value) {
     to[2] = (uint8_t)(value >> 8);
     to[3] = (uint8_t)value;
 }
+
 /** Writes a number of 64 bits, high byte first. */
 static inline void mip_put_64(uint8_t *to, uint64_t value) {
     mip_put_32(to, (uint32_t)(value >> 32));
@@ -493,6 +500,7 @@ static inline void mip_put_64(uint8_t *to, uint64_t value) {
 /** The bits of a double of eight bytes as those of a float, rounded to the nearest: for compilers
  * whose doubles have four bytes. */
 MIP_API uint32_t mip_narrow(uint64_t bits);
+
 /** The bits of a float as those of a double of eight bytes. */
 MIP_API uint64_t mip_widen(uint32_t bits);
 
@@ -503,18 +511,21 @@ static inline void mip_get_float(float *to, const uint8_t *from) {
     const uint32_t bits = mip_get_32(from);
     memcpy(to, &bits, sizeof(bits));
 }
+
 /** Writes a float of four bytes. */
 static inline void mip_put_float(uint8_t *to, const float *value) {
     uint32_t bits;
     memcpy(&bits, value, sizeof(bits));
     mip_put_32(to, bits);
 }
+
 /** Reads a double of eight bytes; it is rounded where the compiler has only four. */
 static inline void mip_get_double(double *to, const uint8_t *from) {
     const uint64_t bits = mip_get_64(from);
     const uint32_t narrow = sizeof(*to) == sizeof(bits) ? 0 : mip_narrow(bits);
     memcpy(to, sizeof(*to) == sizeof(bits) ? (const void *)&bits : &narrow, sizeof(*to));
 }
+
 /** Writes a double of eight bytes. */
 static inline void mip_put_double(uint8_t *to, const double *value) {
     uint64_t bits = 0;
@@ -534,30 +545,37 @@ static inline bool mip_has(uint64_t flags, uint64_t bits) {
 static inline void mip_set_8(uint8_t *flags, uint8_t bits) {
     *flags = (uint8_t)(*flags | bits);
 }
+
 /** Clears bits of a bitfield of 8 bits. */
 static inline void mip_clear_8(uint8_t *flags, uint8_t bits) {
     *flags = (uint8_t)(*flags & ~(uint32_t)bits);
 }
+
 /** Sets bits of a bitfield of 16 bits. */
 static inline void mip_set_16(uint16_t *flags, uint16_t bits) {
     *flags = (uint16_t)(*flags | bits);
 }
+
 /** Clears bits of a bitfield of 16 bits. */
 static inline void mip_clear_16(uint16_t *flags, uint16_t bits) {
     *flags = (uint16_t)(*flags & ~(uint32_t)bits);
 }
+
 /** Sets bits of a bitfield of 32 bits. */
 static inline void mip_set_32(uint32_t *flags, uint32_t bits) {
     *flags = (uint32_t)(*flags | bits);
 }
+
 /** Clears bits of a bitfield of 32 bits. */
 static inline void mip_clear_32(uint32_t *flags, uint32_t bits) {
     *flags = (uint32_t)(*flags & ~bits);
 }
+
 /** Sets bits of a bitfield of 64 bits. */
 static inline void mip_set_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags | bits);
 }
+
 /** Clears bits of a bitfield of 64 bits. */
 static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags & ~bits);
@@ -566,8 +584,10 @@ static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
 /** Bits of a bitfield in bytes, least significant byte first: `width` of them, at most 64, starting
  * with bit `first`. */
 #define MIP_BITS(first, width) ((unsigned)(first) | (unsigned)(width) << 8)
+
 /** Gets the number in these bits: mip_get_bits(status.bytes, MIP_..._GYRO_FAULT). */
 MIP_API uint64_t mip_get_bits(const uint8_t *bytes, unsigned bits);
+
 /** Sets the number in these bits. */
 MIP_API void mip_set_bits(uint8_t *bytes, unsigned bits, uint64_t value);
 
@@ -614,6 +634,7 @@ static inline size_t mip_counted(size_t count, const void *items, size_t size) {
 
 /** Copies as many bytes as there is room for. */
 MIP_API void mip_copy(void *to, size_t room, const void *from, size_t size);
+
 /** Copies a string, cuts what is too long, and fills the rest with spaces; `room` counts the
  * terminating NUL too. */
 MIP_API void mip_copy_text(char *to, size_t room, const char *text);

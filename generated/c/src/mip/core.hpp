@@ -64,6 +64,7 @@ template <class T> using c_type = typename traits<T>::c_type;
 /** A type of field. */
 template <class T>
 concept layout = requires { traits<T>::codec(); };
+
 /** What stands in place of `class` where a type must be one of field. */
 #define MIP_LAYOUT_TYPE ::mip::layout
 #else
@@ -513,6 +514,7 @@ template <class Handler>
 struct handled<Handler, std::enable_if_t<std::is_function_v<std::remove_pointer_t<Handler>>>> {
     using type = decltype(first_parameter(std::declval<Handler>()));
 };
+
 /** The type that a handler's first parameter names. */
 template <class Handler>
 using handled_by =

@@ -50,8 +50,10 @@ struct mip_port {
 /** For `type` of a handler: every field without an earlier entry. Not 0, so that an entry that was
  * left empty is for none. */
 #define MIP_ANY_FIELD (&mip_any_field)
+
 /** It is not a wire format: only its address counts. */
 extern MIP_API const struct mip_codec mip_any_field;
+
 /** For `descriptor_set` of a handler: every set in which the type occurs. */
 #define MIP_ANY_SET 0
 

@@ -64,6 +64,7 @@ MIP_CHECKED static inline mip_error mip_displacement_get_calibration_encode(
     const struct mip_displacement_get_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_get_calibration_codec, value, builder);
 }
+
 /**
  * Get Analog to Displacement Calibration response: response (0x11,0x81).
  *
@@ -104,6 +105,7 @@ MIP_CHECKED static inline mip_error mip_displacement_get_calibration_response_en
     const struct mip_displacement_get_calibration_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_get_calibration_response_codec, value, builder);
 }
+
 /**
  * Displacement Output Data Rate: command (0x11,0x02).
  *
@@ -140,7 +142,9 @@ static inline mip_error mip_displacement_output_rate_decode(
 MIP_CHECKED static inline mip_error mip_displacement_output_rate_encode(
     const struct mip_displacement_output_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_output_rate_codec, value, builder);
-} /** Return the current setting in a response. Fills the structure and returns its address. */
+}
+
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_displacement_output_rate *
 mip_displacement_output_rate_read(struct mip_displacement_output_rate *command) {
     memset(command, 0, sizeof(*command));
@@ -183,6 +187,7 @@ MIP_CHECKED static inline mip_error mip_displacement_output_rate_response_encode
     const struct mip_displacement_output_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_output_rate_response_codec, value, builder);
 }
+
 /**
  * Displacement Device Time: command (0x11,0x04).
  *
@@ -226,11 +231,13 @@ static inline mip_error mip_displacement_device_time_decode(
 MIP_CHECKED static inline mip_error mip_displacement_device_time_encode(
     const struct mip_displacement_device_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_device_time_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - time: UTC since 1970-01-01, without leap seconds. Unit: ns.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - time: UTC since 1970-01-01, without leap seconds. Unit: ns.
+ */
 static inline struct mip_displacement_device_time *
 mip_displacement_device_time_write(struct mip_displacement_device_time *command, uint64_t time) {
     memset(command, 0, sizeof(*command));

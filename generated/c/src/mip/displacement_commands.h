@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_displacement_get_calibration_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_displacement_get_calibration_exchange;
 
@@ -46,6 +47,7 @@ static inline struct mip_result mip_call_displacement_get_calibration(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_displacement_output_rate_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_displacement_output_rate_exchange;
 
@@ -86,6 +88,7 @@ static inline struct mip_result mip_call_displacement_output_rate_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_displacement_device_time_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_displacement_device_time_exchange;
 

@@ -69,6 +69,7 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encod
     const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_raw_codec, value, builder);
 }
+
 /**
  * Displacement: data (0x90,0x02).
  *
@@ -105,6 +106,7 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode(
     const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_codec, value, builder);
 }
+
 /**
  * Displacement Device Timestamp: data (0x90,0x04).
  *
@@ -147,6 +149,7 @@ MIP_CHECKED static inline mip_error mip_displacement_data_timestamp_encode(
     const struct mip_displacement_data_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_timestamp_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

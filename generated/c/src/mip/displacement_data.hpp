@@ -57,6 +57,7 @@ struct timestamp_ : ::mip_displacement_data_timestamp {
         return static_cast<::mip::displacement_data::timestamp_flags>(c_type::flags);
     }
 };
+
 /** Displacement Device Timestamp. See struct mip_displacement_data_timestamp. */
 using timestamp = timestamp_;
 

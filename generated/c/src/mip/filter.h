@@ -44,6 +44,7 @@ enum mip_filter_dynamics_mode MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_dynamics_mode_name(uint8_t value);
+
 /**
  * States that the filter estimates.
  *
@@ -65,6 +66,7 @@ typedef uint16_t mip_filter_estimated_states;
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON 0x0020U
 /** Bit 6. Estimate the soft iron matrix of the magnetometer. */
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON 0x0040U
+
 /** Source of the GNSS data that aids the filter. */
 enum mip_filter_gnss_aiding_source MIP_ENUM_8 {
     /** All internal receivers. */
@@ -79,6 +81,7 @@ enum mip_filter_gnss_aiding_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_gnss_aiding_source_name(uint8_t value);
+
 /** The north that a heading refers to. */
 enum mip_filter_heading_type MIP_ENUM_8 {
     /** True north. */
@@ -89,6 +92,7 @@ enum mip_filter_heading_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_heading_type_name(uint8_t value);
+
 /**
  * Source of the heading updates that aid the filter.
  *
@@ -117,6 +121,7 @@ enum mip_filter_heading_update_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_heading_update_source_name(uint8_t value);
+
 /** Axes to tare; 0 resets all axes. */
 typedef uint8_t mip_filter_tare_axes;
 /** Bit 0. The present roll becomes zero. */
@@ -125,12 +130,14 @@ typedef uint8_t mip_filter_tare_axes;
 #define MIP_FILTER_TARE_AXES_PITCH 0x02U
 /** Bit 2. The present yaw becomes zero. */
 #define MIP_FILTER_TARE_AXES_YAW 0x04U
+
 /** Measurements that the filter uses. */
 typedef uint16_t mip_filter_measurement_flags;
 /** Bit 0. Accelerometer measurements. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_ACCEL 0x0001U
 /** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAG 0x0002U
+
 /** Source of the declination, the inclination or the magnitude of the magnetic field. */
 enum mip_filter_mag_parameter_source MIP_ENUM_8 {
     /** No source. Uncertain: What the device does without a source. */
@@ -143,6 +150,7 @@ enum mip_filter_mag_parameter_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
+
 /** Weighting of measurements whose magnitude is not as expected. */
 enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     /** No adaptation. */
@@ -155,6 +163,7 @@ enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_adaptive_measurement_selector_name(uint8_t value);
+
 /**
  * Source that aids the altitude.
  *
@@ -169,6 +178,7 @@ enum mip_filter_altitude_aiding_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_altitude_aiding_source_name(uint8_t value);
+
 /** Source that aids pitch and roll. */
 enum mip_filter_pitch_roll_aiding_source MIP_ENUM_8 {
     /** No aiding. */
@@ -179,6 +189,7 @@ enum mip_filter_pitch_roll_aiding_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
+
 /**
  * A source of aiding measurements.
  *
@@ -206,6 +217,7 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
+
 /**
  * Assumption of the filter about the acceleration.
  *
@@ -220,6 +232,7 @@ enum mip_filter_accel_constraint MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
+
 /**
  * Assumption of the filter about the velocity.
  *
@@ -236,6 +249,7 @@ enum mip_filter_velocity_constraint MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
+
 /**
  * Assumption of the filter about the angular rate.
  *
@@ -250,6 +264,7 @@ enum mip_filter_angular_constraint MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
+
 /** Initial conditions that your program provides instead of the device. */
 enum mip_filter_initial_condition_source MIP_ENUM_8 {
     /** Position, velocity and attitude are automatic. */
@@ -264,6 +279,7 @@ enum mip_filter_initial_condition_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_initial_condition_source_name(uint8_t value);
+
 /** Methods that the device may use to determine its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
 /** Bit 0. From the baseline between two GNSS antennas. */
@@ -274,6 +290,7 @@ typedef uint8_t mip_filter_heading_alignment;
 #define MIP_FILTER_HEADING_ALIGNMENT_MAG 0x04U
 /** Bit 3. From the heading that your program sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
+
 /** Frame of a position. */
 enum mip_filter_reference_frame MIP_ENUM_8 {
     /** Earth-centred, Earth-fixed coordinates (WGS84). */
@@ -284,6 +301,7 @@ enum mip_filter_reference_frame MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
+
 /** Strength of the adaptation to inconsistent measurements. */
 enum mip_filter_adaptive_level MIP_ENUM_8 {
     /** No adaptation. */
@@ -298,6 +316,7 @@ enum mip_filter_adaptive_level MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
+
 /** Source of the reference of relative positions. */
 enum mip_filter_relative_position_source MIP_ENUM_8 {
     /** The base station of the RTK corrections. */
@@ -308,6 +327,7 @@ enum mip_filter_relative_position_source MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_relative_position_source_name(uint8_t value);
+
 /** The end of a lever arm. */
 enum mip_filter_reference_point MIP_ENUM_8 {
     /** The origin of the vehicle. */
@@ -360,6 +380,7 @@ MIP_CHECKED static inline mip_error mip_filter_reset_encode(const struct mip_fil
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_filter_reset_codec, value, builder);
 }
+
 /**
  * Set initial attitude: command (0x0D,0x02).
  *
@@ -411,16 +432,18 @@ static inline mip_error mip_filter_set_initial_attitude_decode(
 MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode(
     const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_codec, value, builder);
-} /**
-   * Set initial attitude. Fills the structure and returns its address.
-   *
-   * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
-   *   Positive: right side down.
-   * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
-   *   Positive: nose up.
-   * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-   *   3.141592653589793. Positive: clockwise seen from above.
-   */
+}
+
+/**
+ * Set initial attitude. Fills the structure and returns its address.
+ *
+ * - roll: Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+ *   Positive: right side down.
+ * - pitch: Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966.
+ *   Positive: nose up.
+ * - heading: Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+ *   3.141592653589793. Positive: clockwise seen from above.
+ */
 static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_attitude_make(
     struct mip_filter_set_initial_attitude *command, float roll, float pitch, float heading) {
     memset(command, 0, sizeof(*command));
@@ -476,12 +499,14 @@ static inline mip_error mip_filter_set_initial_heading_decode(
 MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode(
     const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_heading_codec, value, builder);
-} /**
-   * Set initial heading. Fills the structure and returns its address.
-   *
-   * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
-   *   3.141592653589793. Positive: clockwise seen from above.
-   */
+}
+
+/**
+ * Set initial heading. Fills the structure and returns its address.
+ *
+ * - heading: Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+ *   3.141592653589793. Positive: clockwise seen from above.
+ */
 static inline struct mip_filter_set_initial_heading *
 mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *command, float heading) {
     memset(command, 0, sizeof(*command));
@@ -534,12 +559,14 @@ static inline mip_error mip_filter_set_initial_attitude_from_imu_decode(
 MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
     const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_from_imu_codec, value, builder);
-} /**
-   * Set initial attitude from IMU. Fills the structure and returns its address.
-   *
-   * - declination: Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
-   *   3.141592653589793.
-   */
+}
+
+/**
+ * Set initial attitude from IMU. Fills the structure and returns its address.
+ *
+ * - declination: Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to
+ *   3.141592653589793.
+ */
 static inline struct mip_filter_set_initial_attitude_from_imu *
 mip_filter_set_initial_attitude_from_imu_make(
     struct mip_filter_set_initial_attitude_from_imu *command, float declination) {
@@ -586,6 +613,7 @@ MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filte
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_filter_run_codec, value, builder);
 }
+
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
  *
@@ -634,13 +662,15 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_decode(
 MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
     const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - mode: Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
-   *   3DM-GX3-45: only MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
-   *   MIP_FILTER_DYNAMICS_MODE_AIRBORNE.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
+ *   3DM-GX3-45: only MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
+ *   MIP_FILTER_DYNAMICS_MODE_AIRBORNE.
+ */
 static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynamics_mode_write(
     struct mip_filter_vehicle_dynamics_mode *command, enum mip_filter_dynamics_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -648,6 +678,7 @@ static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynami
     command->mode = (uint8_t)mode;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_read(struct mip_filter_vehicle_dynamics_mode *command) {
@@ -655,6 +686,7 @@ mip_filter_vehicle_dynamics_mode_read(struct mip_filter_vehicle_dynamics_mode *c
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_save(struct mip_filter_vehicle_dynamics_mode *command) {
@@ -662,6 +694,7 @@ mip_filter_vehicle_dynamics_mode_save(struct mip_filter_vehicle_dynamics_mode *c
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_load(struct mip_filter_vehicle_dynamics_mode *command) {
@@ -669,6 +702,7 @@ mip_filter_vehicle_dynamics_mode_load(struct mip_filter_vehicle_dynamics_mode *c
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode *command) {
@@ -712,6 +746,7 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
     const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_response_codec, value, builder);
 }
+
 /**
  * Sensor to vehicle frame transformation: command (0x0D,0x11).
  *
@@ -769,13 +804,15 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
     const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - roll: Roll angle. Unit: rad. Required for write.
-   * - pitch: Pitch angle. Unit: rad. Required for write.
-   * - yaw: Yaw angle. Unit: rad. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - roll: Roll angle. Unit: rad. Required for write.
+ * - pitch: Pitch angle. Unit: rad. Required for write.
+ * - yaw: Yaw angle. Unit: rad. Required for write.
+ */
 static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
 mip_filter_sensor_to_vehicle_rotation_euler_write(
     struct mip_filter_sensor_to_vehicle_rotation_euler *command, float roll, float pitch,
@@ -787,6 +824,7 @@ mip_filter_sensor_to_vehicle_rotation_euler_write(
     command->yaw = yaw;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
 mip_filter_sensor_to_vehicle_rotation_euler_read(
@@ -795,6 +833,7 @@ mip_filter_sensor_to_vehicle_rotation_euler_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
 mip_filter_sensor_to_vehicle_rotation_euler_save(
@@ -803,6 +842,7 @@ mip_filter_sensor_to_vehicle_rotation_euler_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
 mip_filter_sensor_to_vehicle_rotation_euler_load(
@@ -811,6 +851,7 @@ mip_filter_sensor_to_vehicle_rotation_euler_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
 mip_filter_sensor_to_vehicle_rotation_euler_default(
@@ -861,6 +902,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_response_codec, value, builder);
 }
+
 /**
  * Sensor to vehicle offset: command (0x0D,0x12).
  *
@@ -911,12 +953,14 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_decode(
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
     const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - offset: From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m.
-   * Frame: sensor. Range: magnitude at most 10. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - offset: From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+ *   sensor. Range: magnitude at most 10. Required for write.
+ */
 static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_vehicle_offset_write(
     struct mip_filter_sensor_to_vehicle_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -924,6 +968,7 @@ static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_v
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_read(struct mip_filter_sensor_to_vehicle_offset *command) {
@@ -931,6 +976,7 @@ mip_filter_sensor_to_vehicle_offset_read(struct mip_filter_sensor_to_vehicle_off
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_save(struct mip_filter_sensor_to_vehicle_offset *command) {
@@ -938,6 +984,7 @@ mip_filter_sensor_to_vehicle_offset_save(struct mip_filter_sensor_to_vehicle_off
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_load(struct mip_filter_sensor_to_vehicle_offset *command) {
@@ -945,6 +992,7 @@ mip_filter_sensor_to_vehicle_offset_load(struct mip_filter_sensor_to_vehicle_off
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_offset *command) {
@@ -991,6 +1039,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response
     const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, builder);
 }
+
 /**
  * GNSS antenna offset: command (0x0D,0x13).
  *
@@ -1044,13 +1093,15 @@ static inline mip_error mip_filter_antenna_offset_decode(struct mip_filter_anten
 MIP_CHECKED static inline mip_error mip_filter_antenna_offset_encode(
     const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit:
-   * m. Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
-   *   sensor.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
+ *   sensor.
+ */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -1058,6 +1109,7 @@ mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_read(struct mip_filter_antenna_offset *command) {
@@ -1065,6 +1117,7 @@ mip_filter_antenna_offset_read(struct mip_filter_antenna_offset *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_save(struct mip_filter_antenna_offset *command) {
@@ -1072,6 +1125,7 @@ mip_filter_antenna_offset_save(struct mip_filter_antenna_offset *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_load(struct mip_filter_antenna_offset *command) {
@@ -1079,6 +1133,7 @@ mip_filter_antenna_offset_load(struct mip_filter_antenna_offset *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
@@ -1124,6 +1179,7 @@ MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
     const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_response_codec, value, builder);
 }
+
 /**
  * Estimation control flags: command (0x0D,0x14).
  *
@@ -1188,23 +1244,24 @@ static inline mip_error mip_filter_estimation_control_decode(
 MIP_CHECKED static inline mip_error mip_filter_estimation_control_encode(
     const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15,
-   *   3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
-   * MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and
-   * 3DM-GX5-25: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
-   * MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
-   * the 3DM-CV5-45: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
-   * MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS, MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR,
-   * MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET,
-   * MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On
-   * the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
-   * MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
-   * MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR
-   * and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - flags: States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15,
+ *   3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS.
+ *   On the 3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25 and 3DM-GX5-25: only
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and
+ *   MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On the 3DM-CV5-45: only
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS, MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS,
+ *   MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR, MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR,
+ *   MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET, MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON and
+ *   MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON. On the 3DM-GQ4-45, 3DM-GX4-45, 3DM-RQ1-45-LT and
+ *   3DM-RQ1-45-ST: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS,
+ *   MIP_FILTER_ESTIMATED_STATES_ACCEL_BIAS, MIP_FILTER_ESTIMATED_STATES_GYRO_SCALE_FACTOR,
+ *   MIP_FILTER_ESTIMATED_STATES_ACCEL_SCALE_FACTOR and MIP_FILTER_ESTIMATED_STATES_ANTENNA_OFFSET.
+ */
 static inline struct mip_filter_estimation_control *mip_filter_estimation_control_write(
     struct mip_filter_estimation_control *command, mip_filter_estimated_states flags) {
     memset(command, 0, sizeof(*command));
@@ -1212,6 +1269,7 @@ static inline struct mip_filter_estimation_control *mip_filter_estimation_contro
     command->flags = flags;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_read(struct mip_filter_estimation_control *command) {
@@ -1219,6 +1277,7 @@ mip_filter_estimation_control_read(struct mip_filter_estimation_control *command
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_save(struct mip_filter_estimation_control *command) {
@@ -1226,6 +1285,7 @@ mip_filter_estimation_control_save(struct mip_filter_estimation_control *command
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_load(struct mip_filter_estimation_control *command) {
@@ -1233,6 +1293,7 @@ mip_filter_estimation_control_load(struct mip_filter_estimation_control *command
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_default(struct mip_filter_estimation_control *command) {
@@ -1275,6 +1336,7 @@ MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encod
     const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_response_codec, value, builder);
 }
+
 /**
  * GNSS aiding source: command (0x0D,0x15).
  *
@@ -1327,13 +1389,15 @@ static inline mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_sou
 MIP_CHECKED static inline mip_error mip_filter_gnss_source_encode(
     const struct mip_filter_gnss_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
-   *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
-   *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for
+ *   write. On the 3DM-GX5-45: only MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL and
+ *   MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL.
+ */
 static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     struct mip_filter_gnss_source *command, enum mip_filter_gnss_aiding_source source) {
     memset(command, 0, sizeof(*command));
@@ -1341,6 +1405,7 @@ static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     command->source = (uint8_t)source;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_read(struct mip_filter_gnss_source *command) {
@@ -1348,6 +1413,7 @@ mip_filter_gnss_source_read(struct mip_filter_gnss_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_save(struct mip_filter_gnss_source *command) {
@@ -1355,6 +1421,7 @@ mip_filter_gnss_source_save(struct mip_filter_gnss_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_load(struct mip_filter_gnss_source *command) {
@@ -1362,6 +1429,7 @@ mip_filter_gnss_source_load(struct mip_filter_gnss_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_default(struct mip_filter_gnss_source *command) {
@@ -1404,6 +1472,7 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
     const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_response_codec, value, builder);
 }
+
 /**
  * External GNSS update: command (0x0D,0x16).
  *
@@ -1463,20 +1532,22 @@ static inline mip_error mip_filter_external_gnss_update_decode(
 MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode(
     const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_gnss_update_codec, value, builder);
-} /**
-   * External GNSS update. Fills the structure and returns its address.
-   *
-   * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
-   * - week_number: GPS week, counted without rollover. Unit: week.
-   * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
-   * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
-   * - height: Height above the ellipsoid. Unit: m. Frame: llh.
-   * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
-   * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit:
-   * m. Frame: ned. Range: at least 0.
-   * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
-   *   m/s. Frame: ned. Range: at least 0.
-   */
+}
+
+/**
+ * External GNSS update. Fills the structure and returns its address.
+ *
+ * - tow: GPS time of week. Unit: s. Range: at least 0, less than 604800.
+ * - week_number: GPS week, counted without rollover. Unit: week.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+ * - height: Height above the ellipsoid. Unit: m. Frame: llh.
+ * - velocity: Velocity of the antenna. Elements: north, east, down. Unit: m/s. Frame: ned.
+ * - position_uncertainty: Standard deviation of the position. Elements: north, east, down. Unit: m.
+ *   Frame: ned. Range: at least 0.
+ * - velocity_uncertainty: Standard deviation of the velocity. Elements: north, east, down. Unit:
+ *   m/s. Frame: ned. Range: at least 0.
+ */
 static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_update_make(
     struct mip_filter_external_gnss_update *command, double tow, uint16_t week_number,
     double latitude, double longitude, double height, const float velocity[3],
@@ -1549,15 +1620,17 @@ static inline mip_error mip_filter_external_heading_update_decode(
 MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode(
     const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_codec, value, builder);
-} /**
-   * External heading update. Fills the structure and returns its address.
-   *
-   * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-   *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
-   * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
-   *   Range: greater than 0.
-   * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
-   */
+}
+
+/**
+ * External heading update. Fills the structure and returns its address.
+ *
+ * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+ * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
+ *   Range: greater than 0.
+ * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
+ */
 static inline struct mip_filter_external_heading_update *mip_filter_external_heading_update_make(
     struct mip_filter_external_heading_update *command, float heading, float heading_uncertainty,
     enum mip_filter_heading_type type) {
@@ -1629,26 +1702,28 @@ static inline mip_error mip_filter_heading_source_decode(struct mip_filter_headi
 MIP_CHECKED static inline mip_error mip_filter_heading_source_encode(
     const struct mip_filter_heading_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
-   *   write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the
-   *   3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG and
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CV5-45: only
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY, MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL,
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG,
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL,
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL and MIP_FILTER_HEADING_UPDATE_SOURCE_ALL.
-   * On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
-   *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the heading. A value of enum mip_filter_heading_update_source. Required for
+ *   write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-CX5-15 and 3DM-GX5-15: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the
+ *   3DM-CL5-25, 3DM-CV5-25, 3DM-CX5-25, 3DM-GX4-25 and 3DM-GX5-25: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG and
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CV5-45: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY, MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL and MIP_FILTER_HEADING_UPDATE_SOURCE_ALL. On
+ *   the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_MAG, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and
+ *   MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
+ */
 static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     struct mip_filter_heading_source *command, enum mip_filter_heading_update_source source) {
     memset(command, 0, sizeof(*command));
@@ -1656,6 +1731,7 @@ static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     command->source = (uint8_t)source;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_read(struct mip_filter_heading_source *command) {
@@ -1663,6 +1739,7 @@ mip_filter_heading_source_read(struct mip_filter_heading_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_save(struct mip_filter_heading_source *command) {
@@ -1670,6 +1747,7 @@ mip_filter_heading_source_save(struct mip_filter_heading_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_load(struct mip_filter_heading_source *command) {
@@ -1677,6 +1755,7 @@ mip_filter_heading_source_load(struct mip_filter_heading_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
@@ -1719,6 +1798,7 @@ MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
     const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_response_codec, value, builder);
 }
+
 /**
  * Automatic initialization: command (0x0D,0x19).
  *
@@ -1764,11 +1844,13 @@ static inline mip_error mip_filter_auto_initialization_control_decode(
 MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_write(struct mip_filter_auto_initialization_control *command,
                                              uint8_t enable) {
@@ -1777,6 +1859,7 @@ mip_filter_auto_initialization_control_write(struct mip_filter_auto_initializati
     command->enable = enable;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_read(
@@ -1785,6 +1868,7 @@ mip_filter_auto_initialization_control_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_save(
@@ -1793,6 +1877,7 @@ mip_filter_auto_initialization_control_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_load(
@@ -1801,6 +1886,7 @@ mip_filter_auto_initialization_control_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_default(
@@ -1847,6 +1933,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_respo
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_response_codec, value, builder);
 }
+
 /**
  * Accelerometer noise: command (0x0D,0x1A).
  *
@@ -1898,12 +1985,14 @@ static inline mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_no
 MIP_CHECKED static inline mip_error mip_filter_accel_noise_encode(
     const struct mip_filter_accel_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
-   *   Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -1911,6 +2000,7 @@ mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_read(struct mip_filter_accel_noise *command) {
@@ -1918,6 +2008,7 @@ mip_filter_accel_noise_read(struct mip_filter_accel_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_save(struct mip_filter_accel_noise *command) {
@@ -1925,6 +2016,7 @@ mip_filter_accel_noise_save(struct mip_filter_accel_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_load(struct mip_filter_accel_noise *command) {
@@ -1932,6 +2024,7 @@ mip_filter_accel_noise_load(struct mip_filter_accel_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_default(struct mip_filter_accel_noise *command) {
@@ -1975,6 +2068,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
     const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_response_codec, value, builder);
 }
+
 /**
  * Gyroscope noise: command (0x0D,0x1B).
  *
@@ -2025,12 +2119,14 @@ static inline mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_nois
 MIP_CHECKED static inline mip_error mip_filter_gyro_noise_encode(
     const struct mip_filter_gyro_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0.
-   *   Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2038,6 +2134,7 @@ mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float n
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_read(struct mip_filter_gyro_noise *command) {
@@ -2045,6 +2142,7 @@ mip_filter_gyro_noise_read(struct mip_filter_gyro_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_save(struct mip_filter_gyro_noise *command) {
@@ -2052,6 +2150,7 @@ mip_filter_gyro_noise_save(struct mip_filter_gyro_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_load(struct mip_filter_gyro_noise *command) {
@@ -2059,6 +2158,7 @@ mip_filter_gyro_noise_load(struct mip_filter_gyro_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_default(struct mip_filter_gyro_noise *command) {
@@ -2102,6 +2202,7 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
     const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_response_codec, value, builder);
 }
+
 /**
  * Accelerometer bias model: command (0x0D,0x1C).
  *
@@ -2153,14 +2254,16 @@ static inline mip_error mip_filter_accel_bias_model_decode(
 MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_encode(
     const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
-   *   write.
-   * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range:
-   * greater than 0. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+ *   write.
+ * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater
+ *   than 0. Required for write.
+ */
 static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_write(
     struct mip_filter_accel_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2169,6 +2272,7 @@ static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_wr
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_read(struct mip_filter_accel_bias_model *command) {
@@ -2176,6 +2280,7 @@ mip_filter_accel_bias_model_read(struct mip_filter_accel_bias_model *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_save(struct mip_filter_accel_bias_model *command) {
@@ -2183,6 +2288,7 @@ mip_filter_accel_bias_model_save(struct mip_filter_accel_bias_model *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_load(struct mip_filter_accel_bias_model *command) {
@@ -2190,6 +2296,7 @@ mip_filter_accel_bias_model_load(struct mip_filter_accel_bias_model *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_default(struct mip_filter_accel_bias_model *command) {
@@ -2237,6 +2344,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
     const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_response_codec, value, builder);
 }
+
 /**
  * Gyroscope bias model: command (0x0D,0x1D).
  *
@@ -2289,14 +2397,16 @@ static inline mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro
 MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_encode(
     const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
-   *   write.
-   * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range:
-   * greater than 0. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - beta: Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+ *   write.
+ * - noise: Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater
+ *   than 0. Required for write.
+ */
 static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_write(
     struct mip_filter_gyro_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2305,6 +2415,7 @@ static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_writ
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_read(struct mip_filter_gyro_bias_model *command) {
@@ -2312,6 +2423,7 @@ mip_filter_gyro_bias_model_read(struct mip_filter_gyro_bias_model *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_save(struct mip_filter_gyro_bias_model *command) {
@@ -2319,6 +2431,7 @@ mip_filter_gyro_bias_model_save(struct mip_filter_gyro_bias_model *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_load(struct mip_filter_gyro_bias_model *command) {
@@ -2326,6 +2439,7 @@ mip_filter_gyro_bias_model_load(struct mip_filter_gyro_bias_model *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_default(struct mip_filter_gyro_bias_model *command) {
@@ -2374,6 +2488,7 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
     const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_response_codec, value, builder);
 }
+
 /**
  * Automatic zero velocity update: command (0x0D,0x1E).
  *
@@ -2422,13 +2537,15 @@ static inline mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt 
 MIP_CHECKED static inline mip_error
 mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
-   * - threshold: Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for
-   *   write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - threshold: Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for
+ *   write.
+ */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -2437,6 +2554,7 @@ mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable,
     command->threshold = threshold;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_read(struct mip_filter_auto_zupt *command) {
@@ -2444,6 +2562,7 @@ mip_filter_auto_zupt_read(struct mip_filter_auto_zupt *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_save(struct mip_filter_auto_zupt *command) {
@@ -2451,6 +2570,7 @@ mip_filter_auto_zupt_save(struct mip_filter_auto_zupt *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_load(struct mip_filter_auto_zupt *command) {
@@ -2458,6 +2578,7 @@ mip_filter_auto_zupt_load(struct mip_filter_auto_zupt *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
@@ -2503,6 +2624,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode(
     const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_response_codec, value, builder);
 }
+
 /**
  * External heading update with time: command (0x0D,0x1F).
  *
@@ -2564,17 +2686,19 @@ static inline mip_error mip_filter_external_heading_update_with_time_decode(
 MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_with_time_codec, value, builder);
-} /**
-   * External heading update with time. Fills the structure and returns its address.
-   *
-   * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
-   * - week_number: GPS week, counted without rollover. Unit: week.
-   * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
-   *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
-   * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
-   *   Range: greater than 0.
-   * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
-   */
+}
+
+/**
+ * External heading update with time. Fills the structure and returns its address.
+ *
+ * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
+ * - week_number: GPS week, counted without rollover. Unit: week.
+ * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
+ * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
+ *   Range: greater than 0.
+ * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
+ */
 static inline struct mip_filter_external_heading_update_with_time *
 mip_filter_external_heading_update_with_time_make(
     struct mip_filter_external_heading_update_with_time *command, double tow, uint16_t week_number,
@@ -2641,13 +2765,15 @@ static inline mip_error mip_filter_auto_angular_zupt_decode(
 MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_encode(
     const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
-   * - threshold: Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0.
-   *   Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - threshold: Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_write(
     struct mip_filter_auto_angular_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -2656,6 +2782,7 @@ static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_
     command->threshold = threshold;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_read(struct mip_filter_auto_angular_zupt *command) {
@@ -2663,6 +2790,7 @@ mip_filter_auto_angular_zupt_read(struct mip_filter_auto_angular_zupt *command) 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_save(struct mip_filter_auto_angular_zupt *command) {
@@ -2670,6 +2798,7 @@ mip_filter_auto_angular_zupt_save(struct mip_filter_auto_angular_zupt *command) 
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_load(struct mip_filter_auto_angular_zupt *command) {
@@ -2677,6 +2806,7 @@ mip_filter_auto_angular_zupt_load(struct mip_filter_auto_angular_zupt *command) 
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *command) {
@@ -2723,6 +2853,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode
     const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_response_codec, value, builder);
 }
+
 /**
  * Tare orientation: command (0x0D,0x21).
  *
@@ -2773,11 +2904,13 @@ static inline mip_error mip_filter_tare_orientation_decode(
 MIP_CHECKED static inline mip_error mip_filter_tare_orientation_encode(
     const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - axes: Axes to tare; 0 resets all axes. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - axes: Axes to tare; 0 resets all axes. Required for write.
+ */
 static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_write(
     struct mip_filter_tare_orientation *command, mip_filter_tare_axes axes) {
     memset(command, 0, sizeof(*command));
@@ -2785,6 +2918,7 @@ static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_wr
     command->axes = axes;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_read(struct mip_filter_tare_orientation *command) {
@@ -2792,6 +2926,7 @@ mip_filter_tare_orientation_read(struct mip_filter_tare_orientation *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_save(struct mip_filter_tare_orientation *command) {
@@ -2799,6 +2934,7 @@ mip_filter_tare_orientation_save(struct mip_filter_tare_orientation *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_load(struct mip_filter_tare_orientation *command) {
@@ -2806,6 +2942,7 @@ mip_filter_tare_orientation_load(struct mip_filter_tare_orientation *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command) {
@@ -2851,6 +2988,7 @@ MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode(
     const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_response_codec, value, builder);
 }
+
 /**
  * Commanded zero velocity update: command (0x0D,0x22).
  *
@@ -2890,6 +3028,7 @@ MIP_CHECKED static inline mip_error mip_filter_commanded_zupt_encode(
     const struct mip_filter_commanded_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_zupt_codec, value, builder);
 }
+
 /**
  * Commanded zero angular rate update: command (0x0D,0x23).
  *
@@ -2930,6 +3069,7 @@ MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
     const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_angular_zupt_codec, value, builder);
 }
+
 /**
  * Set reference position: command (0x0D,0x26).
  *
@@ -2990,18 +3130,20 @@ static inline mip_error mip_filter_reference_position_decode(
 MIP_CHECKED static inline mip_error mip_filter_reference_position_encode(
     const struct mip_filter_reference_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
-   * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north.
-   * Required for write.
-   * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
-   *   Required for write.
-   * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
-   *   it counts from the ellipsoid or from sea level. The manual does not state it; its glossary
-   *   counts altitudes from sea level.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Required
+ *   for write.
+ * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east.
+ *   Required for write.
+ * - altitude: Altitude of the reference position. Unit: m. Required for write. Uncertain: Whether
+ *   it counts from the ellipsoid or from sea level. The manual does not state it; its glossary
+ *   counts altitudes from sea level.
+ */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
                                     double latitude, double longitude, double altitude) {
@@ -3013,6 +3155,7 @@ mip_filter_reference_position_write(struct mip_filter_reference_position *comman
     command->altitude = altitude;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_read(struct mip_filter_reference_position *command) {
@@ -3020,6 +3163,7 @@ mip_filter_reference_position_read(struct mip_filter_reference_position *command
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_save(struct mip_filter_reference_position *command) {
@@ -3027,6 +3171,7 @@ mip_filter_reference_position_save(struct mip_filter_reference_position *command
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_load(struct mip_filter_reference_position *command) {
@@ -3034,6 +3179,7 @@ mip_filter_reference_position_load(struct mip_filter_reference_position *command
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_default(struct mip_filter_reference_position *command) {
@@ -3086,6 +3232,7 @@ MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encod
     const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_response_codec, value, builder);
 }
+
 /**
  * Capture automatic magnetometer calibration: command (0x0D,0x27).
  *
@@ -3128,7 +3275,9 @@ static inline mip_error mip_filter_mag_capture_auto_calibration_decode(
 MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
     const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_capture_auto_calibration_codec, value, builder);
-} /** Apply the new setting. Fills the structure and returns its address. */
+}
+
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_capture_auto_calibration *
 mip_filter_mag_capture_auto_calibration_write(
     struct mip_filter_mag_capture_auto_calibration *command) {
@@ -3136,6 +3285,7 @@ mip_filter_mag_capture_auto_calibration_write(
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_capture_auto_calibration *
 mip_filter_mag_capture_auto_calibration_save(
@@ -3195,12 +3345,14 @@ static inline mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravit
 MIP_CHECKED static inline mip_error mip_filter_gravity_noise_encode(
     const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0.
-   * Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required
+ *   for write.
+ */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -3208,6 +3360,7 @@ mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const f
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_read(struct mip_filter_gravity_noise *command) {
@@ -3215,6 +3368,7 @@ mip_filter_gravity_noise_read(struct mip_filter_gravity_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_save(struct mip_filter_gravity_noise *command) {
@@ -3222,6 +3376,7 @@ mip_filter_gravity_noise_save(struct mip_filter_gravity_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_load(struct mip_filter_gravity_noise *command) {
@@ -3229,6 +3384,7 @@ mip_filter_gravity_noise_load(struct mip_filter_gravity_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_default(struct mip_filter_gravity_noise *command) {
@@ -3272,6 +3428,7 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
     const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_response_codec, value, builder);
 }
+
 /**
  * Pressure altitude noise: command (0x0D,0x29).
  *
@@ -3323,12 +3480,14 @@ static inline mip_error mip_filter_pressure_altitude_noise_decode(
 MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_encode(
     const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - noise: Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0.
-   *   Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation of the pressure altitude noise. Unit: m. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_altitude_noise_write(
     struct mip_filter_pressure_altitude_noise *command, float noise) {
     memset(command, 0, sizeof(*command));
@@ -3336,6 +3495,7 @@ static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_alt
     command->noise = noise;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_read(struct mip_filter_pressure_altitude_noise *command) {
@@ -3343,6 +3503,7 @@ mip_filter_pressure_altitude_noise_read(struct mip_filter_pressure_altitude_nois
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_save(struct mip_filter_pressure_altitude_noise *command) {
@@ -3350,6 +3511,7 @@ mip_filter_pressure_altitude_noise_save(struct mip_filter_pressure_altitude_nois
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_load(struct mip_filter_pressure_altitude_noise *command) {
@@ -3357,6 +3519,7 @@ mip_filter_pressure_altitude_noise_load(struct mip_filter_pressure_altitude_nois
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_noise *command) {
@@ -3400,6 +3563,7 @@ MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_
     const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_response_codec, value, builder);
 }
+
 /**
  * Hard iron offset noise: command (0x0D,0x2B).
  *
@@ -3448,12 +3612,14 @@ static inline mip_error mip_filter_hard_iron_offset_noise_decode(
 MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_encode(
     const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
-   *   Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_offset_noise_write(
     struct mip_filter_hard_iron_offset_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -3461,6 +3627,7 @@ static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_off
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_read(struct mip_filter_hard_iron_offset_noise *command) {
@@ -3468,6 +3635,7 @@ mip_filter_hard_iron_offset_noise_read(struct mip_filter_hard_iron_offset_noise 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_save(struct mip_filter_hard_iron_offset_noise *command) {
@@ -3475,6 +3643,7 @@ mip_filter_hard_iron_offset_noise_save(struct mip_filter_hard_iron_offset_noise 
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_load(struct mip_filter_hard_iron_offset_noise *command) {
@@ -3482,6 +3651,7 @@ mip_filter_hard_iron_offset_noise_load(struct mip_filter_hard_iron_offset_noise 
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noise *command) {
@@ -3525,6 +3695,7 @@ MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_e
     const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_response_codec, value, builder);
 }
+
 /**
  * Soft iron matrix noise: command (0x0D,0x2C).
  *
@@ -3573,12 +3744,14 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_decode(
 MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
     const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - noise: Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-   *   Unit: 1. Range: greater than 0. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+ *   Unit: 1. Range: greater than 0. Required for write.
+ */
 static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_matrix_noise_write(
     struct mip_filter_soft_iron_matrix_noise *command, const float noise[9]) {
     memset(command, 0, sizeof(*command));
@@ -3586,6 +3759,7 @@ static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_mat
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_read(struct mip_filter_soft_iron_matrix_noise *command) {
@@ -3593,6 +3767,7 @@ mip_filter_soft_iron_matrix_noise_read(struct mip_filter_soft_iron_matrix_noise 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_save(struct mip_filter_soft_iron_matrix_noise *command) {
@@ -3600,6 +3775,7 @@ mip_filter_soft_iron_matrix_noise_save(struct mip_filter_soft_iron_matrix_noise 
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_load(struct mip_filter_soft_iron_matrix_noise *command) {
@@ -3607,6 +3783,7 @@ mip_filter_soft_iron_matrix_noise_load(struct mip_filter_soft_iron_matrix_noise 
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noise *command) {
@@ -3653,6 +3830,7 @@ MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_e
     const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_response_codec, value, builder);
 }
+
 /**
  * Enable or disable measurements: command (0x0D,0x41).
  *
@@ -3702,12 +3880,14 @@ static inline mip_error mip_filter_enable_measurements_decode(
 MIP_CHECKED static inline mip_error mip_filter_enable_measurements_encode(
     const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
-   *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - control: Measurements to use. Required for write. On the 3DM-GX5-15: only
+ *   MIP_FILTER_MEASUREMENT_FLAGS_ACCEL.
+ */
 static inline struct mip_filter_enable_measurements *mip_filter_enable_measurements_write(
     struct mip_filter_enable_measurements *command, mip_filter_measurement_flags control) {
     memset(command, 0, sizeof(*command));
@@ -3715,6 +3895,7 @@ static inline struct mip_filter_enable_measurements *mip_filter_enable_measureme
     command->control = control;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_read(struct mip_filter_enable_measurements *command) {
@@ -3722,6 +3903,7 @@ mip_filter_enable_measurements_read(struct mip_filter_enable_measurements *comma
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_save(struct mip_filter_enable_measurements *command) {
@@ -3729,6 +3911,7 @@ mip_filter_enable_measurements_save(struct mip_filter_enable_measurements *comma
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_load(struct mip_filter_enable_measurements *command) {
@@ -3736,6 +3919,7 @@ mip_filter_enable_measurements_load(struct mip_filter_enable_measurements *comma
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_default(struct mip_filter_enable_measurements *command) {
@@ -3778,6 +3962,7 @@ MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_enco
     const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_response_codec, value, builder);
 }
+
 /**
  * Magnetometer noise: command (0x0D,0x42).
  *
@@ -3826,12 +4011,14 @@ static inline mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise 
 MIP_CHECKED static inline mip_error
 mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
-   *   Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - noise: Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0.
+ *   Required for write.
+ */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -3839,6 +4026,7 @@ mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noi
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_read(struct mip_filter_mag_noise *command) {
@@ -3846,6 +4034,7 @@ mip_filter_mag_noise_read(struct mip_filter_mag_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_save(struct mip_filter_mag_noise *command) {
@@ -3853,6 +4042,7 @@ mip_filter_mag_noise_save(struct mip_filter_mag_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_load(struct mip_filter_mag_noise *command) {
@@ -3860,6 +4050,7 @@ mip_filter_mag_noise_load(struct mip_filter_mag_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
@@ -3902,6 +4093,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
     const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_response_codec, value, builder);
 }
+
 /**
  * Magnetic declination source: command (0x0D,0x43).
  *
@@ -3964,19 +4156,21 @@ static inline mip_error mip_filter_magnetic_declination_source_decode(
 MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_encode(
     const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
-   *   for write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
-   *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
-   *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
-   *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
-   * - declination: Declination; used only if `source` is manual. Unit: rad. Range:
-   * -3.141592653589793 to 3.141592653589793. Required for write. Uncertain: Whether it may be
-   * omitted if `source` is not manual. The manuals, that of the 3DM-GQ7 included, require it only
-   * if it is, but state one length, with the value. Sending it always fits both.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the declination. A value of enum mip_filter_mag_parameter_source. Required
+ *   for write. On the 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: only
+ *   MIP_FILTER_MAG_PARAMETER_SOURCE_NONE and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL. On the
+ *   3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
+ *   MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
+ * - declination: Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793
+ *   to 3.141592653589793. Required for write. Uncertain: Whether it may be omitted if `source` is
+ *   not manual. The manuals, that of the 3DM-GQ7 included, require it only if it is, but state one
+ *   length, with the value. Sending it always fits both.
+ */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -3987,6 +4181,7 @@ mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declinat
     command->declination = declination;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_read(
@@ -3995,6 +4190,7 @@ mip_filter_magnetic_declination_source_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_save(
@@ -4003,6 +4199,7 @@ mip_filter_magnetic_declination_source_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_load(
@@ -4011,6 +4208,7 @@ mip_filter_magnetic_declination_source_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_default(
@@ -4065,6 +4263,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_response_codec, value, builder);
 }
+
 /**
  * Gravity magnitude error adaptive measurement: command (0x0D,0x44).
  *
@@ -4153,15 +4352,17 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_decode(
 MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
     const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - adaptive_measurement: Kind of adaptation. A value of enum
-   *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
-   *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
-   *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
-   *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - adaptive_measurement: Kind of adaptation. A value of enum
+ *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
+ */
 static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magnitude_adaptive_write(
     struct mip_filter_accel_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
@@ -4170,6 +4371,7 @@ static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magni
     command->adaptive_measurement = (uint8_t)adaptive_measurement;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_read(struct mip_filter_accel_magnitude_adaptive *command) {
@@ -4177,6 +4379,7 @@ mip_filter_accel_magnitude_adaptive_read(struct mip_filter_accel_magnitude_adapt
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_save(struct mip_filter_accel_magnitude_adaptive *command) {
@@ -4184,6 +4387,7 @@ mip_filter_accel_magnitude_adaptive_save(struct mip_filter_accel_magnitude_adapt
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_load(struct mip_filter_accel_magnitude_adaptive *command) {
@@ -4191,6 +4395,7 @@ mip_filter_accel_magnitude_adaptive_load(struct mip_filter_accel_magnitude_adapt
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_adaptive *command) {
@@ -4248,6 +4453,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response
     const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_response_codec, value, builder);
 }
+
 /**
  * Magnetometer magnitude error adaptive measurement: command (0x0D,0x45).
  *
@@ -4341,32 +4547,34 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_decode(
 MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
     const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - adaptive_measurement: Kind of adaptation. A value of enum
-   *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
-   *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
-   *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
-   *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
-   * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
-   *   write.
-   * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit.
-   * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-   *   response.
-   * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit.
-   * The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-   *   response.
-   * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
-   *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-   *   states m/s^2 in the command and gauss in the response.
-   * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least
-   * 0. Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-   *   states m/s^2 in the command and gauss in the response.
-   * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required
-   * for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2
-   * in the command and gauss in the response.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - adaptive_measurement: Kind of adaptation. A value of enum
+ *   mip_filter_adaptive_measurement_selector. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45,
+ *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+ *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
+ * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+ *   write.
+ * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
+ *   SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
+ *   response.
+ * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
+ *   SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
+ *   response.
+ * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
+ *   states m/s^2 in the command and gauss in the response.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: gauss. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
+ *   states m/s^2 in the command and gauss in the response.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: gauss. Range: at least 0. Required for
+ *   write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in
+ *   the command and gauss in the response.
+ */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
     struct mip_filter_mag_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency,
@@ -4383,6 +4591,7 @@ static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_read(struct mip_filter_mag_magnitude_adaptive *command) {
@@ -4390,6 +4599,7 @@ mip_filter_mag_magnitude_adaptive_read(struct mip_filter_mag_magnitude_adaptive 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_save(struct mip_filter_mag_magnitude_adaptive *command) {
@@ -4397,6 +4607,7 @@ mip_filter_mag_magnitude_adaptive_save(struct mip_filter_mag_magnitude_adaptive 
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_load(struct mip_filter_mag_magnitude_adaptive *command) {
@@ -4404,6 +4615,7 @@ mip_filter_mag_magnitude_adaptive_load(struct mip_filter_mag_magnitude_adaptive 
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adaptive *command) {
@@ -4480,6 +4692,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_e
     const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_response_codec, value, builder);
 }
+
 /**
  * Magnetometer dip angle error adaptive measurement: command (0x0D,0x46).
  *
@@ -4551,20 +4764,22 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_decode(
 MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
     const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: True if the adaptation is on. Required for write.
-   * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
-   *   write.
-   * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
-   *   SDK states m/s^2; rad is inferred from the quantity.
-   * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
-   *   Required for write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
-   *   quantity.
-   * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
-   *   write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: True if the adaptation is on. Required for write.
+ * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
+ *   write.
+ * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
+ *   SDK states m/s^2; rad is inferred from the quantity.
+ * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
+ *   Required for write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
+ *   quantity.
+ * - minimum_uncertainty: Smallest standard deviation. Unit: rad. Range: at least 0. Required for
+ *   write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
+ */
 static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
     struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
     float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
@@ -4577,6 +4792,7 @@ static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_read(struct mip_filter_mag_dip_angle_adaptive *command) {
@@ -4584,6 +4800,7 @@ mip_filter_mag_dip_angle_adaptive_read(struct mip_filter_mag_dip_angle_adaptive 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_save(struct mip_filter_mag_dip_angle_adaptive *command) {
@@ -4591,6 +4808,7 @@ mip_filter_mag_dip_angle_adaptive_save(struct mip_filter_mag_dip_angle_adaptive 
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_load(struct mip_filter_mag_dip_angle_adaptive *command) {
@@ -4598,6 +4816,7 @@ mip_filter_mag_dip_angle_adaptive_load(struct mip_filter_mag_dip_angle_adaptive 
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adaptive *command) {
@@ -4661,6 +4880,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_e
     const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, builder);
 }
+
 /**
  * Altitude aiding: command (0x0D,0x47).
  *
@@ -4710,12 +4930,14 @@ static inline mip_error mip_filter_altitude_aiding_decode(struct mip_filter_alti
 MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_encode(
     const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - selector: Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required
-   * for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - selector: Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required for
+ *   write.
+ */
 static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_write(
     struct mip_filter_altitude_aiding *command, enum mip_filter_altitude_aiding_source selector) {
     memset(command, 0, sizeof(*command));
@@ -4723,6 +4945,7 @@ static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_writ
     command->selector = (uint8_t)selector;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_read(struct mip_filter_altitude_aiding *command) {
@@ -4730,6 +4953,7 @@ mip_filter_altitude_aiding_read(struct mip_filter_altitude_aiding *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_save(struct mip_filter_altitude_aiding *command) {
@@ -4737,6 +4961,7 @@ mip_filter_altitude_aiding_save(struct mip_filter_altitude_aiding *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_load(struct mip_filter_altitude_aiding *command) {
@@ -4744,6 +4969,7 @@ mip_filter_altitude_aiding_load(struct mip_filter_altitude_aiding *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
@@ -4787,6 +5013,7 @@ MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
     const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_response_codec, value, builder);
 }
+
 /**
  * Pitch and roll aiding: command (0x0D,0x4B).
  *
@@ -4835,12 +5062,14 @@ static inline mip_error mip_filter_pitch_roll_aiding_decode(
 MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_encode(
     const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - aiding: Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required
-   * for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - aiding: Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required for
+ *   write.
+ */
 static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_write(
     struct mip_filter_pitch_roll_aiding *command, enum mip_filter_pitch_roll_aiding_source aiding) {
     memset(command, 0, sizeof(*command));
@@ -4848,6 +5077,7 @@ static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_
     command->aiding = (uint8_t)aiding;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_read(struct mip_filter_pitch_roll_aiding *command) {
@@ -4855,6 +5085,7 @@ mip_filter_pitch_roll_aiding_read(struct mip_filter_pitch_roll_aiding *command) 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_save(struct mip_filter_pitch_roll_aiding *command) {
@@ -4862,6 +5093,7 @@ mip_filter_pitch_roll_aiding_save(struct mip_filter_pitch_roll_aiding *command) 
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_load(struct mip_filter_pitch_roll_aiding *command) {
@@ -4869,6 +5101,7 @@ mip_filter_pitch_roll_aiding_load(struct mip_filter_pitch_roll_aiding *command) 
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_default(struct mip_filter_pitch_roll_aiding *command) {
@@ -4911,6 +5144,7 @@ MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode
     const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_response_codec, value, builder);
 }
+
 /**
  * Magnetic inclination source: command (0x0D,0x4C).
  *
@@ -4969,16 +5203,18 @@ static inline mip_error mip_filter_magnetic_inclination_source_decode(
 MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_encode(
     const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
-   *   for write.
-   * - inclination: Inclination; used only if `source` is manual. Unit: rad. Range:
-   *   -1.5707963267948966 to 1.5707963267948966. Required for write. Uncertain: Whether it may be
-   *   left out if `source` is not manual, as the manuals state for
-   *   mip_filter_magnetic_declination_source. The SDK always sends it.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required
+ *   for write.
+ * - inclination: Inclination; used only if `source` is manual. Unit: rad. Range:
+ *   -1.5707963267948966 to 1.5707963267948966. Required for write. Uncertain: Whether it may be
+ *   left out if `source` is not manual, as the manuals state for
+ *   mip_filter_magnetic_declination_source. The SDK always sends it.
+ */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -4989,6 +5225,7 @@ mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclinat
     command->inclination = inclination;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_read(
@@ -4997,6 +5234,7 @@ mip_filter_magnetic_inclination_source_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_save(
@@ -5005,6 +5243,7 @@ mip_filter_magnetic_inclination_source_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_load(
@@ -5013,6 +5252,7 @@ mip_filter_magnetic_inclination_source_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_default(
@@ -5065,6 +5305,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_respo
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_response_codec, value, builder);
 }
+
 /**
  * Magnetic field magnitude source: command (0x0D,0x4D).
  *
@@ -5123,15 +5364,17 @@ static inline mip_error mip_filter_magnetic_magnitude_source_decode(
 MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_encode(
     const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required
-   * for write.
-   * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0.
-   * Required for write. Uncertain: Whether it may be left out if `source` is not manual, as the
-   * manuals state for mip_filter_magnetic_declination_source. The SDK always sends it.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for
+ *   write.
+ * - magnitude: Magnitude; used only if `source` is manual. Unit: gauss. Range: at least 0. Required
+ *   for write. Uncertain: Whether it may be left out if `source` is not manual, as the manuals
+ *   state for mip_filter_magnetic_declination_source. The SDK always sends it.
+ */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
                                            enum mip_filter_mag_parameter_source source,
@@ -5142,6 +5385,7 @@ mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_
     command->magnitude = magnitude;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_read(struct mip_filter_magnetic_magnitude_source *command) {
@@ -5149,6 +5393,7 @@ mip_filter_magnetic_magnitude_source_read(struct mip_filter_magnetic_magnitude_s
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_save(struct mip_filter_magnetic_magnitude_source *command) {
@@ -5156,6 +5401,7 @@ mip_filter_magnetic_magnitude_source_save(struct mip_filter_magnetic_magnitude_s
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_load(struct mip_filter_magnetic_magnitude_source *command) {
@@ -5163,6 +5409,7 @@ mip_filter_magnetic_magnitude_source_load(struct mip_filter_magnetic_magnitude_s
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitude_source *command) {
@@ -5214,6 +5461,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_response_codec, value, builder);
 }
+
 /**
  * Sensor to vehicle rotation, matrix: command (0x0D,0x4E).
  *
@@ -5271,12 +5519,14 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
     const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32,
-   * m33. Unit: 1. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - dcm: Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+ *   Unit: 1. Required for write.
+ */
 static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
 mip_filter_sensor_to_vehicle_rotation_dcm_write(
     struct mip_filter_sensor_to_vehicle_rotation_dcm *command, const float dcm[9]) {
@@ -5285,6 +5535,7 @@ mip_filter_sensor_to_vehicle_rotation_dcm_write(
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
 mip_filter_sensor_to_vehicle_rotation_dcm_read(
@@ -5293,6 +5544,7 @@ mip_filter_sensor_to_vehicle_rotation_dcm_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
 mip_filter_sensor_to_vehicle_rotation_dcm_save(
@@ -5301,6 +5553,7 @@ mip_filter_sensor_to_vehicle_rotation_dcm_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
 mip_filter_sensor_to_vehicle_rotation_dcm_load(
@@ -5309,6 +5562,7 @@ mip_filter_sensor_to_vehicle_rotation_dcm_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
 mip_filter_sensor_to_vehicle_rotation_dcm_default(
@@ -5358,6 +5612,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_re
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, value, builder);
 }
+
 /**
  * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
  *
@@ -5415,12 +5670,14 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - q: Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999
-   * to 1.001. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - q: Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+ *   1.001. Required for write.
+ */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_write(
     struct mip_filter_sensor_to_vehicle_quaternion *command, const float q[4]) {
@@ -5429,6 +5686,7 @@ mip_filter_sensor_to_vehicle_quaternion_write(
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_read(
@@ -5437,6 +5695,7 @@ mip_filter_sensor_to_vehicle_quaternion_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_save(
@@ -5445,6 +5704,7 @@ mip_filter_sensor_to_vehicle_quaternion_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_load(
@@ -5453,6 +5713,7 @@ mip_filter_sensor_to_vehicle_quaternion_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_default(
@@ -5503,6 +5764,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_resp
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_response_codec, value, builder);
 }
+
 /**
  * Aiding measurement control: command (0x0D,0x50).
  *
@@ -5564,25 +5826,27 @@ static inline mip_error mip_filter_aiding_measurement_enable_decode(
 MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_encode(
     const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - aiding_source: The source; `all` is for save, load and default. A value of
-   *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
-   *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
-   *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
-   *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the
-   * 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
-   *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
-   *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
-   *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
-   *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
-   *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
-   *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
-   *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
-   *   MIP_FILTER_AIDING_SOURCE_ALL.
-   * - enable: True if the filter uses the source. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - aiding_source: The source; `all` is for save, load and default. A value of
+ *   mip_filter_aiding_source. On the 3DM-CV7-AHRS, 3DM-CX7-AHRS and 3DM-GV7-AHRS: only
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR, 3DM-CX7-AR and 3DM-GV7-AR: only
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-INS,
+ *   3DM-CX7-INS and 3DM-GV7-INS: only MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_MAG,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING, MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER,
+ *   MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG, MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY and
+ *   MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY, MIP_FILTER_AIDING_SOURCE_GNSS_HEADING,
+ *   MIP_FILTER_AIDING_SOURCE_ALTIMETER, MIP_FILTER_AIDING_SOURCE_SPEED,
+ *   MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
+ *   MIP_FILTER_AIDING_SOURCE_ALL.
+ * - enable: True if the filter uses the source. Required for write.
+ */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
                                            uint16_t aiding_source, mip_bool enable) {
@@ -5592,6 +5856,7 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
     command->enable = mip_truth(enable);
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -5618,6 +5883,7 @@ mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_e
     command->aiding_source = aiding_source;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -5644,6 +5910,7 @@ mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_e
     command->aiding_source = aiding_source;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -5670,6 +5937,7 @@ mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_e
     command->aiding_source = aiding_source;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -5736,6 +6004,7 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_response_codec, value, builder);
 }
+
 /**
  * Kinematic constraint: command (0x0D,0x51).
  *
@@ -5796,18 +6065,19 @@ static inline mip_error mip_filter_kinematic_constraint_decode(
 MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_encode(
     const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - accel_constraint: Assumption about the acceleration. A value of enum
-   *   mip_filter_accel_constraint. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for write.
-   * - velocity_constraint: Assumption about the velocity. A value of enum
-   *   mip_filter_velocity_constraint. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
-   *   write.
-   * - angular_constraint: Assumption about the angular rate. A value of enum
-   *   mip_filter_angular_constraint. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for
-   * write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - accel_constraint: Assumption about the acceleration. A value of enum
+ *   mip_filter_accel_constraint. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for write.
+ * - velocity_constraint: Assumption about the velocity. A value of enum
+ *   mip_filter_velocity_constraint. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
+ *   write.
+ * - angular_constraint: Assumption about the angular rate. A value of enum
+ *   mip_filter_angular_constraint. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for write.
+ */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *command,
                                       enum mip_filter_accel_constraint accel_constraint,
@@ -5820,6 +6090,7 @@ mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *co
     command->angular_constraint = (uint8_t)angular_constraint;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_read(struct mip_filter_kinematic_constraint *command) {
@@ -5827,6 +6098,7 @@ mip_filter_kinematic_constraint_read(struct mip_filter_kinematic_constraint *com
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_save(struct mip_filter_kinematic_constraint *command) {
@@ -5834,6 +6106,7 @@ mip_filter_kinematic_constraint_save(struct mip_filter_kinematic_constraint *com
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_load(struct mip_filter_kinematic_constraint *command) {
@@ -5841,6 +6114,7 @@ mip_filter_kinematic_constraint_load(struct mip_filter_kinematic_constraint *com
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *command) {
@@ -5896,6 +6170,7 @@ MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_enc
     const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_response_codec, value, builder);
 }
+
 /**
  * Navigation filter initialization: command (0x0D,0x52).
  *
@@ -5991,33 +6266,35 @@ static inline mip_error mip_filter_initialization_config_decode(
 MIP_CHECKED static inline mip_error mip_filter_initialization_config_encode(
     const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
-   *   it can. Range: 0 to 1. Required for write.
-   * - initial_condition_source: Initial conditions that your program provides instead of the
-   * device. A value of enum mip_filter_initial_condition_source. Required for write.
-   * - auto_heading_alignment_selector: Methods that may be used to determine the initial heading.
-   *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
-   *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
-   *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
-   *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
-   *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
-   * - initial_heading: Initial heading that your program provides. Unit: deg. Required for write.
-   * - initial_pitch: Initial pitch that your program provides. Unit: deg. Required for write.
-   * - initial_roll: Initial roll that your program provides. Unit: deg. Required for write.
-   * - initial_position: Initial position that your program provides. Elements: x, y, z. Required
-   * for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef.
-   * If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
-   *   height; unit deg, deg, m; frame llh.
-   * - initial_velocity: Initial velocity that your program provides. Elements: x, y, z. Unit: m/s.
-   *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame
-   * ecef. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east,
-   * down; frame ned.
-   * - reference_frame_selector: Frame of the initial position and velocity. A value of enum
-   *   mip_filter_reference_frame. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - wait_for_run_command: 1: the filter starts only after mip_filter_run; 0: it starts as soon as
+ *   it can. Range: 0 to 1. Required for write.
+ * - initial_condition_source: Initial conditions that your program provides instead of the device.
+ *   A value of enum mip_filter_initial_condition_source. Required for write.
+ * - auto_heading_alignment_selector: Methods that may be used to determine the initial heading.
+ *   Required for write. On the 3DM-CV7-INS, 3DM-CX7-INS and 3DM-GV7-INS: only
+ *   MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC, MIP_FILTER_HEADING_ALIGNMENT_MAG and
+ *   MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL. On the 3DM-GQ7-GNSS/INS: only
+ *   MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA, MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC and
+ *   MIP_FILTER_HEADING_ALIGNMENT_MAG.
+ * - initial_heading: Initial heading that your program provides. Unit: deg. Required for write.
+ * - initial_pitch: Initial pitch that your program provides. Unit: deg. Required for write.
+ * - initial_roll: Initial roll that your program provides. Unit: deg. Required for write.
+ * - initial_position: Initial position that your program provides. Elements: x, y, z. Required for
+ *   write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+ *   height; unit deg, deg, m; frame llh.
+ * - initial_velocity: Initial velocity that your program provides. Elements: x, y, z. Unit: m/s.
+ *   Required for write. If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef.
+ *   If reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements north, east, down;
+ *   frame ned.
+ * - reference_frame_selector: Frame of the initial position and velocity. A value of enum
+ *   mip_filter_reference_frame. Required for write.
+ */
 static inline struct mip_filter_initialization_config *mip_filter_initialization_config_write(
     struct mip_filter_initialization_config *command, uint8_t wait_for_run_command,
     enum mip_filter_initial_condition_source initial_condition_source,
@@ -6037,6 +6314,7 @@ static inline struct mip_filter_initialization_config *mip_filter_initialization
     command->reference_frame_selector = (uint8_t)reference_frame_selector;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_read(struct mip_filter_initialization_config *command) {
@@ -6044,6 +6322,7 @@ mip_filter_initialization_config_read(struct mip_filter_initialization_config *c
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_save(struct mip_filter_initialization_config *command) {
@@ -6051,6 +6330,7 @@ mip_filter_initialization_config_save(struct mip_filter_initialization_config *c
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_load(struct mip_filter_initialization_config *command) {
@@ -6058,6 +6338,7 @@ mip_filter_initialization_config_load(struct mip_filter_initialization_config *c
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_default(struct mip_filter_initialization_config *command) {
@@ -6133,6 +6414,7 @@ MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_en
     const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_response_codec, value, builder);
 }
+
 /**
  * Adaptive filter control: command (0x0D,0x53).
  *
@@ -6186,15 +6468,17 @@ static inline mip_error mip_filter_adaptive_filter_options_decode(
 MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_encode(
     const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
-   *   Required for write. On the 3DM-CV5-45 and 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
-   *   MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
-   * - time_limit: Longest time for which measurements are rejected before the filter recovers.
-   * Unit: ms. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - level: Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2.
+ *   Required for write. On the 3DM-CV5-45 and 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
+ *   MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
+ * - time_limit: Longest time for which measurements are rejected before the filter recovers. Unit:
+ *   ms. Required for write.
+ */
 static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_filter_options_write(
     struct mip_filter_adaptive_filter_options *command, enum mip_filter_adaptive_level level,
     uint16_t time_limit) {
@@ -6204,6 +6488,7 @@ static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_fil
     command->time_limit = time_limit;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_read(struct mip_filter_adaptive_filter_options *command) {
@@ -6211,6 +6496,7 @@ mip_filter_adaptive_filter_options_read(struct mip_filter_adaptive_filter_option
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_save(struct mip_filter_adaptive_filter_options *command) {
@@ -6218,6 +6504,7 @@ mip_filter_adaptive_filter_options_save(struct mip_filter_adaptive_filter_option
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_load(struct mip_filter_adaptive_filter_options *command) {
@@ -6225,6 +6512,7 @@ mip_filter_adaptive_filter_options_load(struct mip_filter_adaptive_filter_option
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_options *command) {
@@ -6269,6 +6557,7 @@ MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_
     const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_response_codec, value, builder);
 }
+
 /**
  * GNSS multi-antenna offset: command (0x0D,0x54).
  *
@@ -6321,13 +6610,15 @@ static inline mip_error mip_filter_multi_antenna_offset_decode(
 MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_encode(
     const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - receiver_id: Number of the receiver, from 1. Range: at least 1.
-   * - antenna_offset: From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
-   *   Range: magnitude at most 10. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - receiver_id: Number of the receiver, from 1. Range: at least 1.
+ * - antenna_offset: From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
+ *   Range: magnitude at most 10. Required for write.
+ */
 static inline struct mip_filter_multi_antenna_offset *
 mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *command,
                                       uint8_t receiver_id, const float antenna_offset[3]) {
@@ -6337,6 +6628,7 @@ mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *co
     memcpy(command->antenna_offset, antenna_offset, sizeof(command->antenna_offset));
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -6349,6 +6641,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -6361,6 +6654,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -6373,6 +6667,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -6425,6 +6720,7 @@ MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_enc
     const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_response_codec, value, builder);
 }
+
 /**
  * Relative position configuration: command (0x0D,0x55).
  *
@@ -6481,18 +6777,20 @@ static inline mip_error mip_filter_relative_position_config_decode(
 MIP_CHECKED static inline mip_error mip_filter_relative_position_config_encode(
     const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - source: Source of the reference point. A value of enum mip_filter_relative_position_source.
-   *   Required for write.
-   * - reference_frame_selector: Frame of the coordinates. A value of enum
-   * mip_filter_reference_frame. Required for write.
-   * - reference_coordinates: Reference point. Elements: x, y, z. Required for write. If
-   *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
-   *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
-   *   height; unit deg, deg, m; frame llh.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - source: Source of the reference point. A value of enum mip_filter_relative_position_source.
+ *   Required for write.
+ * - reference_frame_selector: Frame of the coordinates. A value of enum mip_filter_reference_frame.
+ *   Required for write.
+ * - reference_coordinates: Reference point. Elements: x, y, z. Required for write. If
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+ *   reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: elements latitude, longitude,
+ *   height; unit deg, deg, m; frame llh.
+ */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_write(struct mip_filter_relative_position_config *command,
                                           enum mip_filter_relative_position_source source,
@@ -6506,6 +6804,7 @@ mip_filter_relative_position_config_write(struct mip_filter_relative_position_co
            sizeof(command->reference_coordinates));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_read(struct mip_filter_relative_position_config *command) {
@@ -6513,6 +6812,7 @@ mip_filter_relative_position_config_read(struct mip_filter_relative_position_con
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_save(struct mip_filter_relative_position_config *command) {
@@ -6520,6 +6820,7 @@ mip_filter_relative_position_config_save(struct mip_filter_relative_position_con
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_load(struct mip_filter_relative_position_config *command) {
@@ -6527,6 +6828,7 @@ mip_filter_relative_position_config_load(struct mip_filter_relative_position_con
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_default(struct mip_filter_relative_position_config *command) {
@@ -6579,6 +6881,7 @@ MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response
     const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_response_codec, value, builder);
 }
+
 /**
  * Reference point lever arm: command (0x0D,0x56).
  *
@@ -6633,14 +6936,16 @@ static inline mip_error mip_filter_reference_point_lever_arm_decode(
 MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
-   *   Required for write.
-   * - lever_arm_offset: From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle.
-   *   Range: magnitude at most 10. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
+ *   Required for write.
+ * - lever_arm_offset: From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle.
+ *   Range: magnitude at most 10. Required for write.
+ */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lever_arm *command,
                                            enum mip_filter_reference_point reference_point,
@@ -6651,6 +6956,7 @@ mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lev
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_read(struct mip_filter_reference_point_lever_arm *command) {
@@ -6658,6 +6964,7 @@ mip_filter_reference_point_lever_arm_read(struct mip_filter_reference_point_leve
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_save(struct mip_filter_reference_point_lever_arm *command) {
@@ -6665,6 +6972,7 @@ mip_filter_reference_point_lever_arm_save(struct mip_filter_reference_point_leve
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_load(struct mip_filter_reference_point_lever_arm *command) {
@@ -6672,6 +6980,7 @@ mip_filter_reference_point_lever_arm_load(struct mip_filter_reference_point_leve
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_lever_arm *command) {
@@ -6722,6 +7031,7 @@ MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_respons
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_response_codec, value, builder);
 }
+
 /**
  * Speed measurement: command (0x0D,0x60).
  *
@@ -6770,14 +7080,16 @@ static inline mip_error mip_filter_speed_measurement_decode(
 MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode(
     const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_measurement_codec, value, builder);
-} /**
-   * Speed measurement. Fills the structure and returns its address.
-   *
-   * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit;
-   * the SDK states none.
-   * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
-   * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
-   */
+}
+
+/**
+ * Speed measurement. Fills the structure and returns its address.
+ *
+ * - tow: GPS time of week of the measurement. Unit: s. Range: 0 to 604800. Uncertain: The unit; the
+ *   SDK states none.
+ * - speed: Speed, negative in reverse. Unit: m/s. Frame: vehicle.
+ * - speed_uncertainty: Standard deviation of the speed. Unit: m/s. Range: at least 0.
+ */
 static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_make(
     struct mip_filter_speed_measurement *command, float tow, float speed, float speed_uncertainty) {
     memset(command, 0, sizeof(*command));
@@ -6838,12 +7150,14 @@ static inline mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_spee
 MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_encode(
     const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - lever_arm_offset: From the sensor to the point of measurement. Elements: x, y, z. Unit: m.
-   *   Frame: vehicle. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - lever_arm_offset: From the sensor to the point of measurement. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Required for write.
+ */
 static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_write(
     struct mip_filter_speed_lever_arm *command, const float lever_arm_offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -6852,6 +7166,7 @@ static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_writ
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
@@ -6860,6 +7175,7 @@ mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_save(struct mip_filter_speed_lever_arm *command) {
@@ -6868,6 +7184,7 @@ mip_filter_speed_lever_arm_save(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_load(struct mip_filter_speed_lever_arm *command) {
@@ -6876,6 +7193,7 @@ mip_filter_speed_lever_arm_load(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_default(struct mip_filter_speed_lever_arm *command) {
@@ -6921,6 +7239,7 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
     const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_response_codec, value, builder);
 }
+
 /**
  * Vertical gyro constraint: command (0x0D,0x62).
  *
@@ -6969,11 +7288,13 @@ static inline mip_error mip_filter_vertical_gyro_constraint_control_decode(
 MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_encode(
     const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_filter_vertical_gyro_constraint_control *
 mip_filter_vertical_gyro_constraint_control_write(
     struct mip_filter_vertical_gyro_constraint_control *command, uint8_t enable) {
@@ -6982,6 +7303,7 @@ mip_filter_vertical_gyro_constraint_control_write(
     command->enable = enable;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint_control *
 mip_filter_vertical_gyro_constraint_control_read(
@@ -6990,6 +7312,7 @@ mip_filter_vertical_gyro_constraint_control_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint_control *
 mip_filter_vertical_gyro_constraint_control_save(
@@ -6998,6 +7321,7 @@ mip_filter_vertical_gyro_constraint_control_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint_control *
 mip_filter_vertical_gyro_constraint_control_load(
@@ -7006,6 +7330,7 @@ mip_filter_vertical_gyro_constraint_control_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint_control *
 mip_filter_vertical_gyro_constraint_control_default(
@@ -7052,6 +7377,7 @@ MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_control_response_codec, value, builder);
 }
+
 /**
  * Wheeled vehicle constraint: command (0x0D,0x63).
  *
@@ -7102,11 +7428,13 @@ MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_contro
     const struct mip_filter_wheeled_vehicle_constraint_control *value,
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_filter_wheeled_vehicle_constraint_control *
 mip_filter_wheeled_vehicle_constraint_control_write(
     struct mip_filter_wheeled_vehicle_constraint_control *command, uint8_t enable) {
@@ -7115,6 +7443,7 @@ mip_filter_wheeled_vehicle_constraint_control_write(
     command->enable = enable;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint_control *
 mip_filter_wheeled_vehicle_constraint_control_read(
@@ -7123,6 +7452,7 @@ mip_filter_wheeled_vehicle_constraint_control_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint_control *
 mip_filter_wheeled_vehicle_constraint_control_save(
@@ -7131,6 +7461,7 @@ mip_filter_wheeled_vehicle_constraint_control_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint_control *
 mip_filter_wheeled_vehicle_constraint_control_load(
@@ -7139,6 +7470,7 @@ mip_filter_wheeled_vehicle_constraint_control_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint_control *
 mip_filter_wheeled_vehicle_constraint_control_default(
@@ -7186,6 +7518,7 @@ MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_contro
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_response_codec, value,
                       builder);
 }
+
 /**
  * GNSS antenna offset calibration: command (0x0D,0x64).
  *
@@ -7238,13 +7571,15 @@ static inline mip_error mip_filter_gnss_antenna_calibration_control_decode(
 MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_control_encode(
     const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
-   * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least
-   * 0. Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 0 disables, 1 enables. Range: 0 to 1. Required for write.
+ * - max_offset: Largest absolute error that is tracked. Unit: m. Frame: vehicle. Range: at least 0.
+ *   Required for write. On the 3DM-CV7-GNSS/INS: range 0 to 0.5; default 0.1.
+ */
 static inline struct mip_filter_gnss_antenna_calibration_control *
 mip_filter_gnss_antenna_calibration_control_write(
     struct mip_filter_gnss_antenna_calibration_control *command, uint8_t enable, float max_offset) {
@@ -7254,6 +7589,7 @@ mip_filter_gnss_antenna_calibration_control_write(
     command->max_offset = max_offset;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration_control *
 mip_filter_gnss_antenna_calibration_control_read(
@@ -7262,6 +7598,7 @@ mip_filter_gnss_antenna_calibration_control_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration_control *
 mip_filter_gnss_antenna_calibration_control_save(
@@ -7270,6 +7607,7 @@ mip_filter_gnss_antenna_calibration_control_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration_control *
 mip_filter_gnss_antenna_calibration_control_load(
@@ -7278,6 +7616,7 @@ mip_filter_gnss_antenna_calibration_control_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration_control *
 mip_filter_gnss_antenna_calibration_control_default(
@@ -7328,6 +7667,7 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_control_
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_control_response_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

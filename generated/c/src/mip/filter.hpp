@@ -454,6 +454,7 @@ struct vehicle_dynamics_mode_response_ : ::mip_filter_vehicle_dynamics_mode_resp
         return static_cast<::mip::filter::dynamics_mode>(c_type::mode);
     }
 };
+
 /** Vehicle dynamics mode response. See struct mip_filter_vehicle_dynamics_mode_response. */
 using vehicle_dynamics_mode_response = vehicle_dynamics_mode_response_;
 
@@ -476,6 +477,7 @@ struct estimation_control_response_ : ::mip_filter_estimation_control_response {
         return static_cast<::mip::filter::estimated_states>(c_type::flags);
     }
 };
+
 /** Estimation control flags response. See struct mip_filter_estimation_control_response. */
 using estimation_control_response = estimation_control_response_;
 
@@ -485,6 +487,7 @@ struct gnss_source_response_ : ::mip_filter_gnss_source_response {
         return static_cast<::mip::filter::gnss_aiding_source>(c_type::source);
     }
 };
+
 /** GNSS aiding source response. See struct mip_filter_gnss_source_response. */
 using gnss_source_response = gnss_source_response_;
 
@@ -494,6 +497,7 @@ struct heading_source_response_ : ::mip_filter_heading_source_response {
         return static_cast<::mip::filter::heading_update_source>(c_type::source);
     }
 };
+
 /** Heading update control response. See struct mip_filter_heading_source_response. */
 using heading_source_response = heading_source_response_;
 
@@ -526,6 +530,7 @@ struct tare_orientation_response_ : ::mip_filter_tare_orientation_response {
         return static_cast<::mip::filter::tare_axes>(c_type::axes);
     }
 };
+
 /** Tare orientation response. See struct mip_filter_tare_orientation_response. */
 using tare_orientation_response = tare_orientation_response_;
 
@@ -550,6 +555,7 @@ struct enable_measurements_response_ : ::mip_filter_enable_measurements_response
         return static_cast<::mip::filter::measurement_flags>(c_type::control);
     }
 };
+
 /** Enable or disable measurements response. See struct mip_filter_enable_measurements_response. */
 using enable_measurements_response = enable_measurements_response_;
 
@@ -562,6 +568,7 @@ struct magnetic_declination_source_response_ : ::mip_filter_magnetic_declination
         return static_cast<::mip::filter::mag_parameter_source>(c_type::source);
     }
 };
+
 /**
  * Magnetic declination source response. See struct mip_filter_magnetic_declination_source_response.
  */
@@ -575,6 +582,7 @@ struct accel_magnitude_error_adaptive_measurement_response_
             c_type::adaptive_measurement);
     }
 };
+
 /**
  * Gravity magnitude error adaptive measurement response. See struct
  * mip_filter_accel_magnitude_adaptive_response.
@@ -590,6 +598,7 @@ struct mag_magnitude_error_adaptive_measurement_response_
             c_type::adaptive_measurement);
     }
 };
+
 /**
  * Magnetometer magnitude error adaptive measurement response. See struct
  * mip_filter_mag_magnitude_adaptive_response.
@@ -610,6 +619,7 @@ struct altitude_aiding_response_ : ::mip_filter_altitude_aiding_response {
         return static_cast<::mip::filter::altitude_aiding_source>(c_type::selector);
     }
 };
+
 /** Altitude aiding response. See struct mip_filter_altitude_aiding_response. */
 using altitude_aiding_response = altitude_aiding_response_;
 
@@ -619,6 +629,7 @@ struct pitch_roll_aiding_response_ : ::mip_filter_pitch_roll_aiding_response {
         return static_cast<::mip::filter::pitch_roll_aiding_source>(c_type::aiding);
     }
 };
+
 /** Pitch and roll aiding response. See struct mip_filter_pitch_roll_aiding_response. */
 using pitch_roll_aiding_response = pitch_roll_aiding_response_;
 
@@ -628,6 +639,7 @@ struct magnetic_inclination_source_response_ : ::mip_filter_magnetic_inclination
         return static_cast<::mip::filter::mag_parameter_source>(c_type::source);
     }
 };
+
 /**
  * Magnetic inclination source response. See struct mip_filter_magnetic_inclination_source_response.
  */
@@ -639,6 +651,7 @@ struct magnetic_magnitude_source_response_ : ::mip_filter_magnetic_magnitude_sou
         return static_cast<::mip::filter::mag_parameter_source>(c_type::source);
     }
 };
+
 /**
  * Magnetic field magnitude source response. See struct
  * mip_filter_magnetic_magnitude_source_response.
@@ -665,6 +678,7 @@ struct aiding_measurement_enable_response_ : ::mip_filter_aiding_measurement_ena
         return static_cast<::mip::filter::aiding_source>(c_type::aiding_source);
     }
 };
+
 /**
  * Aiding measurement control response. See struct mip_filter_aiding_measurement_enable_response.
  */
@@ -682,6 +696,7 @@ struct kinematic_constraint_response_ : ::mip_filter_kinematic_constraint_respon
         return static_cast<::mip::filter::angular_constraint>(c_type::angular_constraint);
     }
 };
+
 /** Kinematic constraint response. See struct mip_filter_kinematic_constraint_response. */
 using kinematic_constraint_response = kinematic_constraint_response_;
 
@@ -699,6 +714,7 @@ struct initialization_config_response_ : ::mip_filter_initialization_config_resp
         return static_cast<::mip::filter::reference_frame>(c_type::reference_frame_selector);
     }
 };
+
 /**
  * Navigation filter initialization response. See struct mip_filter_initialization_config_response.
  */
@@ -710,6 +726,7 @@ struct adaptive_filter_options_response_ : ::mip_filter_adaptive_filter_options_
         return static_cast<::mip::filter::adaptive_level>(c_type::level);
     }
 };
+
 /** Adaptive filter control response. See struct mip_filter_adaptive_filter_options_response. */
 using adaptive_filter_options_response = adaptive_filter_options_response_;
 
@@ -725,6 +742,7 @@ struct relative_position_config_response_ : ::mip_filter_relative_position_confi
         return static_cast<::mip::filter::reference_frame>(c_type::reference_frame_selector);
     }
 };
+
 /**
  * Relative position configuration response. See struct
  * mip_filter_relative_position_config_response.
@@ -737,6 +755,7 @@ struct reference_point_lever_arm_response_ : ::mip_filter_reference_point_lever_
         return static_cast<::mip::filter::reference_point>(c_type::reference_point);
     }
 };
+
 /** Reference point lever arm response. See struct mip_filter_reference_point_lever_arm_response. */
 using reference_point_lever_arm_response = reference_point_lever_arm_response_;
 

@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_reset_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_reset_exchange;
 
@@ -43,6 +44,7 @@ static inline struct mip_result mip_call_filter_reset(struct mip_device *device)
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_set_initial_attitude_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_exchange;
 
@@ -87,6 +89,7 @@ static inline struct mip_result mip_call_filter_set_initial_attitude_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_set_initial_heading_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_set_initial_heading_exchange;
 
@@ -124,6 +127,7 @@ static inline struct mip_result mip_call_filter_set_initial_heading_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_set_initial_attitude_from_imu_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange;
 
@@ -164,6 +168,7 @@ static inline struct mip_result mip_call_filter_set_initial_attitude_from_imu_wi
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_run_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_run_exchange;
 
@@ -184,6 +189,7 @@ static inline struct mip_result mip_call_filter_run(struct mip_device *device) {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_vehicle_dynamics_mode_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange;
 
@@ -264,6 +270,7 @@ static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_euler_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_euler_exchange;
 
@@ -355,6 +362,7 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_offset_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange;
 
@@ -438,6 +446,7 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_antenna_offset_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_antenna_offset_exchange;
 
@@ -515,6 +524,7 @@ static inline struct mip_result mip_call_filter_antenna_offset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_estimation_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_estimation_control_exchange;
 
@@ -603,6 +613,7 @@ static inline struct mip_result mip_call_filter_estimation_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gnss_source_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_gnss_source_exchange;
 
@@ -678,6 +689,7 @@ static inline struct mip_result mip_call_filter_gnss_source_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_external_gnss_update_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_external_gnss_update_exchange;
 
@@ -738,6 +750,7 @@ static inline struct mip_result mip_call_filter_external_gnss_update_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_external_heading_update_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_external_heading_update_exchange;
 
@@ -783,6 +796,7 @@ static inline struct mip_result mip_call_filter_external_heading_update_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_heading_source_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_heading_source_exchange;
 
@@ -872,6 +886,7 @@ static inline struct mip_result mip_call_filter_heading_source_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_auto_initialization_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_auto_initialization_control_exchange;
 
@@ -953,6 +968,7 @@ static inline struct mip_result mip_call_filter_auto_initialization_control_with
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_accel_noise_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_accel_noise_exchange;
 
@@ -1029,6 +1045,7 @@ static inline struct mip_result mip_call_filter_accel_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gyro_noise_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_gyro_noise_exchange;
 
@@ -1105,6 +1122,7 @@ static inline struct mip_result mip_call_filter_gyro_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_accel_bias_model_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_accel_bias_model_exchange;
 
@@ -1191,6 +1209,7 @@ static inline struct mip_result mip_call_filter_accel_bias_model_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gyro_bias_model_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_gyro_bias_model_exchange;
 
@@ -1273,6 +1292,7 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_auto_zupt_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_auto_zupt_exchange;
 
@@ -1358,6 +1378,7 @@ static inline struct mip_result mip_call_filter_auto_zupt_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_external_heading_update_with_time_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_external_heading_update_with_time_exchange;
 
@@ -1409,6 +1430,7 @@ static inline struct mip_result mip_call_filter_external_heading_update_with_tim
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_auto_angular_zupt_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_auto_angular_zupt_exchange;
 
@@ -1490,6 +1512,7 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_tare_orientation_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_tare_orientation_exchange;
 
@@ -1562,6 +1585,7 @@ static inline struct mip_result mip_call_filter_tare_orientation_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_commanded_zupt_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_commanded_zupt_exchange;
 
@@ -1584,6 +1608,7 @@ static inline struct mip_result mip_call_filter_commanded_zupt(struct mip_device
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_commanded_angular_zupt_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_commanded_angular_zupt_exchange;
 
@@ -1607,6 +1632,7 @@ static inline struct mip_result mip_call_filter_commanded_angular_zupt(struct mi
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_reference_position_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_reference_position_exchange;
 
@@ -1692,6 +1718,7 @@ static inline struct mip_result mip_call_filter_reference_position_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_capture_auto_calibration_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange;
 
@@ -1740,6 +1767,7 @@ static inline struct mip_result mip_call_filter_mag_capture_auto_calibration_wit
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gravity_noise_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_gravity_noise_exchange;
 
@@ -1814,6 +1842,7 @@ static inline struct mip_result mip_call_filter_gravity_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_pressure_altitude_noise_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_pressure_altitude_noise_exchange;
 
@@ -1893,6 +1922,7 @@ static inline struct mip_result mip_call_filter_pressure_altitude_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_hard_iron_offset_noise_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange;
 
@@ -1974,6 +2004,7 @@ static inline struct mip_result mip_call_filter_hard_iron_offset_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_soft_iron_matrix_noise_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange;
 
@@ -2055,6 +2086,7 @@ static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_enable_measurements_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_enable_measurements_exchange;
 
@@ -2139,6 +2171,7 @@ static inline struct mip_result mip_call_filter_enable_measurements_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_noise_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_mag_noise_exchange;
 
@@ -2217,6 +2250,7 @@ static inline struct mip_result mip_call_filter_mag_noise_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_magnetic_declination_source_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_magnetic_declination_source_exchange;
 
@@ -2306,6 +2340,7 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_with
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_accel_magnitude_adaptive_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange;
 
@@ -2397,6 +2432,7 @@ static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_magnitude_adaptive_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange;
 
@@ -2515,6 +2551,7 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_dip_angle_adaptive_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange;
 
@@ -2618,6 +2655,7 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_altitude_aiding_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_altitude_aiding_exchange;
 
@@ -2690,6 +2728,7 @@ static inline struct mip_result mip_call_filter_altitude_aiding_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_pitch_roll_aiding_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_pitch_roll_aiding_exchange;
 
@@ -2766,6 +2805,7 @@ static inline struct mip_result mip_call_filter_pitch_roll_aiding_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_magnetic_inclination_source_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_magnetic_inclination_source_exchange;
 
@@ -2852,6 +2892,7 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_with
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_magnetic_magnitude_source_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange;
 
@@ -2941,6 +2982,7 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_dcm_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_dcm_exchange;
 
@@ -3030,6 +3072,7 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_w
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange;
 
@@ -3118,6 +3161,7 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_wit
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_aiding_measurement_enable_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_aiding_measurement_enable_exchange;
 
@@ -3282,6 +3326,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_kinematic_constraint_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_kinematic_constraint_exchange;
 
@@ -3368,6 +3413,7 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_initialization_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_initialization_config_exchange;
 
@@ -3490,6 +3536,7 @@ static inline struct mip_result mip_call_filter_initialization_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_adaptive_filter_options_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_adaptive_filter_options_exchange;
 
@@ -3573,6 +3620,7 @@ static inline struct mip_result mip_call_filter_adaptive_filter_options_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_multi_antenna_offset_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_multi_antenna_offset_exchange;
 
@@ -3674,6 +3722,7 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_relative_position_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_relative_position_config_exchange;
 
@@ -3771,6 +3820,7 @@ static inline struct mip_result mip_call_filter_relative_position_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_reference_point_lever_arm_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_reference_point_lever_arm_exchange;
 
@@ -3858,6 +3908,7 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_speed_measurement_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_speed_measurement_exchange;
 
@@ -3901,6 +3952,7 @@ static inline struct mip_result mip_call_filter_speed_measurement_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_speed_lever_arm_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_speed_lever_arm_exchange;
 
@@ -3985,6 +4037,7 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_vertical_gyro_constraint_control_exchange;
 
@@ -4067,6 +4120,7 @@ static inline struct mip_result mip_call_filter_vertical_gyro_constraint_control
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_wheeled_vehicle_constraint_control_exchange;
 
@@ -4153,6 +4207,7 @@ static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_contr
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_filter_gnss_antenna_calibration_control_exchange;
 

@@ -28,6 +28,7 @@ extern "C" {
 typedef uint16_t mip_filter_data_valid_flags;
 /** Bit 0. All values of the field are valid. */
 #define MIP_FILTER_DATA_VALID_FLAGS_VALID 0x0001U
+
 /**
  * Sources of heading updates; 0 if heading updates are disabled.
  *
@@ -41,6 +42,7 @@ typedef uint16_t mip_filter_data_heading_source_flags;
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_GNSS_VELOCITY 0x0002U
 /** Bit 2. Heading messages that your program sends. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
+
 /** Use of one GNSS receiver by the filter. */
 typedef uint16_t mip_filter_data_gnss_aiding_status;
 /** Bit 0. Raw ranges of the receiver are used. */
@@ -75,6 +77,7 @@ typedef uint16_t mip_filter_data_gnss_aiding_status;
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_NO_FIX 0x4000U
 /** Bit 15. The antenna offset of the receiver is probably wrong. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_CONFIG_ERROR 0x8000U
+
 /**
  * Source of a heading measurement.
  *
@@ -89,6 +92,7 @@ enum mip_filter_data_heading_aiding_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
+
 /**
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
  * `aiding` that send the measurement.
@@ -128,6 +132,7 @@ enum mip_filter_data_aiding_measurement_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_aiding_measurement_type_name(uint8_t value);
+
 /** Use of an aiding measurement by the filter. */
 typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 /** Bit 0. The measurement is enabled. */
@@ -142,6 +147,7 @@ typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR 0x10U
 /** Bit 5. There are more measurements than the filter can process. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
+
 /** Kind of the heading solution of two antennas. */
 enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
     /** No solution. */
@@ -154,6 +160,7 @@ enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_dual_antenna_fix_type_name(uint8_t value);
+
 /** Inputs available to the heading solution of two antennas. */
 typedef uint16_t mip_filter_data_dual_antenna_status_flags;
 /** Bit 0. Data of receiver 1 is valid. */
@@ -162,6 +169,7 @@ typedef uint16_t mip_filter_data_dual_antenna_status_flags;
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_2_DATA_VALID 0x0002U
 /** Bit 2. The antenna offsets are valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_ANTENNA_OFFSETS_VALID 0x0004U
+
 /**
  * State of the filter of a 5-series device.
  *
@@ -181,6 +189,7 @@ enum mip_filter_data_gx5_filter_state MIP_ENUM_16 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_gx5_filter_state_name(uint16_t value);
+
 /**
  * Mode of the filter of a 3DM-CV7.
  *
@@ -200,6 +209,7 @@ enum mip_filter_data_cv7_filter_state MIP_ENUM_16 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_cv7_filter_state_name(uint16_t value);
+
 /** Motion for which the filter of a 5-series device is configured. */
 enum mip_filter_data_gx5_dynamics_mode MIP_ENUM_16 {
     /** Carried by hand. */
@@ -212,6 +222,7 @@ enum mip_filter_data_gx5_dynamics_mode MIP_ENUM_16 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_gx5_dynamics_mode_name(uint16_t value);
+
 /** Dynamics mode of a 7-series device; there is only one. */
 enum mip_filter_data_cv7_dynamics_mode MIP_ENUM_16 {
     /** The only mode. */
@@ -220,6 +231,7 @@ enum mip_filter_data_cv7_dynamics_mode MIP_ENUM_16 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_cv7_dynamics_mode_name(uint16_t value);
+
 /**
  * Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`, the
  * others while the filter runs.
@@ -289,6 +301,7 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
  * mip_filter_data_llh_position and mip_filter_data_ned_velocity.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
+
 /**
  * Convergence of the estimates of the filter.
  *
@@ -306,6 +319,7 @@ enum mip_filter_data_filter_condition MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_filter_condition_name(uint8_t value);
+
 /**
  * Condition and warnings of the filter of a 3DM-CV7.
  *
@@ -376,6 +390,7 @@ mip_filter_data_cv7_status_flags_get_filter_condition(mip_filter_data_cv7_status
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION;
     return (uint8_t)bits;
 }
+
 /** Sets it. */
 static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
     mip_filter_data_cv7_status_flags *flags, uint8_t value) {
@@ -393,6 +408,7 @@ mip_filter_data_cv7_status_flags_get_solution_error(mip_filter_data_cv7_status_f
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
     return (uint8_t)(bits >> 12);
 }
+
 /** Sets it. */
 static inline void mip_filter_data_cv7_status_flags_set_solution_error(
     mip_filter_data_cv7_status_flags *flags, uint8_t value) {
@@ -451,6 +467,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode(
     const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_llh_position_codec, value, builder);
 }
+
 /**
  * NED velocity: data (0x82,0x02).
  *
@@ -501,6 +518,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode(
     const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_velocity_codec, value, builder);
 }
+
 /**
  * Attitude quaternion: data (0x82,0x03).
  *
@@ -545,6 +563,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_attitude_quaternion_encode(
     const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_attitude_quaternion_codec, value, builder);
 }
+
 /**
  * Attitude direction cosine matrix: data (0x82,0x04).
  *
@@ -589,6 +608,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode(
     const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_attitude_dcm_codec, value, builder);
 }
+
 /**
  * Euler angles: data (0x82,0x05).
  *
@@ -646,6 +666,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_encode(
     const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_euler_angles_codec, value, builder);
 }
+
 /**
  * Gyroscope bias: data (0x82,0x06).
  *
@@ -687,6 +708,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_encode(
     const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_bias_codec, value, builder);
 }
+
 /**
  * Accelerometer bias: data (0x82,0x07).
  *
@@ -727,6 +749,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode(
     const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_bias_codec, value, builder);
 }
+
 /**
  * Position uncertainty: data (0x82,0x08).
  *
@@ -778,6 +801,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_enc
     const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_llh_position_uncertainty_codec, value, builder);
 }
+
 /**
  * NED velocity uncertainty: data (0x82,0x09).
  *
@@ -829,6 +853,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_uncertainty_enc
     const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_velocity_uncertainty_codec, value, builder);
 }
+
 /**
  * Euler angles uncertainty: data (0x82,0x0A).
  *
@@ -884,6 +909,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_uncertainty_enc
     const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_euler_angles_uncertainty_codec, value, builder);
 }
+
 /**
  * Gyroscope bias uncertainty: data (0x82,0x0B).
  *
@@ -926,6 +952,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode
     const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_bias_uncertainty_codec, value, builder);
 }
+
 /**
  * Accelerometer bias uncertainty: data (0x82,0x0C).
  *
@@ -967,6 +994,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encod
     const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_bias_uncertainty_codec, value, builder);
 }
+
 /**
  * Linear acceleration: data (0x82,0x0D).
  *
@@ -1008,6 +1036,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode(
     const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_linear_accel_codec, value, builder);
 }
+
 /**
  * Compensated angular rate: data (0x82,0x0E).
  *
@@ -1052,6 +1081,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode(
     const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_comp_angular_rate_codec, value, builder);
 }
+
 /**
  * WGS84 local gravity magnitude: data (0x82,0x0F).
  *
@@ -1095,6 +1125,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_enco
     const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_wgs84_gravity_magnitude_codec, value, builder);
 }
+
 /**
  * Filter status: data (0x82,0x10).
  *
@@ -1174,6 +1205,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_status_encode(
     const struct mip_filter_data_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_status_codec, value, builder);
 }
+
 /**
  * Filter timestamp: data (0x82,0x11).
  *
@@ -1226,6 +1258,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_timestamp_encode(
     const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_timestamp_codec, value, builder);
 }
+
 /**
  * Quaternion uncertainty: data (0x82,0x12).
  *
@@ -1270,6 +1303,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertai
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_quaternion_attitude_uncertainty_codec, value, builder);
 }
+
 /**
  * Gravity vector: data (0x82,0x13).
  *
@@ -1313,6 +1347,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode(
     const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gravity_vector_codec, value, builder);
 }
+
 /**
  * Heading update source state: data (0x82,0x14).
  *
@@ -1366,6 +1401,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode(
     const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_heading_update_state_codec, value, builder);
 }
+
 /**
  * Magnetic model: data (0x82,0x15).
  *
@@ -1429,6 +1465,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_magnetic_model_encode(
     const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_magnetic_model_codec, value, builder);
 }
+
 /**
  * Gyroscope scale factor: data (0x82,0x16).
  *
@@ -1470,6 +1507,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_encode(
     const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_scale_factor_codec, value, builder);
 }
+
 /**
  * Accelerometer scale factor: data (0x82,0x17).
  *
@@ -1511,6 +1549,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_encode(
     const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_scale_factor_codec, value, builder);
 }
+
 /**
  * Gyroscope scale factor uncertainty: data (0x82,0x18).
  *
@@ -1554,6 +1593,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_uncertaint
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_scale_factor_uncertainty_codec, value, builder);
 }
+
 /**
  * Accelerometer scale factor uncertainty: data (0x82,0x19).
  *
@@ -1597,6 +1637,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertain
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_scale_factor_uncertainty_codec, value, builder);
 }
+
 /**
  * Magnetometer bias: data (0x82,0x1A).
  *
@@ -1637,6 +1678,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_encode(
     const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_bias_codec, value, builder);
 }
+
 /**
  * Magnetometer bias uncertainty: data (0x82,0x1B).
  *
@@ -1678,6 +1720,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
     const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_bias_uncertainty_codec, value, builder);
 }
+
 /**
  * Compensated acceleration: data (0x82,0x1C).
  *
@@ -1720,6 +1763,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode(
     const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_comp_accel_codec, value, builder);
 }
+
 /**
  * Standard atmosphere: data (0x82,0x20).
  *
@@ -1783,6 +1827,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode(
     const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_standard_atmosphere_codec, value, builder);
 }
+
 /**
  * Pressure altitude: data (0x82,0x21).
  *
@@ -1827,6 +1872,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_pressure_altitude_codec, value, builder);
 }
+
 /**
  * Density altitude: data (0x82,0x22).
  *
@@ -1870,6 +1916,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode(
     const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_density_altitude_codec, value, builder);
 }
+
 /**
  * Magnetometer offset: data (0x82,0x25).
  *
@@ -1913,6 +1960,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode(
     const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_offset_codec, value, builder);
 }
+
 /**
  * Magnetometer matrix: data (0x82,0x26).
  *
@@ -1956,6 +2004,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode(
     const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_matrix_codec, value, builder);
 }
+
 /**
  * Magnetometer offset uncertainty: data (0x82,0x28).
  *
@@ -1998,6 +2047,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encod
     const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_offset_uncertainty_codec, value, builder);
 }
+
 /**
  * Magnetometer matrix uncertainty: data (0x82,0x29).
  *
@@ -2041,6 +2091,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encod
     const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_matrix_uncertainty_codec, value, builder);
 }
+
 /**
  * Magnetometer covariance matrix: data (0x82,0x2A).
  *
@@ -2084,6 +2135,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode
     const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_covariance_matrix_codec, value, builder);
 }
+
 /**
  * Magnetometer residual vector: data (0x82,0x2C).
  *
@@ -2127,6 +2179,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode(
     const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_residual_vector_codec, value, builder);
 }
+
 /**
  * Antenna offset correction: data (0x82,0x30).
  *
@@ -2170,6 +2223,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_en
     const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_antenna_offset_correction_codec, value, builder);
 }
+
 /**
  * Antenna offset correction uncertainty: data (0x82,0x31).
  *
@@ -2214,6 +2268,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_un
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_antenna_offset_correction_uncertainty_codec, value, builder);
 }
+
 /**
  * Clock correction: data (0x82,0x32).
  *
@@ -2261,6 +2316,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode(
     const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_clock_correction_codec, value, builder);
 }
+
 /**
  * Clock correction uncertainty: data (0x82,0x33).
  *
@@ -2309,6 +2365,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty
     const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_clock_correction_uncertainty_codec, value, builder);
 }
+
 /**
  * Multi-antenna offset correction: data (0x82,0x34).
  *
@@ -2356,6 +2413,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correct
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_multi_antenna_offset_correction_codec, value, builder);
 }
+
 /**
  * Multi-antenna offset correction uncertainty: data (0x82,0x35).
  *
@@ -2403,6 +2461,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncerta
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_multi_antenna_offset_uncertainty_codec, value, builder);
 }
+
 /**
  * ECEF position uncertainty: data (0x82,0x36).
  *
@@ -2444,6 +2503,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_en
     const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_position_uncertainty_codec, value, builder);
 }
+
 /**
  * ECEF velocity uncertainty: data (0x82,0x37).
  *
@@ -2485,6 +2545,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_en
     const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_velocity_uncertainty_codec, value, builder);
 }
+
 /**
  * ECEF position: data (0x82,0x40).
  *
@@ -2526,6 +2587,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode(
     const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_position_codec, value, builder);
 }
+
 /**
  * ECEF velocity: data (0x82,0x41).
  *
@@ -2567,6 +2629,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_encode(
     const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_velocity_codec, value, builder);
 }
+
 /**
  * NED relative position: data (0x82,0x42).
  *
@@ -2608,6 +2671,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode
     const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_relative_position_codec, value, builder);
 }
+
 /**
  * GNSS position aiding status: data (0x82,0x43).
  *
@@ -2652,6 +2716,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_position_aiding_status_codec, value, builder);
 }
+
 /**
  * GNSS attitude aiding status: data (0x82,0x44).
  *
@@ -2698,6 +2763,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_
     const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_attitude_aiding_status_codec, value, builder);
 }
+
 /**
  * Heading aiding status: data (0x82,0x45).
  *
@@ -2744,6 +2810,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode
     const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_heading_aiding_status_codec, value, builder);
 }
+
 /**
  * Aiding measurement summary: data (0x82,0x46).
  *
@@ -2788,6 +2855,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_measurement_summary_e
     const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_measurement_summary_codec, value, builder);
 }
+
 /**
  * Odometer scale factor error: data (0x82,0x47).
  *
@@ -2830,6 +2898,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_
     const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_odometer_scale_factor_error_codec, value, builder);
 }
+
 /**
  * Odometer scale factor error uncertainty: data (0x82,0x48).
  *
@@ -2875,6 +2944,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_
     return mip_encode(&mip_filter_data_odometer_scale_factor_error_uncertainty_codec, value,
                       builder);
 }
+
 /**
  * GNSS dual antenna status: data (0x82,0x49).
  *
@@ -2932,6 +3002,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_enc
     const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_dual_antenna_status_codec, value, builder);
 }
+
 /**
  * Aiding frame configuration error: data (0x82,0x50).
  *
@@ -2972,6 +3043,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_en
     const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_frame_config_error_codec, value, builder);
 }
+
 /**
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *
@@ -3020,6 +3092,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_un
     struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_frame_config_error_uncertainty_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

@@ -356,6 +356,7 @@ struct llh_position_ : ::mip_filter_data_llh_position {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** LLH position. See struct mip_filter_data_llh_position. */
 using llh_position = llh_position_;
 
@@ -365,6 +366,7 @@ struct ned_velocity_ : ::mip_filter_data_ned_velocity {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** NED velocity. See struct mip_filter_data_ned_velocity. */
 using ned_velocity = ned_velocity_;
 
@@ -374,6 +376,7 @@ struct attitude_quaternion_ : ::mip_filter_data_attitude_quaternion {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Attitude quaternion. See struct mip_filter_data_attitude_quaternion. */
 using attitude_quaternion = attitude_quaternion_;
 
@@ -383,6 +386,7 @@ struct attitude_dcm_ : ::mip_filter_data_attitude_dcm {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Attitude direction cosine matrix. See struct mip_filter_data_attitude_dcm. */
 using attitude_dcm = attitude_dcm_;
 
@@ -392,6 +396,7 @@ struct euler_angles_ : ::mip_filter_data_euler_angles {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Euler angles. See struct mip_filter_data_euler_angles. */
 using euler_angles = euler_angles_;
 
@@ -401,6 +406,7 @@ struct gyro_bias_ : ::mip_filter_data_gyro_bias {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Gyroscope bias. See struct mip_filter_data_gyro_bias. */
 using gyro_bias = gyro_bias_;
 
@@ -410,6 +416,7 @@ struct accel_bias_ : ::mip_filter_data_accel_bias {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Accelerometer bias. See struct mip_filter_data_accel_bias. */
 using accel_bias = accel_bias_;
 
@@ -419,6 +426,7 @@ struct llh_position_uncertainty_ : ::mip_filter_data_llh_position_uncertainty {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Position uncertainty. See struct mip_filter_data_llh_position_uncertainty. */
 using llh_position_uncertainty = llh_position_uncertainty_;
 
@@ -428,6 +436,7 @@ struct ned_velocity_uncertainty_ : ::mip_filter_data_ned_velocity_uncertainty {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** NED velocity uncertainty. See struct mip_filter_data_ned_velocity_uncertainty. */
 using ned_velocity_uncertainty = ned_velocity_uncertainty_;
 
@@ -437,6 +446,7 @@ struct euler_angles_uncertainty_ : ::mip_filter_data_euler_angles_uncertainty {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Euler angles uncertainty. See struct mip_filter_data_euler_angles_uncertainty. */
 using euler_angles_uncertainty = euler_angles_uncertainty_;
 
@@ -446,6 +456,7 @@ struct gyro_bias_uncertainty_ : ::mip_filter_data_gyro_bias_uncertainty {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Gyroscope bias uncertainty. See struct mip_filter_data_gyro_bias_uncertainty. */
 using gyro_bias_uncertainty = gyro_bias_uncertainty_;
 
@@ -455,6 +466,7 @@ struct accel_bias_uncertainty_ : ::mip_filter_data_accel_bias_uncertainty {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Accelerometer bias uncertainty. See struct mip_filter_data_accel_bias_uncertainty. */
 using accel_bias_uncertainty = accel_bias_uncertainty_;
 
@@ -464,6 +476,7 @@ struct linear_accel_ : ::mip_filter_data_linear_accel {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Linear acceleration. See struct mip_filter_data_linear_accel. */
 using linear_accel = linear_accel_;
 
@@ -473,6 +486,7 @@ struct comp_angular_rate_ : ::mip_filter_data_comp_angular_rate {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Compensated angular rate. See struct mip_filter_data_comp_angular_rate. */
 using comp_angular_rate = comp_angular_rate_;
 
@@ -482,6 +496,7 @@ struct wgs84_gravity_magnitude_ : ::mip_filter_data_wgs84_gravity_magnitude {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** WGS84 local gravity magnitude. See struct mip_filter_data_wgs84_gravity_magnitude. */
 using wgs84_gravity_magnitude = wgs84_gravity_magnitude_;
 
@@ -494,6 +509,7 @@ struct timestamp_ : ::mip_filter_data_timestamp {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Filter timestamp. See struct mip_filter_data_timestamp. */
 using timestamp = timestamp_;
 
@@ -503,6 +519,7 @@ struct quaternion_attitude_uncertainty_ : ::mip_filter_data_quaternion_attitude_
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Quaternion uncertainty. See struct mip_filter_data_quaternion_attitude_uncertainty. */
 using quaternion_attitude_uncertainty = quaternion_attitude_uncertainty_;
 
@@ -512,6 +529,7 @@ struct gravity_vector_ : ::mip_filter_data_gravity_vector {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Gravity vector. See struct mip_filter_data_gravity_vector. */
 using gravity_vector = gravity_vector_;
 
@@ -524,6 +542,7 @@ struct heading_update_state_ : ::mip_filter_data_heading_update_state {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Heading update source state. See struct mip_filter_data_heading_update_state. */
 using heading_update_state = heading_update_state_;
 
@@ -533,6 +552,7 @@ struct magnetic_model_ : ::mip_filter_data_magnetic_model {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Magnetic model. See struct mip_filter_data_magnetic_model. */
 using magnetic_model = magnetic_model_;
 
@@ -542,6 +562,7 @@ struct gyro_scale_factor_ : ::mip_filter_data_gyro_scale_factor {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Gyroscope scale factor. See struct mip_filter_data_gyro_scale_factor. */
 using gyro_scale_factor = gyro_scale_factor_;
 
@@ -551,6 +572,7 @@ struct accel_scale_factor_ : ::mip_filter_data_accel_scale_factor {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Accelerometer scale factor. See struct mip_filter_data_accel_scale_factor. */
 using accel_scale_factor = accel_scale_factor_;
 
@@ -560,6 +582,7 @@ struct gyro_scale_factor_uncertainty_ : ::mip_filter_data_gyro_scale_factor_unce
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Gyroscope scale factor uncertainty. See struct mip_filter_data_gyro_scale_factor_uncertainty. */
 using gyro_scale_factor_uncertainty = gyro_scale_factor_uncertainty_;
 
@@ -569,6 +592,7 @@ struct accel_scale_factor_uncertainty_ : ::mip_filter_data_accel_scale_factor_un
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /**
  * Accelerometer scale factor uncertainty. See struct
  * mip_filter_data_accel_scale_factor_uncertainty.
@@ -581,6 +605,7 @@ struct mag_bias_ : ::mip_filter_data_mag_bias {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Magnetometer bias. See struct mip_filter_data_mag_bias. */
 using mag_bias = mag_bias_;
 
@@ -590,6 +615,7 @@ struct mag_bias_uncertainty_ : ::mip_filter_data_mag_bias_uncertainty {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Magnetometer bias uncertainty. See struct mip_filter_data_mag_bias_uncertainty. */
 using mag_bias_uncertainty = mag_bias_uncertainty_;
 
@@ -599,6 +625,7 @@ struct comp_accel_ : ::mip_filter_data_comp_accel {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Compensated acceleration. See struct mip_filter_data_comp_accel. */
 using comp_accel = comp_accel_;
 
@@ -608,6 +635,7 @@ struct standard_atmosphere_ : ::mip_filter_data_standard_atmosphere {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Standard atmosphere. See struct mip_filter_data_standard_atmosphere. */
 using standard_atmosphere = standard_atmosphere_;
 
@@ -617,6 +645,7 @@ struct pressure_altitude_ : ::mip_filter_data_pressure_altitude {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Pressure altitude. See struct mip_filter_data_pressure_altitude. */
 using pressure_altitude = pressure_altitude_;
 
@@ -626,6 +655,7 @@ struct density_altitude_ : ::mip_filter_data_density_altitude {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Density altitude. See struct mip_filter_data_density_altitude. */
 using density_altitude = density_altitude_;
 
@@ -635,6 +665,7 @@ struct mag_offset_ : ::mip_filter_data_mag_offset {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Magnetometer offset. See struct mip_filter_data_mag_offset. */
 using mag_offset = mag_offset_;
 
@@ -644,6 +675,7 @@ struct mag_matrix_ : ::mip_filter_data_mag_matrix {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Magnetometer matrix. See struct mip_filter_data_mag_matrix. */
 using mag_matrix = mag_matrix_;
 
@@ -653,6 +685,7 @@ struct mag_offset_uncertainty_ : ::mip_filter_data_mag_offset_uncertainty {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Magnetometer offset uncertainty. See struct mip_filter_data_mag_offset_uncertainty. */
 using mag_offset_uncertainty = mag_offset_uncertainty_;
 
@@ -662,6 +695,7 @@ struct mag_matrix_uncertainty_ : ::mip_filter_data_mag_matrix_uncertainty {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Magnetometer matrix uncertainty. See struct mip_filter_data_mag_matrix_uncertainty. */
 using mag_matrix_uncertainty = mag_matrix_uncertainty_;
 
@@ -671,6 +705,7 @@ struct mag_covariance_matrix_ : ::mip_filter_data_mag_covariance_matrix {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Magnetometer covariance matrix. See struct mip_filter_data_mag_covariance_matrix. */
 using mag_covariance_matrix = mag_covariance_matrix_;
 
@@ -680,6 +715,7 @@ struct mag_residual_vector_ : ::mip_filter_data_mag_residual_vector {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Magnetometer residual vector. See struct mip_filter_data_mag_residual_vector. */
 using mag_residual_vector = mag_residual_vector_;
 
@@ -689,6 +725,7 @@ struct antenna_offset_correction_ : ::mip_filter_data_antenna_offset_correction 
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Antenna offset correction. See struct mip_filter_data_antenna_offset_correction. */
 using antenna_offset_correction = antenna_offset_correction_;
 
@@ -699,6 +736,7 @@ struct antenna_offset_correction_uncertainty_
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /**
  * Antenna offset correction uncertainty. See struct
  * mip_filter_data_antenna_offset_correction_uncertainty.
@@ -711,6 +749,7 @@ struct clock_correction_ : ::mip_filter_data_clock_correction {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Clock correction. See struct mip_filter_data_clock_correction. */
 using clock_correction = clock_correction_;
 
@@ -720,6 +759,7 @@ struct clock_correction_uncertainty_ : ::mip_filter_data_clock_correction_uncert
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Clock correction uncertainty. See struct mip_filter_data_clock_correction_uncertainty. */
 using clock_correction_uncertainty = clock_correction_uncertainty_;
 
@@ -729,6 +769,7 @@ struct multi_antenna_offset_correction_ : ::mip_filter_data_multi_antenna_offset
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Multi-antenna offset correction. See struct mip_filter_data_multi_antenna_offset_correction. */
 using multi_antenna_offset_correction = multi_antenna_offset_correction_;
 
@@ -739,6 +780,7 @@ struct multi_antenna_offset_correction_uncertainty_
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /**
  * Multi-antenna offset correction uncertainty. See struct
  * mip_filter_data_multi_antenna_offset_uncertainty.
@@ -751,6 +793,7 @@ struct ecef_position_uncertainty_ : ::mip_filter_data_ecef_position_uncertainty 
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** ECEF position uncertainty. See struct mip_filter_data_ecef_position_uncertainty. */
 using ecef_position_uncertainty = ecef_position_uncertainty_;
 
@@ -760,6 +803,7 @@ struct ecef_velocity_uncertainty_ : ::mip_filter_data_ecef_velocity_uncertainty 
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** ECEF velocity uncertainty. See struct mip_filter_data_ecef_velocity_uncertainty. */
 using ecef_velocity_uncertainty = ecef_velocity_uncertainty_;
 
@@ -769,6 +813,7 @@ struct ecef_position_ : ::mip_filter_data_ecef_position {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** ECEF position. See struct mip_filter_data_ecef_position. */
 using ecef_position = ecef_position_;
 
@@ -778,6 +823,7 @@ struct ecef_velocity_ : ::mip_filter_data_ecef_velocity {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** ECEF velocity. See struct mip_filter_data_ecef_velocity. */
 using ecef_velocity = ecef_velocity_;
 
@@ -787,6 +833,7 @@ struct ned_relative_position_ : ::mip_filter_data_ned_relative_position {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** NED relative position. See struct mip_filter_data_ned_relative_position. */
 using ned_relative_position = ned_relative_position_;
 
@@ -796,6 +843,7 @@ struct gnss_position_aiding_status_ : ::mip_filter_data_gnss_position_aiding_sta
         return static_cast<::mip::filter_data::gnss_aiding_status>(c_type::status);
     }
 };
+
 /** GNSS position aiding status. See struct mip_filter_data_gnss_position_aiding_status. */
 using gnss_position_aiding_status = gnss_position_aiding_status_;
 
@@ -805,6 +853,7 @@ struct gnss_attitude_aiding_status_ : ::mip_filter_data_gnss_attitude_aiding_sta
         return static_cast<::mip::filter_data::gnss_aiding_status>(c_type::status);
     }
 };
+
 /** GNSS attitude aiding status. See struct mip_filter_data_gnss_attitude_aiding_status. */
 using gnss_attitude_aiding_status = gnss_attitude_aiding_status_;
 
@@ -814,6 +863,7 @@ struct heading_aiding_status_ : ::mip_filter_data_heading_aiding_status {
         return static_cast<::mip::filter_data::heading_aiding_type>(c_type::type);
     }
 };
+
 /** Heading aiding status. See struct mip_filter_data_heading_aiding_status. */
 using heading_aiding_status = heading_aiding_status_;
 
@@ -826,6 +876,7 @@ struct aiding_measurement_summary_ : ::mip_filter_data_aiding_measurement_summar
         return static_cast<::mip::filter_data::aiding_measurement_indicator>(c_type::indicator);
     }
 };
+
 /** Aiding measurement summary. See struct mip_filter_data_aiding_measurement_summary. */
 using aiding_measurement_summary = aiding_measurement_summary_;
 
@@ -835,6 +886,7 @@ struct odometer_scale_factor_error_ : ::mip_filter_data_odometer_scale_factor_er
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** Odometer scale factor error. See struct mip_filter_data_odometer_scale_factor_error. */
 using odometer_scale_factor_error = odometer_scale_factor_error_;
 
@@ -845,6 +897,7 @@ struct odometer_scale_factor_error_uncertainty_
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /**
  * Odometer scale factor error uncertainty. See struct
  * mip_filter_data_odometer_scale_factor_error_uncertainty.
@@ -863,6 +916,7 @@ struct gnss_dual_antenna_status_ : ::mip_filter_data_gnss_dual_antenna_status {
         return static_cast<::mip::filter_data::valid_flags>(c_type::valid_flags);
     }
 };
+
 /** GNSS dual antenna status. See struct mip_filter_data_gnss_dual_antenna_status. */
 using gnss_dual_antenna_status = gnss_dual_antenna_status_;
 

@@ -50,12 +50,14 @@ typedef uint8_t mip_gnss_gps_signals;
 #define MIP_GNSS_GPS_SIGNALS_L2C 0x02U
 /** Bit 2. */
 #define MIP_GNSS_GPS_SIGNALS_L5 0x04U
+
 /** GLONASS signals that are enabled. */
 typedef uint8_t mip_gnss_glonass_signals;
 /** Bit 0. */
 #define MIP_GNSS_GLONASS_SIGNALS_L1OF 0x01U
 /** Bit 1. */
 #define MIP_GNSS_GLONASS_SIGNALS_L2OF 0x02U
+
 /** Galileo signals that are enabled. */
 typedef uint8_t mip_gnss_galileo_signals;
 /** Bit 0. */
@@ -64,6 +66,7 @@ typedef uint8_t mip_gnss_galileo_signals;
 #define MIP_GNSS_GALILEO_SIGNALS_E5B 0x02U
 /** Bit 2. */
 #define MIP_GNSS_GALILEO_SIGNALS_E5A 0x04U
+
 /** BeiDou signals that are enabled. */
 typedef uint8_t mip_gnss_beidou_signals;
 /** Bit 0. */
@@ -72,6 +75,7 @@ typedef uint8_t mip_gnss_beidou_signals;
 #define MIP_GNSS_BEIDOU_SIGNALS_B2 0x02U
 /** Bit 2. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
+
 /**
  * A GNSS receiver.
  *
@@ -92,6 +96,7 @@ enum mip_gnss_receiver_id MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_receiver_id_name(uint8_t value);
+
 /**
  * Extent of the restart of a receiver.
  *
@@ -117,6 +122,7 @@ enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_receiver_reset_type_name(uint8_t value);
+
 /**
  * Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The
  * descriptions of `conservative` and `moderate`, which are inferred from the names.
@@ -136,6 +142,7 @@ enum mip_gnss_ambiguity_fix_mode MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value);
+
 /** Channel of SPARTN corrections. */
 enum mip_gnss_spartn_connection MIP_ENUM_8 {
     /** No connection. */
@@ -184,6 +191,7 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_encode(
     const struct mip_gnss_receiver_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_codec, value, builder);
 }
+
 /**
  * Receiver info response: response (0x0E,0x81).
  *
@@ -220,6 +228,7 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
     const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_response_codec, value, builder);
 }
+
 /**
  * Signal configuration: command (0x0E,0x02).
  *
@@ -278,14 +287,16 @@ static inline mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_con
 MIP_CHECKED static inline mip_error mip_gnss_signal_config_encode(
     const struct mip_gnss_signal_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - gps_enable: GPS signals. Required for write.
-   * - glonass_enable: GLONASS signals. Required for write.
-   * - galileo_enable: Galileo signals. Required for write.
-   * - beidou_enable: BeiDou signals. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - gps_enable: GPS signals. Required for write.
+ * - glonass_enable: GLONASS signals. Required for write.
+ * - galileo_enable: Galileo signals. Required for write.
+ * - beidou_enable: BeiDou signals. Required for write.
+ */
 static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     struct mip_gnss_signal_config *command, mip_gnss_gps_signals gps_enable,
     mip_gnss_glonass_signals glonass_enable, mip_gnss_galileo_signals galileo_enable,
@@ -298,6 +309,7 @@ static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     command->beidou_enable = beidou_enable;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_read(struct mip_gnss_signal_config *command) {
@@ -305,6 +317,7 @@ mip_gnss_signal_config_read(struct mip_gnss_signal_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_save(struct mip_gnss_signal_config *command) {
@@ -312,6 +325,7 @@ mip_gnss_signal_config_save(struct mip_gnss_signal_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_load(struct mip_gnss_signal_config *command) {
@@ -319,6 +333,7 @@ mip_gnss_signal_config_load(struct mip_gnss_signal_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_default(struct mip_gnss_signal_config *command) {
@@ -371,6 +386,7 @@ MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode(
     const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_response_codec, value, builder);
 }
+
 /**
  * Receiver reset: command (0x0E,0x03).
  *
@@ -412,12 +428,14 @@ static inline mip_error mip_gnss_receiver_reset_decode(struct mip_gnss_receiver_
 MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode(
     const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_reset_codec, value, builder);
-} /**
-   * Receiver reset. Fills the structure and returns its address.
-   *
-   * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
-   * - reset_type: Extent of the restart. A value of enum mip_gnss_receiver_reset_type.
-   */
+}
+
+/**
+ * Receiver reset. Fills the structure and returns its address.
+ *
+ * - receiver_id: Receiver to reset. A value of enum mip_gnss_receiver_id.
+ * - reset_type: Extent of the restart. A value of enum mip_gnss_receiver_reset_type.
+ */
 static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
     struct mip_gnss_receiver_reset *command, enum mip_gnss_receiver_id receiver_id,
     enum mip_gnss_receiver_reset_type reset_type) {
@@ -479,12 +497,14 @@ static inline mip_error mip_gnss_rtk_config_decode(struct mip_gnss_rtk_config *v
 MIP_CHECKED static inline mip_error
 mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - ambiguity_fix_mode: Readiness to fix ambiguities. A value of enum
-   * mip_gnss_ambiguity_fix_mode. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - ambiguity_fix_mode: Readiness to fix ambiguities. A value of enum mip_gnss_ambiguity_fix_mode.
+ *   Required for write.
+ */
 static inline struct mip_gnss_rtk_config *mip_gnss_rtk_config_write(
     struct mip_gnss_rtk_config *command, enum mip_gnss_ambiguity_fix_mode ambiguity_fix_mode) {
     memset(command, 0, sizeof(*command));
@@ -492,6 +512,7 @@ static inline struct mip_gnss_rtk_config *mip_gnss_rtk_config_write(
     command->ambiguity_fix_mode = (uint8_t)ambiguity_fix_mode;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_config *
 mip_gnss_rtk_config_read(struct mip_gnss_rtk_config *command) {
@@ -499,6 +520,7 @@ mip_gnss_rtk_config_read(struct mip_gnss_rtk_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_config *
 mip_gnss_rtk_config_save(struct mip_gnss_rtk_config *command) {
@@ -506,6 +528,7 @@ mip_gnss_rtk_config_save(struct mip_gnss_rtk_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_config *
 mip_gnss_rtk_config_load(struct mip_gnss_rtk_config *command) {
@@ -513,6 +536,7 @@ mip_gnss_rtk_config_load(struct mip_gnss_rtk_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_config *
 mip_gnss_rtk_config_default(struct mip_gnss_rtk_config *command) {
@@ -557,6 +581,7 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
     const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_response_codec, value, builder);
 }
+
 /**
  * RTK dongle configuration: command (0x0E,0x10).
  *
@@ -602,11 +627,13 @@ static inline mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_do
 MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_encode(
     const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write.
+ */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
@@ -614,6 +641,7 @@ mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uin
     command->enable = enable;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_read(struct mip_gnss_rtk_dongle_config *command) {
@@ -621,6 +649,7 @@ mip_gnss_rtk_dongle_config_read(struct mip_gnss_rtk_dongle_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_save(struct mip_gnss_rtk_dongle_config *command) {
@@ -628,6 +657,7 @@ mip_gnss_rtk_dongle_config_save(struct mip_gnss_rtk_dongle_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_load(struct mip_gnss_rtk_dongle_config *command) {
@@ -635,6 +665,7 @@ mip_gnss_rtk_dongle_config_load(struct mip_gnss_rtk_dongle_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
@@ -680,6 +711,7 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
     const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_response_codec, value, builder);
 }
+
 /**
  * SPARTN configuration: command (0x0E,0x20).
  *
@@ -749,23 +781,24 @@ static inline mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_con
 MIP_CHECKED static inline mip_error mip_gnss_spartn_config_encode(
     const struct mip_gnss_spartn_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
-   * - type: Channel of the corrections. A value of enum mip_gnss_spartn_connection. Required for
-   *   write.
-   * - current_key_tow: GPS time of week until which the current key is valid. Unit: s. Required for
-   *   write.
-   * - current_key_week: GPS week number until which the current key is valid. Unit: week. Required
-   *   for write.
-   * - current_key: Current key in ASCII digits. Required for write.
-   * - next_key_tow: GPS time of week until which the next key is valid. Unit: s. Required for
-   * write.
-   * - next_key_week: GPS week number until which the next key is valid. Unit: week. Required for
-   *   write.
-   * - next_key: Next key in ASCII digits. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - enable: 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write.
+ * - type: Channel of the corrections. A value of enum mip_gnss_spartn_connection. Required for
+ *   write.
+ * - current_key_tow: GPS time of week until which the current key is valid. Unit: s. Required for
+ *   write.
+ * - current_key_week: GPS week number until which the current key is valid. Unit: week. Required
+ *   for write.
+ * - current_key: Current key in ASCII digits. Required for write.
+ * - next_key_tow: GPS time of week until which the next key is valid. Unit: s. Required for write.
+ * - next_key_week: GPS week number until which the next key is valid. Unit: week. Required for
+ *   write.
+ * - next_key: Next key in ASCII digits. Required for write.
+ */
 static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     struct mip_gnss_spartn_config *command, uint8_t enable, enum mip_gnss_spartn_connection type,
     uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],
@@ -782,6 +815,7 @@ static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     memcpy(command->next_key, next_key, sizeof(command->next_key));
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_read(struct mip_gnss_spartn_config *command) {
@@ -789,6 +823,7 @@ mip_gnss_spartn_config_read(struct mip_gnss_spartn_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_save(struct mip_gnss_spartn_config *command) {
@@ -796,6 +831,7 @@ mip_gnss_spartn_config_save(struct mip_gnss_spartn_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_load(struct mip_gnss_spartn_config *command) {
@@ -803,6 +839,7 @@ mip_gnss_spartn_config_load(struct mip_gnss_spartn_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_default(struct mip_gnss_spartn_config *command) {
@@ -862,6 +899,7 @@ MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode(
     const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_response_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

@@ -138,6 +138,7 @@ struct receiver_info_response_ : ::mip_gnss_receiver_info_response {
         return {c_type::receiver_info, c_type::num_receivers};
     }
 };
+
 /** Receiver info response. See struct mip_gnss_receiver_info_response. */
 using receiver_info_response = receiver_info_response_;
 
@@ -156,6 +157,7 @@ struct signal_config_response_ : ::mip_gnss_signal_config_response {
         return static_cast<::mip::gnss::beidou_signals>(c_type::beidou_enable);
     }
 };
+
 /** Signal configuration response. See struct mip_gnss_signal_config_response. */
 using signal_config_response = signal_config_response_;
 
@@ -165,6 +167,7 @@ struct rtk_config_response_ : ::mip_gnss_rtk_config_response {
         return static_cast<::mip::gnss::ambiguity_fix_mode>(c_type::ambiguity_fix_mode);
     }
 };
+
 /** RTK configuration response. See struct mip_gnss_rtk_config_response. */
 using rtk_config_response = rtk_config_response_;
 
@@ -177,6 +180,7 @@ struct spartn_config_response_ : ::mip_gnss_spartn_config_response {
         return static_cast<::mip::gnss::spartn_connection>(c_type::type);
     }
 };
+
 /** SPARTN configuration response. See struct mip_gnss_spartn_config_response. */
 using spartn_config_response = spartn_config_response_;
 

@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_receiver_info_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_gnss_receiver_info_exchange;
 
@@ -45,6 +46,7 @@ static inline struct mip_result mip_call_gnss_receiver_info(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_signal_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_gnss_signal_config_exchange;
 
@@ -124,6 +126,7 @@ static inline struct mip_result mip_call_gnss_signal_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_receiver_reset_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_gnss_receiver_reset_exchange;
 
@@ -163,6 +166,7 @@ static inline struct mip_result mip_call_gnss_receiver_reset_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_rtk_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_gnss_rtk_config_exchange;
 
@@ -238,6 +242,7 @@ mip_call_gnss_rtk_config_with(struct mip_device *device, const struct mip_gnss_r
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_rtk_dongle_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_gnss_rtk_dongle_config_exchange;
 
@@ -314,6 +319,7 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_spartn_config_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_gnss_spartn_config_exchange;
 

@@ -70,6 +70,7 @@ typedef uint16_t mip_gnss_data_llh_position_flags;
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
 /** Bits 0 to 4. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_FLAGS 0x001FU
+
 /** Valid parts of the position. */
 typedef uint16_t mip_gnss_data_ecef_position_flags;
 /** Bit 0. `position` is valid. */
@@ -78,6 +79,7 @@ typedef uint16_t mip_gnss_data_ecef_position_flags;
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_FLAGS 0x0003U
+
 /** Valid parts of the velocity. */
 typedef uint16_t mip_gnss_data_ned_velocity_flags;
 /** Bit 0. `velocity` is valid. */
@@ -94,6 +96,7 @@ typedef uint16_t mip_gnss_data_ned_velocity_flags;
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY 0x0020U
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_FLAGS 0x003FU
+
 /** Valid parts of the velocity. */
 typedef uint16_t mip_gnss_data_ecef_velocity_flags;
 /** Bit 0. `velocity` is valid. */
@@ -102,6 +105,7 @@ typedef uint16_t mip_gnss_data_ecef_velocity_flags;
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
+
 /** Valid dilutions of precision. */
 typedef uint16_t mip_gnss_data_dop_flags;
 /** Bit 0. `gdop` is valid. */
@@ -120,6 +124,7 @@ typedef uint16_t mip_gnss_data_dop_flags;
 #define MIP_GNSS_DATA_DOP_FLAGS_EDOP 0x0040U
 /** Bits 0 to 6. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DOP_FLAGS_FLAGS 0x007FU
+
 /** Valid parts of the UTC time. */
 typedef uint16_t mip_gnss_data_utc_time_flags;
 /** Bit 0. Date and time come from GNSS. */
@@ -128,6 +133,7 @@ typedef uint16_t mip_gnss_data_utc_time_flags;
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_FLAGS 0x0003U
+
 /** Valid parts of the time. */
 typedef uint16_t mip_gnss_data_gps_time_flags;
 /** Bit 0. `tow` is valid. */
@@ -136,6 +142,7 @@ typedef uint16_t mip_gnss_data_gps_time_flags;
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_FLAGS 0x0003U
+
 /** Valid clock parameters. */
 typedef uint16_t mip_gnss_data_clock_info_flags;
 /** Bit 0. `bias` is valid. */
@@ -146,12 +153,14 @@ typedef uint16_t mip_gnss_data_clock_info_flags;
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_FLAGS 0x0007U
+
 /** Corrections and satellite systems of the fix. */
 typedef uint16_t mip_gnss_data_fix_flags;
 /** Bit 0. SBAS corrections were used in the fix. */
 #define MIP_GNSS_DATA_FIX_FLAGS_SBAS_USED 0x0001U
 /** Bit 1. Differential corrections. */
 #define MIP_GNSS_DATA_FIX_FLAGS_DGNSS_USED 0x0002U
+
 /** Valid parts of the fix information. */
 typedef uint16_t mip_gnss_data_fix_info_flags;
 /** Bit 0. `fix_type` is valid. */
@@ -162,12 +171,14 @@ typedef uint16_t mip_gnss_data_fix_info_flags;
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FLAGS 0x0007U
+
 /** State of a satellite. */
 typedef uint16_t mip_gnss_data_sv_flags;
 /** Bit 0. The position fix uses it. */
 #define MIP_GNSS_DATA_SV_FLAGS_USED_FOR_NAVIGATION 0x0001U
 /** Bit 1. The satellite reports that its signals can be used. */
 #define MIP_GNSS_DATA_SV_FLAGS_HEALTHY 0x0002U
+
 /** Valid parts of the satellite info. */
 typedef uint16_t mip_gnss_data_sv_info_flags;
 /** Bit 0. `channel` is valid. */
@@ -184,6 +195,7 @@ typedef uint16_t mip_gnss_data_sv_info_flags;
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_SV_FLAGS 0x0020U
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_FLAGS 0x003FU
+
 /** Power and operation of a GNSS receiver. */
 enum mip_gnss_data_receiver_state MIP_ENUM_8 {
     /** The value `off`. */
@@ -196,6 +208,7 @@ enum mip_gnss_data_receiver_state MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_receiver_state_name(uint8_t value);
+
 /** Electrical condition of a GNSS antenna. */
 enum mip_gnss_data_antenna_state MIP_ENUM_8 {
     /** Being initialized. */
@@ -212,6 +225,7 @@ enum mip_gnss_data_antenna_state MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_antenna_state_name(uint8_t value);
+
 /** Supply of the antenna. */
 enum mip_gnss_data_antenna_power MIP_ENUM_8 {
     /** The value `off`. */
@@ -224,6 +238,7 @@ enum mip_gnss_data_antenna_power MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_antenna_power_name(uint8_t value);
+
 /** Valid parts of the hardware status. */
 typedef uint16_t mip_gnss_data_hardware_status_flags;
 /** Bit 0. `receiver_state` is valid. */
@@ -234,6 +249,7 @@ typedef uint16_t mip_gnss_data_hardware_status_flags;
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
+
 /** Valid parts of the state of the corrections. */
 typedef uint16_t mip_gnss_data_dgps_info_flags;
 /** Bit 0. `age` is valid. */
@@ -246,6 +262,7 @@ typedef uint16_t mip_gnss_data_dgps_info_flags;
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_NUM_CHANNELS 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_FLAGS 0x000FU
+
 /** Valid parts of a differential correction. */
 typedef uint16_t mip_gnss_data_dgps_channel_flags;
 /** Bit 0. `satellite_id` is valid. */
@@ -258,6 +275,7 @@ typedef uint16_t mip_gnss_data_dgps_channel_flags;
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
+
 /** Valid clock parameters. */
 typedef uint16_t mip_gnss_data_clock_info_2_flags;
 /** Bit 0. `bias` is valid. */
@@ -270,10 +288,12 @@ typedef uint16_t mip_gnss_data_clock_info_2_flags;
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
+
 /** Validity of the leap seconds. Bit 0 is not used. */
 typedef uint16_t mip_gnss_data_gps_leap_seconds_flags;
 /** Bit 1. `leap_seconds` is valid. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
+
 /** Satellite based augmentation system. */
 enum mip_gnss_data_sbas_system MIP_ENUM_8 {
     /** Not known. */
@@ -290,6 +310,7 @@ enum mip_gnss_data_sbas_system MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_sbas_system_name(uint8_t value);
+
 /** Services of an SBAS system. */
 typedef uint8_t mip_gnss_data_sbas_status;
 /** Bit 0. Ranging is available. */
@@ -300,6 +321,7 @@ typedef uint8_t mip_gnss_data_sbas_status;
 #define MIP_GNSS_DATA_SBAS_STATUS_INTEGRITY_AVAILABLE 0x04U
 /** Bit 3. The service is in test mode. */
 #define MIP_GNSS_DATA_SBAS_STATUS_TEST_MODE 0x08U
+
 /** Valid parts of the SBAS status. */
 typedef uint16_t mip_gnss_data_sbas_info_flags;
 /** Bit 0. `tow` is valid. */
@@ -316,6 +338,7 @@ typedef uint16_t mip_gnss_data_sbas_info_flags;
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_FLAGS 0x003FU
+
 /** Valid parts of an SBAS correction. */
 typedef uint16_t mip_gnss_data_sbas_correction_flags;
 /** Bit 0. `udrei` is valid. */
@@ -326,6 +349,7 @@ typedef uint16_t mip_gnss_data_sbas_correction_flags;
 #define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_IONO_CORRECTION 0x0004U
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_FLAGS 0x0007U
+
 /** Frequency band of GNSS signals. */
 enum mip_gnss_data_rf_band MIP_ENUM_8 {
     /** Not known. */
@@ -340,6 +364,7 @@ enum mip_gnss_data_rf_band MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_rf_band_name(uint8_t value);
+
 /** Severity of jamming. */
 enum mip_gnss_data_jamming_state MIP_ENUM_8 {
     /** Not known. */
@@ -354,6 +379,7 @@ enum mip_gnss_data_jamming_state MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_jamming_state_name(uint8_t value);
+
 /** Severity of spoofing. */
 enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
     /** Not known. */
@@ -368,6 +394,7 @@ enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_spoofing_state_name(uint8_t value);
+
 /** Valid parts of the detection. */
 typedef uint16_t mip_gnss_data_rf_error_detection_flags;
 /** Bit 0. `rf_band` is valid. */
@@ -380,6 +407,7 @@ typedef uint16_t mip_gnss_data_rf_error_detection_flags;
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_FREQUENCY 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_FLAGS 0x000FU
+
 /** Solution of the carrier phase ambiguities for a heading. */
 enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
     /** Not known. */
@@ -392,6 +420,7 @@ enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_heading_fix_type_name(uint8_t value);
+
 /** Valid parts of the heading. */
 typedef uint16_t mip_gnss_data_heading_flags;
 /** Bit 0. `heading` is valid. */
@@ -402,6 +431,7 @@ typedef uint16_t mip_gnss_data_heading_flags;
 #define MIP_GNSS_DATA_HEADING_FLAGS_FIX_TYPE 0x0004U
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_FLAGS 0x0007U
+
 /** Valid parts of the satellite status. */
 typedef uint16_t mip_gnss_data_satellite_status_flags;
 /** Bit 0. `tow` is valid. */
@@ -420,6 +450,7 @@ typedef uint16_t mip_gnss_data_satellite_status_flags;
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
 /** Bits 0 to 6. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
+
 /** Quality of the tracking of a signal. */
 enum mip_gnss_data_signal_quality MIP_ENUM_8 {
     /** No signal. */
@@ -438,6 +469,7 @@ enum mip_gnss_data_signal_quality MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_signal_quality_name(uint8_t value);
+
 /** Valid parts of the observation. */
 typedef uint16_t mip_gnss_data_raw_flags;
 /** Bit 0. `tow` is valid. */
@@ -474,6 +506,7 @@ typedef uint16_t mip_gnss_data_raw_flags;
 #define MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME 0x8000U
 /** Bits 0 to 15. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RAW_FLAGS_FLAGS 0xFFFFU
+
 /** Properties of a base station, as in its RTCM message. */
 typedef uint16_t mip_gnss_data_base_station_indicators;
 /** Bit 0. GPS is supported. */
@@ -494,6 +527,7 @@ typedef uint16_t mip_gnss_data_base_station_indicators;
 #define MIP_GNSS_DATA_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT2 0x0080U
 /** Bits 6 to 7. Quarter cycle indicator. Overlaps other bits. */
 #define MIP_GNSS_DATA_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
+
 /** Valid values. */
 typedef uint16_t mip_gnss_data_base_station_info_flags;
 /** Bit 0. `tow` is valid. */
@@ -510,6 +544,7 @@ typedef uint16_t mip_gnss_data_base_station_info_flags;
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
+
 /** Corrections received during an epoch. */
 typedef uint16_t mip_gnss_data_rtk_epoch_status;
 /** Bit 0. The position of the base station's antenna has arrived. */
@@ -530,6 +565,7 @@ typedef uint16_t mip_gnss_data_rtk_epoch_status;
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
 /** Bit 8. The status of the dongle could not be read. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
+
 /** Valid values. */
 typedef uint16_t mip_gnss_data_rtk_corrections_status_flags;
 /** Bit 0. `tow` is valid. */
@@ -550,6 +586,7 @@ typedef uint16_t mip_gnss_data_rtk_corrections_status_flags;
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
 /** Bits 0 to 7. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
+
 /** Contents of an ephemeris of GPS, Galileo or BeiDou. */
 typedef uint16_t mip_gnss_data_ephemeris_flags;
 /** Bit 0. The ephemeris is valid. */
@@ -560,6 +597,7 @@ typedef uint16_t mip_gnss_data_ephemeris_flags;
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_ISC_L5 0x0004U
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_FLAGS 0x0007U
+
 /** Generation of a GLONASS satellite. */
 enum mip_gnss_data_glonass_satellite_type MIP_ENUM_8 {
     /** The value `glonass`. */
@@ -570,12 +608,14 @@ enum mip_gnss_data_glonass_satellite_type MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value);
+
 /** Validity of the ephemeris. */
 typedef uint16_t mip_gnss_data_glonass_ephemeris_flags;
 /** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
 /** Bit 0. All of them. Overlaps other bits. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
+
 /** Valid parts of the model. */
 typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
 /** Bit 0. `tow` is valid. */
@@ -588,6 +628,7 @@ typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_BETA 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
+
 /** Valid parts of the model. */
 typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
 /** Bit 0. `tow` is valid. */
@@ -600,6 +641,7 @@ typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
+
 /** Valid parts of the model. */
 typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
 /** Bit 0. `tow` is valid. */
@@ -684,6 +726,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode(
     const struct mip_gnss_data_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_llh_position_codec, value, builder);
 }
+
 /**
  * GNSS ECEF position: data 0x04.
  *
@@ -732,6 +775,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode(
     const struct mip_gnss_data_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ecef_position_codec, value, builder);
 }
+
 /**
  * NED velocity: data 0x05.
  *
@@ -802,6 +846,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode(
     const struct mip_gnss_data_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ned_velocity_codec, value, builder);
 }
+
 /**
  * GNSS ECEF velocity: data 0x06.
  *
@@ -851,6 +896,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode(
     const struct mip_gnss_data_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ecef_velocity_codec, value, builder);
 }
+
 /**
  * DOP: data 0x07.
  *
@@ -923,6 +969,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode(const struct mip_gn
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dop_codec, value, builder);
 }
+
 /**
  * UTC time: data 0x08.
  *
@@ -996,6 +1043,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode(
     const struct mip_gnss_data_utc_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_utc_time_codec, value, builder);
 }
+
 /**
  * GPS time: data 0x09.
  *
@@ -1043,6 +1091,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode(
     const struct mip_gnss_data_gps_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_time_codec, value, builder);
 }
+
 /**
  * Clock info: data 0x0A.
  *
@@ -1097,6 +1146,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode(
     const struct mip_gnss_data_clock_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_clock_info_codec, value, builder);
 }
+
 /**
  * Fix info: data 0x0B.
  *
@@ -1151,6 +1201,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode(
     const struct mip_gnss_data_fix_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_fix_info_codec, value, builder);
 }
+
 /**
  * Satellite info: data 0x0C.
  *
@@ -1219,6 +1270,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode(
     const struct mip_gnss_data_sv_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sv_info_codec, value, builder);
 }
+
 /**
  * GNSS hardware status: data 0x0D.
  *
@@ -1273,6 +1325,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode(
     const struct mip_gnss_data_hardware_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_hardware_status_codec, value, builder);
 }
+
 /**
  * DGPS info: data 0x0E.
  *
@@ -1342,6 +1395,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode(
     const struct mip_gnss_data_dgps_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_info_codec, value, builder);
 }
+
 /**
  * DGPS info with a satellite: data 0x0E.
  *
@@ -1408,6 +1462,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode(
     const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_info_satellite_codec, value, builder);
 }
+
 /**
  * DGPS channel: data 0x0F.
  *
@@ -1469,6 +1524,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode(
     const struct mip_gnss_data_dgps_channel *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_channel_codec, value, builder);
 }
+
 /**
  * Clock info 2: data 0x10.
  *
@@ -1528,6 +1584,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode(
     const struct mip_gnss_data_clock_info_2 *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_clock_info_2_codec, value, builder);
 }
+
 /**
  * GPS leap seconds: data 0x11.
  *
@@ -1571,6 +1628,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
     const struct mip_gnss_data_gps_leap_seconds *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_leap_seconds_codec, value, builder);
 }
+
 /**
  * SBAS info: data 0x12.
  *
@@ -1636,6 +1694,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode(
     const struct mip_gnss_data_sbas_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sbas_info_codec, value, builder);
 }
+
 /**
  * SBAS correction: data 0x13.
  *
@@ -1707,6 +1766,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode(
     const struct mip_gnss_data_sbas_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sbas_correction_codec, value, builder);
 }
+
 /**
  * RF error detection: data 0x14.
  *
@@ -1770,6 +1830,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode(
     const struct mip_gnss_data_rf_error_detection *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_rf_error_detection_codec, value, builder);
 }
+
 /**
  * GNSS heading: data 0x15.
  *
@@ -1824,6 +1885,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode(
     const struct mip_gnss_data_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_heading_codec, value, builder);
 }
+
 /**
  * Satellite status: data 0x20.
  *
@@ -1904,6 +1966,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode(
     const struct mip_gnss_data_satellite_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_satellite_status_codec, value, builder);
 }
+
 /**
  * Raw: data 0x22.
  *
@@ -2026,6 +2089,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode(const struct mip_gn
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_raw_codec, value, builder);
 }
+
 /**
  * Base station info: data 0x30.
  *
@@ -2095,6 +2159,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode(
     const struct mip_gnss_data_base_station_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_base_station_info_codec, value, builder);
 }
+
 /**
  * RTK corrections status: data 0x31.
  *
@@ -2178,6 +2243,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
     const struct mip_gnss_data_rtk_corrections_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_rtk_corrections_status_codec, value, builder);
 }
+
 /**
  * GPS ephemeris: data 0x61.
  *
@@ -2364,6 +2430,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
     const struct mip_gnss_data_gps_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_ephemeris_codec, value, builder);
 }
+
 /**
  * GLONASS ephemeris: data 0x62.
  *
@@ -2512,6 +2579,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
     const struct mip_gnss_data_glonass_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_glonass_ephemeris_codec, value, builder);
 }
+
 /**
  * Galileo ephemeris: data 0x63.
  *
@@ -2702,6 +2770,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
     const struct mip_gnss_data_galileo_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_galileo_ephemeris_codec, value, builder);
 }
+
 /**
  * BeiDou ephemeris: data 0x64.
  *
@@ -2892,6 +2961,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
     const struct mip_gnss_data_beidou_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_beidou_ephemeris_codec, value, builder);
 }
+
 /**
  * GPS ionospheric correction: data 0x71.
  *
@@ -2950,6 +3020,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode(
     const struct mip_gnss_data_gps_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_iono_correction_codec, value, builder);
 }
+
 /**
  * Galileo ionospheric correction: data 0x73.
  *
@@ -3010,6 +3081,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode
     const struct mip_gnss_data_galileo_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_galileo_iono_correction_codec, value, builder);
 }
+
 /**
  * BeiDou ionospheric correction: data 0x74.
  *
@@ -3074,6 +3146,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_beidou_iono_correction_encode(
     const struct mip_gnss_data_beidou_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_beidou_iono_correction_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

@@ -595,6 +595,7 @@ struct llh_position_ : ::mip_gnss_data_llh_position {
         return static_cast<::mip::gnss_data::llh_position_flags>(c_type::valid_flags);
     }
 };
+
 /** GNSS LLH position. See struct mip_gnss_data_llh_position. */
 using llh_position = llh_position_;
 
@@ -604,6 +605,7 @@ struct ecef_position_ : ::mip_gnss_data_ecef_position {
         return static_cast<::mip::gnss_data::ecef_position_flags>(c_type::valid_flags);
     }
 };
+
 /** GNSS ECEF position. See struct mip_gnss_data_ecef_position. */
 using ecef_position = ecef_position_;
 
@@ -613,6 +615,7 @@ struct ned_velocity_ : ::mip_gnss_data_ned_velocity {
         return static_cast<::mip::gnss_data::ned_velocity_flags>(c_type::valid_flags);
     }
 };
+
 /** NED velocity. See struct mip_gnss_data_ned_velocity. */
 using ned_velocity = ned_velocity_;
 
@@ -622,6 +625,7 @@ struct ecef_velocity_ : ::mip_gnss_data_ecef_velocity {
         return static_cast<::mip::gnss_data::ecef_velocity_flags>(c_type::valid_flags);
     }
 };
+
 /** GNSS ECEF velocity. See struct mip_gnss_data_ecef_velocity. */
 using ecef_velocity = ecef_velocity_;
 
@@ -631,6 +635,7 @@ struct dop_ : ::mip_gnss_data_dop {
         return static_cast<::mip::gnss_data::dop_flags>(c_type::valid_flags);
     }
 };
+
 /** DOP. See struct mip_gnss_data_dop. */
 using dop = dop_;
 
@@ -640,6 +645,7 @@ struct utc_time_ : ::mip_gnss_data_utc_time {
         return static_cast<::mip::gnss_data::utc_time_flags>(c_type::valid_flags);
     }
 };
+
 /** UTC time. See struct mip_gnss_data_utc_time. */
 using utc_time = utc_time_;
 
@@ -649,6 +655,7 @@ struct gps_time_ : ::mip_gnss_data_gps_time {
         return static_cast<::mip::gnss_data::gps_time_flags>(c_type::valid_flags);
     }
 };
+
 /** GPS time. See struct mip_gnss_data_gps_time. */
 using gps_time = gps_time_;
 
@@ -658,6 +665,7 @@ struct clock_info_ : ::mip_gnss_data_clock_info {
         return static_cast<::mip::gnss_data::clock_info_flags>(c_type::valid_flags);
     }
 };
+
 /** Clock info. See struct mip_gnss_data_clock_info. */
 using clock_info = clock_info_;
 
@@ -673,6 +681,7 @@ struct fix_info_ : ::mip_gnss_data_fix_info {
         return static_cast<::mip::gnss_data::fix_info_flags>(c_type::valid_flags);
     }
 };
+
 /** Fix info. See struct mip_gnss_data_fix_info. */
 using fix_info = fix_info_;
 
@@ -685,6 +694,7 @@ struct sv_info_ : ::mip_gnss_data_sv_info {
         return static_cast<::mip::gnss_data::sv_info_flags>(c_type::valid_flags);
     }
 };
+
 /** Satellite info. See struct mip_gnss_data_sv_info. */
 using sv_info = sv_info_;
 
@@ -703,6 +713,7 @@ struct hardware_status_ : ::mip_gnss_data_hardware_status {
         return static_cast<::mip::gnss_data::hardware_status_flags>(c_type::valid_flags);
     }
 };
+
 /** GNSS hardware status. See struct mip_gnss_data_hardware_status. */
 using hardware_status = hardware_status_;
 
@@ -712,6 +723,7 @@ struct dgps_info_ : ::mip_gnss_data_dgps_info {
         return static_cast<::mip::gnss_data::dgps_info_flags>(c_type::valid_flags);
     }
 };
+
 /** DGPS info. See struct mip_gnss_data_dgps_info. */
 using dgps_info = dgps_info_;
 
@@ -721,6 +733,7 @@ struct dgps_info_satellite_ : ::mip_gnss_data_dgps_info_satellite {
         return static_cast<::mip::gnss_data::dgps_info_flags>(c_type::valid_flags);
     }
 };
+
 /** DGPS info with a satellite. See struct mip_gnss_data_dgps_info_satellite. */
 using dgps_info_satellite = dgps_info_satellite_;
 
@@ -730,6 +743,7 @@ struct dgps_channel_ : ::mip_gnss_data_dgps_channel {
         return static_cast<::mip::gnss_data::dgps_channel_flags>(c_type::valid_flags);
     }
 };
+
 /** DGPS channel. See struct mip_gnss_data_dgps_channel. */
 using dgps_channel = dgps_channel_;
 
@@ -739,6 +753,7 @@ struct clock_info_2_ : ::mip_gnss_data_clock_info_2 {
         return static_cast<::mip::gnss_data::clock_info_2_flags>(c_type::valid_flags);
     }
 };
+
 /** Clock info 2. See struct mip_gnss_data_clock_info_2. */
 using clock_info_2 = clock_info_2_;
 
@@ -748,6 +763,7 @@ struct gps_leap_seconds_ : ::mip_gnss_data_gps_leap_seconds {
         return static_cast<::mip::gnss_data::gps_leap_seconds_flags>(c_type::valid_flags);
     }
 };
+
 /** GPS leap seconds. See struct mip_gnss_data_gps_leap_seconds. */
 using gps_leap_seconds = gps_leap_seconds_;
 
@@ -763,6 +779,7 @@ struct sbas_info_ : ::mip_gnss_data_sbas_info {
         return static_cast<::mip::gnss_data::sbas_info_flags>(c_type::valid_flags);
     }
 };
+
 /** SBAS info. See struct mip_gnss_data_sbas_info. */
 using sbas_info = sbas_info_;
 
@@ -775,6 +792,7 @@ struct sbas_correction_ : ::mip_gnss_data_sbas_correction {
         return static_cast<::mip::gnss_data::sbas_correction_flags>(c_type::valid_flags);
     }
 };
+
 /** SBAS correction. See struct mip_gnss_data_sbas_correction. */
 using sbas_correction = sbas_correction_;
 
@@ -793,6 +811,7 @@ struct rf_error_detection_ : ::mip_gnss_data_rf_error_detection {
         return static_cast<::mip::gnss_data::rf_error_detection_flags>(c_type::valid_flags);
     }
 };
+
 /** RF error detection. See struct mip_gnss_data_rf_error_detection. */
 using rf_error_detection = rf_error_detection_;
 
@@ -805,6 +824,7 @@ struct heading_ : ::mip_gnss_data_heading {
         return static_cast<::mip::gnss_data::heading_flags>(c_type::valid_flags);
     }
 };
+
 /** GNSS heading. See struct mip_gnss_data_heading. */
 using heading = heading_;
 
@@ -817,6 +837,7 @@ struct satellite_status_ : ::mip_gnss_data_satellite_status {
         return static_cast<::mip::gnss_data::satellite_status_flags>(c_type::valid_flags);
     }
 };
+
 /** Satellite status. See struct mip_gnss_data_satellite_status. */
 using satellite_status = satellite_status_;
 
@@ -835,6 +856,7 @@ struct raw_ : ::mip_gnss_data_raw {
         return static_cast<::mip::gnss_data::raw_flags>(c_type::valid_flags);
     }
 };
+
 /** Raw. See struct mip_gnss_data_raw. */
 using raw = raw_;
 
@@ -847,6 +869,7 @@ struct base_station_info_ : ::mip_gnss_data_base_station_info {
         return static_cast<::mip::gnss_data::base_station_info_flags>(c_type::valid_flags);
     }
 };
+
 /** Base station info. See struct mip_gnss_data_base_station_info. */
 using base_station_info = base_station_info_;
 
@@ -862,6 +885,7 @@ struct rtk_corrections_status_ : ::mip_gnss_data_rtk_corrections_status {
         return static_cast<::mip::gnss_data::rtk_corrections_status_flags>(c_type::valid_flags);
     }
 };
+
 /** RTK corrections status. See struct mip_gnss_data_rtk_corrections_status. */
 using rtk_corrections_status = rtk_corrections_status_;
 
@@ -871,6 +895,7 @@ struct gps_ephemeris_ : ::mip_gnss_data_gps_ephemeris {
         return static_cast<::mip::gnss_data::ephemeris_flags>(c_type::valid_flags);
     }
 };
+
 /** GPS ephemeris. See struct mip_gnss_data_gps_ephemeris. */
 using gps_ephemeris = gps_ephemeris_;
 
@@ -883,6 +908,7 @@ struct glonass_ephemeris_ : ::mip_gnss_data_glonass_ephemeris {
         return static_cast<::mip::gnss_data::glonass_ephemeris_flags>(c_type::valid_flags);
     }
 };
+
 /** GLONASS ephemeris. See struct mip_gnss_data_glonass_ephemeris. */
 using glonass_ephemeris = glonass_ephemeris_;
 
@@ -892,6 +918,7 @@ struct galileo_ephemeris_ : ::mip_gnss_data_galileo_ephemeris {
         return static_cast<::mip::gnss_data::ephemeris_flags>(c_type::valid_flags);
     }
 };
+
 /** Galileo ephemeris. See struct mip_gnss_data_galileo_ephemeris. */
 using galileo_ephemeris = galileo_ephemeris_;
 
@@ -901,6 +928,7 @@ struct beidou_ephemeris_ : ::mip_gnss_data_beidou_ephemeris {
         return static_cast<::mip::gnss_data::ephemeris_flags>(c_type::valid_flags);
     }
 };
+
 /** BeiDou ephemeris. See struct mip_gnss_data_beidou_ephemeris. */
 using beidou_ephemeris = beidou_ephemeris_;
 
@@ -910,6 +938,7 @@ struct gps_iono_correction_ : ::mip_gnss_data_gps_iono_correction {
         return static_cast<::mip::gnss_data::gps_iono_correction_flags>(c_type::valid_flags);
     }
 };
+
 /** GPS ionospheric correction. See struct mip_gnss_data_gps_iono_correction. */
 using gps_iono_correction = gps_iono_correction_;
 
@@ -919,6 +948,7 @@ struct galileo_iono_correction_ : ::mip_gnss_data_galileo_iono_correction {
         return static_cast<::mip::gnss_data::galileo_iono_correction_flags>(c_type::valid_flags);
     }
 };
+
 /** Galileo ionospheric correction. See struct mip_gnss_data_galileo_iono_correction. */
 using galileo_iono_correction = galileo_iono_correction_;
 
@@ -928,6 +958,7 @@ struct beidou_iono_correction_ : ::mip_gnss_data_beidou_iono_correction {
         return static_cast<::mip::gnss_data::beidou_iono_correction_flags>(c_type::valid_flags);
     }
 };
+
 /** BeiDou ionospheric correction. See struct mip_gnss_data_beidou_iono_correction. */
 using beidou_iono_correction = beidou_iono_correction_;
 

@@ -77,12 +77,14 @@ MIP_API void mip_print_string(const struct mip_print *print, const char *text);
 
 /** A whole number. */
 MIP_API void mip_print_unsigned(const struct mip_print *print, uint64_t value);
+
 /** A whole number that may be negative. */
 MIP_API void mip_print_signed(const struct mip_print *print, int64_t value);
 
 /** A float, with the fewest digits that distinguish it from all others: "0.1", "1e-7", "-inf",
  * "nan". */
 MIP_API void mip_print_float(const struct mip_print *print, float value);
+
 /** A double in the same way. */
 MIP_API void mip_print_double(const struct mip_print *print, double value);
 

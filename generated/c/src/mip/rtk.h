@@ -40,6 +40,7 @@ enum mip_rtk_connected_device MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_rtk_connected_device_name(uint8_t value);
+
 /**
  * State of the correction service.
  *
@@ -50,6 +51,7 @@ typedef uint8_t mip_rtk_service_flags;
 #define MIP_RTK_SERVICE_FLAGS_THROTTLE 0x01U
 /** Bit 1. There are no corrections. */
 #define MIP_RTK_SERVICE_FLAGS_CORRECTIONS_UNAVAILABLE 0x02U
+
 /**
  * A storage medium of a corrections modem.
  *
@@ -64,6 +66,7 @@ enum mip_rtk_storage_medium MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_rtk_storage_medium_name(uint8_t value);
+
 /**
  * Pattern of an LED.
  *
@@ -119,6 +122,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_encode(
     const struct mip_rtk_get_status_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_codec, value, builder);
 }
+
 /**
  * Get status flags response: response (0x0F,0x81).
  *
@@ -154,6 +158,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode(
     const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_response_codec, value, builder);
 }
+
 /**
  * Get IMEI: command (0x0F,0x02).
  *
@@ -190,6 +195,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_codec, value, builder);
 }
+
 /**
  * Get IMEI response: response (0x0F,0x82).
  *
@@ -223,6 +229,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode(
     const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_response_codec, value, builder);
 }
+
 /**
  * Get IMSI: command (0x0F,0x03).
  *
@@ -259,6 +266,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_codec, value, builder);
 }
+
 /**
  * Get IMSI response: response (0x0F,0x83).
  *
@@ -292,6 +300,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode(
     const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_response_codec, value, builder);
 }
+
 /**
  * Get ICCID: command (0x0F,0x04).
  *
@@ -328,6 +337,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rt
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_codec, value, builder);
 }
+
 /**
  * Get ICCID response: response (0x0F,0x84).
  *
@@ -361,6 +371,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode(
     const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_response_codec, value, builder);
 }
+
 /**
  * Get RSSI: command (0x0F,0x05).
  *
@@ -397,6 +408,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_codec, value, builder);
 }
+
 /**
  * Get RSSI response: response (0x0F,0x85).
  *
@@ -435,6 +447,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode(
     const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_response_codec, value, builder);
 }
+
 /**
  * Connected device type: command (0x0F,0x06).
  *
@@ -482,12 +495,14 @@ static inline mip_error mip_rtk_connected_device_type_decode(
 MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_encode(
     const struct mip_rtk_connected_device_type *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - device_type: Device that the modem is connected to. A value of enum mip_rtk_connected_device.
-   *   Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - device_type: Device that the modem is connected to. A value of enum mip_rtk_connected_device.
+ *   Required for write.
+ */
 static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_type_write(
     struct mip_rtk_connected_device_type *command, enum mip_rtk_connected_device device_type) {
     memset(command, 0, sizeof(*command));
@@ -495,6 +510,7 @@ static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_typ
     command->device_type = (uint8_t)device_type;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_read(struct mip_rtk_connected_device_type *command) {
@@ -502,6 +518,7 @@ mip_rtk_connected_device_type_read(struct mip_rtk_connected_device_type *command
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_save(struct mip_rtk_connected_device_type *command) {
@@ -509,6 +526,7 @@ mip_rtk_connected_device_type_save(struct mip_rtk_connected_device_type *command
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_load(struct mip_rtk_connected_device_type *command) {
@@ -516,6 +534,7 @@ mip_rtk_connected_device_type_load(struct mip_rtk_connected_device_type *command
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *command) {
@@ -558,6 +577,7 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encod
     const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_response_codec, value, builder);
 }
+
 /**
  * Get activation code: command (0x0F,0x07).
  *
@@ -594,6 +614,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
     const struct mip_rtk_get_activation_code *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_codec, value, builder);
 }
+
 /**
  * Get activation code response: response (0x0F,0x87).
  *
@@ -629,6 +650,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode(
     const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_response_codec, value, builder);
 }
+
 /**
  * Get modem firmware version: command (0x0F,0x08).
  *
@@ -666,6 +688,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_encode(
     const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_codec, value, builder);
 }
+
 /**
  * Get modem firmware version response: response (0x0F,0x88).
  *
@@ -700,6 +723,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_
     const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_response_codec, value, builder);
 }
+
 /**
  * Service status: command (0x0F,0x0A).
  *
@@ -740,6 +764,7 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_encode(
     const struct mip_rtk_service_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_codec, value, builder);
 }
+
 /**
  * Service status response: response (0x0F,0x8A).
  *
@@ -783,6 +808,7 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode(
     const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_response_codec, value, builder);
 }
+
 /**
  * Erase storage: command (0x0F,0x20).
  *
@@ -822,11 +848,13 @@ static inline mip_error mip_rtk_erase_storage_decode(struct mip_rtk_erase_storag
 MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode(
     const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_erase_storage_codec, value, builder);
-} /**
-   * Erase storage. Fills the structure and returns its address.
-   *
-   * - media: The medium. A value of enum mip_rtk_storage_medium.
-   */
+}
+
+/**
+ * Erase storage. Fills the structure and returns its address.
+ *
+ * - media: The medium. A value of enum mip_rtk_storage_medium.
+ */
 static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
     struct mip_rtk_erase_storage *command, enum mip_rtk_storage_medium media) {
     memset(command, 0, sizeof(*command));
@@ -876,15 +904,16 @@ static inline mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *v
 MIP_CHECKED static inline mip_error
 mip_rtk_led_control_encode(const struct mip_rtk_led_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_led_control_codec, value, builder);
-} /**
-   * LED control. Fills the structure and returns its address.
-   *
-   * - primary_color: First colour. Uncertain: The order of its parts; red, green, blue is likely.
-   * - alternate_color: Second colour. Uncertain: The order of its parts; red, green, blue is
-   * likely.
-   * - action: Pattern. A value of enum mip_rtk_led_action.
-   * - period: Period of the pattern. Uncertain: The unit; ms is likely.
-   */
+}
+
+/**
+ * LED control. Fills the structure and returns its address.
+ *
+ * - primary_color: First colour. Uncertain: The order of its parts; red, green, blue is likely.
+ * - alternate_color: Second colour. Uncertain: The order of its parts; red, green, blue is likely.
+ * - action: Pattern. A value of enum mip_rtk_led_action.
+ * - period: Period of the pattern. Uncertain: The unit; ms is likely.
+ */
 static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
     struct mip_rtk_led_control *command, const uint8_t primary_color[3],
     const uint8_t alternate_color[3], enum mip_rtk_led_action action, uint32_t period) {
@@ -935,6 +964,7 @@ MIP_CHECKED static inline mip_error mip_rtk_modem_hard_reset_encode(
     const struct mip_rtk_modem_hard_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_modem_hard_reset_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

@@ -102,6 +102,7 @@ struct get_status_flags_response_ : ::mip_rtk_get_status_flags_response {
         return static_cast<::mip::rtk_status_flags>(c_type::flags);
     }
 };
+
 /** Get status flags response. See struct mip_rtk_get_status_flags_response. */
 using get_status_flags_response = get_status_flags_response_;
 
@@ -112,6 +113,7 @@ struct get_imei_response_ : ::mip_rtk_get_imei_response {
         return ::mip::text(c_type::imei);
     }
 };
+
 /** Get IMEI response. See struct mip_rtk_get_imei_response. */
 using get_imei_response = get_imei_response_;
 
@@ -122,6 +124,7 @@ struct get_imsi_response_ : ::mip_rtk_get_imsi_response {
         return ::mip::text(c_type::imsi);
     }
 };
+
 /** Get IMSI response. See struct mip_rtk_get_imsi_response. */
 using get_imsi_response = get_imsi_response_;
 
@@ -132,6 +135,7 @@ struct get_iccid_response_ : ::mip_rtk_get_iccid_response {
         return ::mip::text(c_type::iccid);
     }
 };
+
 /** Get ICCID response. See struct mip_rtk_get_iccid_response. */
 using get_iccid_response = get_iccid_response_;
 
@@ -144,6 +148,7 @@ struct connected_device_type_response_ : ::mip_rtk_connected_device_type_respons
         return static_cast<::mip::rtk::connected_device>(c_type::device_type);
     }
 };
+
 /** Connected device type response. See struct mip_rtk_connected_device_type_response. */
 using connected_device_type_response = connected_device_type_response_;
 
@@ -154,6 +159,7 @@ struct get_activation_code_response_ : ::mip_rtk_get_activation_code_response {
         return ::mip::text(c_type::activation_code);
     }
 };
+
 /** Get activation code response. See struct mip_rtk_get_activation_code_response. */
 using get_activation_code_response = get_activation_code_response_;
 
@@ -164,6 +170,7 @@ struct get_modem_firmware_version_response_ : ::mip_rtk_get_modem_firmware_versi
         return ::mip::text(c_type::modem_firmware_version);
     }
 };
+
 /** Get modem firmware version response. See struct mip_rtk_get_modem_firmware_version_response. */
 using get_modem_firmware_version_response = get_modem_firmware_version_response_;
 
@@ -173,6 +180,7 @@ struct service_status_response_ : ::mip_rtk_service_status_response {
         return static_cast<::mip::rtk::service_flags>(c_type::flags);
     }
 };
+
 /** Service status response. See struct mip_rtk_service_status_response. */
 using service_status_response = service_status_response_;
 

@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_status_flags_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_get_status_flags_exchange;
 
@@ -45,6 +46,7 @@ static inline struct mip_result mip_call_rtk_get_status_flags(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_imei_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_get_imei_exchange;
 
@@ -71,6 +73,7 @@ static inline struct mip_result mip_call_rtk_get_imei(struct mip_device *device,
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_imsi_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_get_imsi_exchange;
 
@@ -97,6 +100,7 @@ static inline struct mip_result mip_call_rtk_get_imsi(struct mip_device *device,
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_iccid_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_get_iccid_exchange;
 
@@ -123,6 +127,7 @@ mip_call_rtk_get_iccid(struct mip_device *device, struct mip_rtk_get_iccid_respo
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_rssi_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_get_rssi_exchange;
 
@@ -149,6 +154,7 @@ static inline struct mip_result mip_call_rtk_get_rssi(struct mip_device *device,
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_connected_device_type_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_connected_device_type_exchange;
 
@@ -225,6 +231,7 @@ static inline struct mip_result mip_call_rtk_connected_device_type_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_activation_code_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_get_activation_code_exchange;
 
@@ -249,6 +256,7 @@ static inline struct mip_result mip_call_rtk_get_activation_code(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_modem_firmware_version_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_get_modem_firmware_version_exchange;
 
@@ -273,6 +281,7 @@ static inline struct mip_result mip_call_rtk_get_modem_firmware_version(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_service_status_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_service_status_exchange;
 
@@ -301,6 +310,7 @@ static inline struct mip_result mip_call_rtk_service_status_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_erase_storage_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_erase_storage_exchange;
 
@@ -337,6 +347,7 @@ static inline struct mip_result mip_call_rtk_erase_storage_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_led_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_led_control_exchange;
 
@@ -386,6 +397,7 @@ static inline struct mip_result mip_call_rtk_led_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_modem_hard_reset_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_rtk_modem_hard_reset_exchange;
 

@@ -53,6 +53,7 @@ typedef uint16_t mip_sensor_overrange_flags;
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
 /** Bit 12. Pressure sensor. Concerns mip_sensor_scaled_pressure. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
+
 /** Validity of the odometer values. */
 typedef uint16_t mip_sensor_odometer_flags;
 /** Bit 0. Set if an odometer is configured; its values are then valid. */
@@ -94,6 +95,7 @@ MIP_CHECKED static inline mip_error
 mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_accel_codec, value, builder);
 }
+
 /**
  * Raw gyro: data (0x80,0x02).
  *
@@ -130,6 +132,7 @@ MIP_CHECKED static inline mip_error
 mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_gyro_codec, value, builder);
 }
+
 /**
  * Raw mag: data (0x80,0x03).
  *
@@ -170,6 +173,7 @@ MIP_CHECKED static inline mip_error
 mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_mag_codec, value, builder);
 }
+
 /**
  * Scaled accel: data (0x80,0x04).
  *
@@ -212,6 +216,7 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_accel_encode(
     const struct mip_sensor_scaled_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_accel_codec, value, builder);
 }
+
 /**
  * Scaled gyro: data (0x80,0x05).
  *
@@ -252,6 +257,7 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_gyro_encode(
     const struct mip_sensor_scaled_gyro *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_gyro_codec, value, builder);
 }
+
 /**
  * Scaled mag: data (0x80,0x06).
  *
@@ -288,6 +294,7 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_mag_encode(
     const struct mip_sensor_scaled_mag *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_mag_codec, value, builder);
 }
+
 /**
  * Delta theta: data (0x80,0x07).
  *
@@ -327,6 +334,7 @@ MIP_CHECKED static inline mip_error mip_sensor_delta_theta_encode(
     const struct mip_sensor_delta_theta *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_delta_theta_codec, value, builder);
 }
+
 /**
  * Delta velocity: data (0x80,0x08).
  *
@@ -370,6 +378,7 @@ MIP_CHECKED static inline mip_error mip_sensor_delta_velocity_encode(
     const struct mip_sensor_delta_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_delta_velocity_codec, value, builder);
 }
+
 /**
  * Complementary filter orientation matrix: data (0x80,0x09).
  *
@@ -413,6 +422,7 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode(
     const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_orientation_matrix_codec, value, builder);
 }
+
 /**
  * Complementary filter quaternion: data (0x80,0x0A).
  *
@@ -455,6 +465,7 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_quaternion_encode(
     const struct mip_sensor_comp_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_quaternion_codec, value, builder);
 }
+
 /**
  * Complementary filter orientation update matrix: data (0x80,0x0B).
  *
@@ -496,6 +507,7 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_update_matrix_en
     const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_orientation_update_matrix_codec, value, builder);
 }
+
 /**
  * Complementary filter Euler angles: data (0x80,0x0C).
  *
@@ -548,6 +560,7 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_euler_angles_encode(
     const struct mip_sensor_comp_euler_angles *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_euler_angles_codec, value, builder);
 }
+
 /**
  * Orientation raw temperatures: data (0x80,0x0D).
  *
@@ -592,6 +605,7 @@ MIP_CHECKED static inline mip_error mip_sensor_orientation_raw_temperature_encod
     const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_orientation_raw_temperature_codec, value, builder);
 }
+
 /**
  * Internal timestamp: data (0x80,0x0E).
  *
@@ -631,6 +645,7 @@ MIP_CHECKED static inline mip_error mip_sensor_internal_timestamp_encode(
     const struct mip_sensor_internal_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_internal_timestamp_codec, value, builder);
 }
+
 /**
  * PPS timestamp: data (0x80,0x0F).
  *
@@ -676,6 +691,7 @@ MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode(
     const struct mip_sensor_pps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_pps_timestamp_codec, value, builder);
 }
+
 /**
  * PPS timestamp with flags: data (0x80,0x0F).
  *
@@ -725,6 +741,7 @@ MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode(
     const struct mip_sensor_pps_timestamp_with_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_pps_timestamp_with_flags_codec, value, builder);
 }
+
 /**
  * Complementary filter stabilized north vector: data (0x80,0x10).
  *
@@ -769,6 +786,7 @@ MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode(
     const struct mip_sensor_north_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_north_vector_codec, value, builder);
 }
+
 /**
  * Complementary filter stabilized up vector: data (0x80,0x11).
  *
@@ -813,6 +831,7 @@ MIP_CHECKED static inline mip_error
 mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_up_vector_codec, value, builder);
 }
+
 /**
  * GPS timestamp: data (0x80,0x12).
  *
@@ -873,6 +892,7 @@ MIP_CHECKED static inline mip_error mip_sensor_gps_timestamp_encode(
     const struct mip_sensor_gps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_gps_timestamp_codec, value, builder);
 }
+
 /**
  * Temperature statistics: data (0x80,0x14).
  *
@@ -915,6 +935,7 @@ MIP_CHECKED static inline mip_error mip_sensor_temperature_statistics_encode(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_temperature_statistics_codec, value, builder);
 }
+
 /**
  * Raw pressure: data (0x80,0x16).
  *
@@ -950,6 +971,7 @@ MIP_CHECKED static inline mip_error mip_sensor_raw_pressure_encode(
     const struct mip_sensor_raw_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_pressure_codec, value, builder);
 }
+
 /**
  * Scaled pressure: data (0x80,0x17).
  *
@@ -987,6 +1009,7 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_pressure_encode(
     const struct mip_sensor_scaled_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_pressure_codec, value, builder);
 }
+
 /**
  * Overrange status: data (0x80,0x18).
  *
@@ -1022,6 +1045,7 @@ MIP_CHECKED static inline mip_error mip_sensor_overrange_status_encode(
     const struct mip_sensor_overrange_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_overrange_status_codec, value, builder);
 }
+
 /**
  * Odometer data: data (0x80,0x40).
  *
@@ -1067,6 +1091,7 @@ MIP_CHECKED static inline mip_error
 mip_sensor_odometer_encode(const struct mip_sensor_odometer *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_odometer_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

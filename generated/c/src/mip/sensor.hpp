@@ -149,6 +149,7 @@ struct gps_timestamp_ : ::mip_sensor_gps_timestamp {
         return static_cast<::mip::sensor_gps_timestamp_flags>(c_type::valid_flags);
     }
 };
+
 /** GPS timestamp. See struct mip_sensor_gps_timestamp. */
 using gps_timestamp = gps_timestamp_;
 
@@ -167,6 +168,7 @@ struct overrange_status_ : ::mip_sensor_overrange_status {
         return static_cast<::mip::sensor::overrange_flags>(c_type::status);
     }
 };
+
 /** Overrange status. See struct mip_sensor_overrange_status. */
 using overrange_status = overrange_status_;
 
@@ -176,6 +178,7 @@ struct odometer_ : ::mip_sensor_odometer {
         return static_cast<::mip::sensor::odometer_flags>(c_type::valid_flags);
     }
 };
+
 /** Odometer data. See struct mip_sensor_odometer. */
 using odometer = odometer_;
 

@@ -33,10 +33,12 @@ typedef uint16_t mip_shared_gps_timestamp_flags;
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER 0x0002U
 /** Bits 0 to 1. Both are set. Overlaps other bits. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TIME_VALID 0x0003U
+
 /** Validity of the external time. */
 typedef uint16_t mip_shared_external_timestamp_flags;
 /** Bit 0. The time is valid. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_FLAGS_NANOSECONDS 0x0001U
+
 /** Validity of the difference of external time. */
 typedef uint16_t mip_shared_external_time_delta_flags;
 /** Bit 0. The difference is valid. */
@@ -79,6 +81,7 @@ MIP_CHECKED static inline mip_error mip_shared_event_source_encode(
     const struct mip_shared_event_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_event_source_codec, value, builder);
 }
+
 /**
  * Ticks: data (0xFF,0xD1).
  *
@@ -118,6 +121,7 @@ MIP_CHECKED static inline mip_error mip_shared_ticks_encode(const struct mip_sha
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_shared_ticks_codec, value, builder);
 }
+
 /**
  * Delta ticks: data (0xFF,0xD2).
  *
@@ -156,6 +160,7 @@ MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode(
     const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_ticks_codec, value, builder);
 }
+
 /**
  * GPS timestamp: data (0xFF,0xD3).
  *
@@ -213,6 +218,7 @@ MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode(
     const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_gps_timestamp_codec, value, builder);
 }
+
 /**
  * Delta time: data (0xFF,0xD4).
  *
@@ -252,6 +258,7 @@ MIP_CHECKED static inline mip_error mip_shared_delta_time_encode(
     const struct mip_shared_delta_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_time_codec, value, builder);
 }
+
 /**
  * Reference timestamp: data (0xFF,0xD5).
  *
@@ -292,6 +299,7 @@ MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode(
     const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_timestamp_codec, value, builder);
 }
+
 /**
  * Reference time delta: data (0xFF,0xD6).
  *
@@ -330,6 +338,7 @@ MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode(
     const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_time_delta_codec, value, builder);
 }
+
 /**
  * External timestamp: data (0xFF,0xD7).
  *
@@ -385,6 +394,7 @@ MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode(
     const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_timestamp_codec, value, builder);
 }
+
 /**
  * External time delta: data (0xFF,0xD8).
  *
@@ -430,6 +440,7 @@ MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode(
     const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_time_delta_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

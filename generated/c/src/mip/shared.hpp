@@ -85,6 +85,7 @@ struct gps_timestamp_ : ::mip_shared_gps_timestamp {
         return static_cast<::mip::shared::gps_timestamp_flags>(c_type::valid_flags);
     }
 };
+
 /** GPS timestamp. See struct mip_shared_gps_timestamp. */
 using gps_timestamp = gps_timestamp_;
 
@@ -103,6 +104,7 @@ struct external_timestamp_ : ::mip_shared_external_timestamp {
         return static_cast<::mip::shared::external_timestamp_flags>(c_type::valid_flags);
     }
 };
+
 /** External timestamp. See struct mip_shared_external_timestamp. */
 using external_timestamp = external_timestamp_;
 
@@ -112,6 +114,7 @@ struct external_time_delta_ : ::mip_shared_external_time_delta {
         return static_cast<::mip::shared::external_time_delta_flags>(c_type::valid_flags);
     }
 };
+
 /** External time delta. See struct mip_shared_external_time_delta. */
 using external_time_delta = external_time_delta_;
 

@@ -40,6 +40,7 @@ typedef uint32_t mip_system_comm_protocols;
 #define MIP_SYSTEM_COMM_PROTOCOLS_SPARTN UINT32_C(0x01000000)
 /** Bit 29. SBF, the binary format of Septentrio receivers. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_SBF UINT32_C(0x20000000)
+
 /** Part of the device that the host communicates with, and its protocol. */
 enum mip_system_protocol_mode MIP_ENUM_8 {
     /** The device itself, MIP. */
@@ -116,14 +117,16 @@ static inline mip_error mip_system_interface_control_decode(
 MIP_CHECKED static inline mip_error mip_system_interface_control_encode(
     const struct mip_system_interface_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
-   *   Whether write and read accept `all`.
-   * - protocols_incoming: Protocols that it receives. Required for write.
-   * - protocols_outgoing: Protocols that it sends. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
+ *   Whether write and read accept `all`.
+ * - protocols_incoming: Protocols that it receives. Required for write.
+ * - protocols_outgoing: Protocols that it sends. Required for write.
+ */
 static inline struct mip_system_interface_control *mip_system_interface_control_write(
     struct mip_system_interface_control *command, enum mip_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
@@ -134,6 +137,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->protocols_outgoing = protocols_outgoing;
     return command;
 }
+
 /**
  * Return the current setting in a response. Fills the structure and returns its address.
  *
@@ -147,6 +151,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -160,6 +165,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -173,6 +179,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -229,6 +236,7 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode
     const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_response_codec, value, builder);
 }
+
 /**
  * Communication mode: command (0x7F,0x10).
  *
@@ -279,13 +287,15 @@ static inline mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode 
 MIP_CHECKED static inline mip_error
 mip_system_comm_mode_encode(const struct mip_system_comm_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - mode: Communication mode. A value of enum mip_system_protocol_mode. Default:
-   *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
-   *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - mode: Communication mode. A value of enum mip_system_protocol_mode. Default:
+ *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
+ *   MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
+ */
 static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     struct mip_system_comm_mode *command, enum mip_system_protocol_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -293,6 +303,7 @@ static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     command->mode = (uint8_t)mode;
     return command;
 }
+
 /** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_read(struct mip_system_comm_mode *command) {
@@ -300,6 +311,7 @@ mip_system_comm_mode_read(struct mip_system_comm_mode *command) {
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_save(struct mip_system_comm_mode *command) {
@@ -307,6 +319,7 @@ mip_system_comm_mode_save(struct mip_system_comm_mode *command) {
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_load(struct mip_system_comm_mode *command) {
@@ -314,6 +327,7 @@ mip_system_comm_mode_load(struct mip_system_comm_mode *command) {
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_default(struct mip_system_comm_mode *command) {
@@ -359,6 +373,7 @@ MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode(
     const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_response_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

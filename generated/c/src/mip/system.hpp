@@ -71,6 +71,7 @@ struct interface_control_response_ : ::mip_system_interface_control_response {
         return static_cast<::mip::system::comm_protocols>(c_type::protocols_outgoing);
     }
 };
+
 /** Interface control response. See struct mip_system_interface_control_response. */
 using interface_control_response = interface_control_response_;
 
@@ -80,6 +81,7 @@ struct comm_mode_response_ : ::mip_system_comm_mode_response {
         return static_cast<::mip::system::protocol_mode>(c_type::mode);
     }
 };
+
 /** Communication mode response. See struct mip_system_comm_mode_response. */
 using comm_mode_response = comm_mode_response_;
 

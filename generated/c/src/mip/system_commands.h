@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_system_interface_control_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_system_interface_control_exchange;
 
@@ -126,6 +127,7 @@ static inline struct mip_result mip_call_system_interface_control_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_system_comm_mode_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_system_comm_mode_exchange;
 

@@ -88,6 +88,7 @@ MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode(
     const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_built_in_test_codec, value, builder);
 }
+
 /**
  * Time sync status: data (0xA0,0x02).
  *
@@ -127,6 +128,7 @@ MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode(
     const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_time_sync_status_codec, value, builder);
 }
+
 /**
  * GPIO state: data (0xA0,0x03).
  *
@@ -171,6 +173,7 @@ MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode(
     const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_state_codec, value, builder);
 }
+
 /**
  * GPIO analog value: data (0xA0,0x04).
  *
@@ -211,6 +214,7 @@ MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode(
     const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_analog_value_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

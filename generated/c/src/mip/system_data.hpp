@@ -61,6 +61,7 @@ struct gpio_state_ : ::mip_system_data_gpio_state {
         return static_cast<::mip::system_data::gpio_pin_states>(c_type::states);
     }
 };
+
 /** GPIO state. See struct mip_system_data_gpio_state. */
 using gpio_state = gpio_state_;
 

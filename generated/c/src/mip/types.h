@@ -1155,6 +1155,7 @@ static inline uint8_t mip_rtk_status_flags_get_modem_state(mip_rtk_status_flags 
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_MODEM_STATE;
     return (uint8_t)bits;
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_set_modem_state(mip_rtk_status_flags *flags,
                                                         uint8_t value) {
@@ -1168,6 +1169,7 @@ static inline uint8_t mip_rtk_status_flags_get_connection_type(mip_rtk_status_fl
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE;
     return (uint8_t)(bits >> 4);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_set_connection_type(mip_rtk_status_flags *flags,
                                                             uint8_t value) {
@@ -1184,6 +1186,7 @@ static inline uint8_t mip_rtk_status_flags_get_rssi(mip_rtk_status_flags flags) 
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_RSSI;
     return (uint8_t)(bits >> 8);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_set_rssi(mip_rtk_status_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_RSSI;
@@ -1196,6 +1199,7 @@ static inline uint8_t mip_rtk_status_flags_get_signal_quality(mip_rtk_status_fla
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY;
     return (uint8_t)(bits >> 16);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_set_signal_quality(mip_rtk_status_flags *flags,
                                                            uint8_t value) {
@@ -1209,6 +1213,7 @@ static inline uint8_t mip_rtk_status_flags_get_tower_change_indicator(mip_rtk_st
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR;
     return (uint8_t)(bits >> 20);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_set_tower_change_indicator(mip_rtk_status_flags *flags,
                                                                    uint8_t value) {
@@ -1222,6 +1227,7 @@ static inline uint8_t mip_rtk_status_flags_get_version(mip_rtk_status_flags flag
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_VERSION;
     return (uint8_t)(bits >> 30);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_VERSION;
@@ -1265,6 +1271,7 @@ mip_rtk_status_flags_legacy_get_controller_state(mip_rtk_status_flags_legacy fla
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE;
     return (uint8_t)bits;
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_controller_state(
     mip_rtk_status_flags_legacy *flags, uint8_t value) {
@@ -1279,6 +1286,7 @@ mip_rtk_status_flags_legacy_get_platform_state(mip_rtk_status_flags_legacy flags
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE;
     return (uint8_t)(bits >> 3);
 }
+
 /** Sets it. */
 static inline void
 mip_rtk_status_flags_legacy_set_platform_state(mip_rtk_status_flags_legacy *flags, uint8_t value) {
@@ -1293,6 +1301,7 @@ mip_rtk_status_flags_legacy_get_controller_status_code(mip_rtk_status_flags_lega
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE;
     return (uint8_t)(bits >> 8);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_controller_status_code(
     mip_rtk_status_flags_legacy *flags, uint8_t value) {
@@ -1307,6 +1316,7 @@ mip_rtk_status_flags_legacy_get_platform_status_code(mip_rtk_status_flags_legacy
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE;
     return (uint8_t)(bits >> 11);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_platform_status_code(
     mip_rtk_status_flags_legacy *flags, uint8_t value) {
@@ -1321,6 +1331,7 @@ mip_rtk_status_flags_legacy_get_reset_code(mip_rtk_status_flags_legacy flags) {
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE;
     return (uint8_t)(bits >> 14);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_reset_code(mip_rtk_status_flags_legacy *flags,
                                                               uint8_t value) {
@@ -1335,6 +1346,7 @@ mip_rtk_status_flags_legacy_get_signal_quality(mip_rtk_status_flags_legacy flags
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY;
     return (uint8_t)(bits >> 16);
 }
+
 /** Sets it. */
 static inline void
 mip_rtk_status_flags_legacy_set_signal_quality(mip_rtk_status_flags_legacy *flags, uint8_t value) {
@@ -1348,6 +1360,7 @@ static inline uint8_t mip_rtk_status_flags_legacy_get_rssi(mip_rtk_status_flags_
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSSI;
     return (uint8_t)(bits >> 20);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_rssi(mip_rtk_status_flags_legacy *flags,
                                                         uint8_t value) {
@@ -1361,6 +1374,7 @@ static inline uint8_t mip_rtk_status_flags_legacy_get_rsrp(mip_rtk_status_flags_
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSRP;
     return (uint8_t)(bits >> 26);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_rsrp(mip_rtk_status_flags_legacy *flags,
                                                         uint8_t value) {
@@ -1374,6 +1388,7 @@ static inline uint8_t mip_rtk_status_flags_legacy_get_rsrq(mip_rtk_status_flags_
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ;
     return (uint8_t)(bits >> 28);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_rsrq(mip_rtk_status_flags_legacy *flags,
                                                         uint8_t value) {
@@ -1387,6 +1402,7 @@ static inline uint8_t mip_rtk_status_flags_legacy_get_sinr(mip_rtk_status_flags_
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_SINR;
     return (uint8_t)(bits >> 30);
 }
+
 /** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_sinr(mip_rtk_status_flags_legacy *flags,
                                                         uint8_t value) {

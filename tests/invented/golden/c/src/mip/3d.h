@@ -64,15 +64,17 @@ static inline mip_error mip_3d_default_decode(struct mip_3d_default *value,
 MIP_CHECKED static inline mip_error mip_3d_default_encode(const struct mip_3d_default *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_3d_default_codec, value, builder);
-} /**
-   * Default. Fills the structure and returns its address.
-   *
-   * - class_: A keyword.
-   * - type: A keyword.
-   * - register_: A keyword.
-   * - self: A keyword.
-   * - present_: Used by generated code elsewhere.
-   */
+}
+
+/**
+ * Default. Fills the structure and returns its address.
+ *
+ * - class_: A keyword.
+ * - type: A keyword.
+ * - register_: A keyword.
+ * - self: A keyword.
+ * - present_: Used by generated code elsewhere.
+ */
 static inline struct mip_3d_default *mip_3d_default_make(struct mip_3d_default *command,
                                                          uint8_t class_, uint8_t type,
                                                          uint8_t register_, uint8_t self,

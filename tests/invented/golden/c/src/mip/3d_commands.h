@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3d_default_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_3d_default_exchange;
 

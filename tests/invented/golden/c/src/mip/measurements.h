@@ -79,6 +79,7 @@ MIP_CHECKED static inline mip_error mip_measurements_accel_encode(
     const struct mip_measurements_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_accel_codec, value, builder);
 }
+
 /**
  * Numbers: data 0x02.
  *
@@ -136,6 +137,7 @@ MIP_CHECKED static inline mip_error mip_measurements_numbers_encode(
     const struct mip_measurements_numbers *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_numbers_codec, value, builder);
 }
+
 /**
  * Strings: data 0x03.
  *
@@ -180,6 +182,7 @@ MIP_CHECKED static inline mip_error mip_measurements_strings_encode(
     const struct mip_measurements_strings *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_strings_codec, value, builder);
 }
+
 /**
  * Health: data 0x04.
  *
@@ -218,6 +221,7 @@ MIP_CHECKED static inline mip_error mip_measurements_health_encode(
     const struct mip_measurements_health *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_health_codec, value, builder);
 }
+
 /**
  * Arrays: data 0x05.
  *
@@ -263,6 +267,7 @@ MIP_CHECKED static inline mip_error mip_measurements_arrays_encode(
     const struct mip_measurements_arrays *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_arrays_codec, value, builder);
 }
+
 /**
  * Growing: data 0x06.
  *
@@ -311,6 +316,7 @@ MIP_CHECKED static inline mip_error mip_measurements_growing_encode(
     const struct mip_measurements_growing *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_growing_codec, value, builder);
 }
+
 /**
  * Radio: data 0x07.
  *
@@ -359,6 +365,7 @@ MIP_CHECKED static inline mip_error mip_measurements_radio_encode(
     const struct mip_measurements_radio *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_radio_codec, value, builder);
 }
+
 /**
  * Own: data (0x81,0x07).
  *
@@ -394,6 +401,7 @@ MIP_CHECKED static inline mip_error
 mip_measurements_own_encode(const struct mip_measurements_own *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_own_codec, value, builder);
 }
+
 /**
  * Cloud: data 0x08.
  *
@@ -433,6 +441,7 @@ MIP_CHECKED static inline mip_error mip_measurements_cloud_encode(
     const struct mip_measurements_cloud *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_cloud_codec, value, builder);
 }
+
 /**
  * Gust: data 0x09.
  *
@@ -485,6 +494,7 @@ MIP_CHECKED static inline mip_error mip_measurements_gust_encode(
     const struct mip_measurements_gust *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_gust_codec, value, builder);
 }
+
 /**
  * Breeze: data 0x0A.
  *
@@ -527,6 +537,7 @@ MIP_CHECKED static inline mip_error mip_measurements_breeze_encode(
     const struct mip_measurements_breeze *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_breeze_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

@@ -52,6 +52,7 @@ struct accel_ : ::mip_measurements_accel {
         return static_cast<::mip::state_flags>(c_type::valid_flags);
     }
 };
+
 /** Acceleration. See struct mip_measurements_accel. */
 using accel = accel_;
 
@@ -71,6 +72,7 @@ struct strings_ : ::mip_measurements_strings {
         return {c_type::rest, c_type::rest_count};
     }
 };
+
 /** Strings. See struct mip_measurements_strings. */
 using strings = strings_;
 
@@ -80,6 +82,7 @@ struct health_ : ::mip_measurements_health {
         return static_cast<::mip::wide_code>(c_type::code);
     }
 };
+
 /** Health. See struct mip_measurements_health. */
 using health = health_;
 
@@ -101,6 +104,7 @@ struct growing_ : ::mip_measurements_growing {
                    : std::nullopt;
     }
 };
+
 /** Growing. See struct mip_measurements_growing. */
 using growing = growing_;
 
@@ -113,6 +117,7 @@ struct own_ : ::mip_measurements_own {
         return static_cast<::mip::mode>(c_type::mode);
     }
 };
+
 /** Own. See struct mip_measurements_own. */
 using own = own_;
 
@@ -122,6 +127,7 @@ struct cloud_ : ::mip_measurements_cloud {
         return {c_type::points, c_type::num_points};
     }
 };
+
 /** Cloud. See struct mip_measurements_cloud. */
 using cloud = cloud_;
 
@@ -131,6 +137,7 @@ struct gust_ : ::mip_measurements_gust {
         return static_cast<::mip::state_flags>(c_type::valid_flags);
     }
 };
+
 /** Gust. See struct mip_measurements_gust. */
 using gust = gust_;
 

@@ -80,6 +80,7 @@ MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode(
     const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
     return mip_encode(&mip_protocol_acknowledge_codec, value, builder);
 }
+
 #ifdef __cplusplus
 }
 #endif

@@ -59,6 +59,7 @@ MIP_CHECKED static inline mip_error
 mip_shared_timestamp_encode(const struct mip_shared_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_timestamp_codec, value, builder);
 }
+
 /** @} */
 
 #ifdef __cplusplus

@@ -38,6 +38,7 @@ struct timestamp_ : ::mip_shared_timestamp {
         return static_cast<::mip::state_flags>(c_type::valid_flags);
     }
 };
+
 /** Timestamp. See struct mip_shared_timestamp. */
 using timestamp = timestamp_;
 

@@ -40,6 +40,7 @@ enum mip_tools_shape MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_shape_name(uint8_t value);
+
 /** How a circle is filled. */
 enum mip_tools_fill MIP_ENUM_8 {
     /** The value `empty`. */
@@ -52,6 +53,7 @@ enum mip_tools_fill MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_fill_name(uint8_t value);
+
 /** Two numbers. Full name: stripes. */
 struct mip_tools_bars {
     /** Of a stripe. Unit: m. */
@@ -100,6 +102,7 @@ enum mip_tools_drive MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_drive_name(uint8_t value);
+
 /** Of a pulse. Full name: pulse_use. */
 enum mip_tools_pulse MIP_ENUM_8 {
     /** The value `input`. */
@@ -110,6 +113,7 @@ enum mip_tools_pulse MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_pulse_name(uint8_t value);
+
 /** Of a serial line. */
 enum mip_tools_serial_use MIP_ENUM_8 {
     /** The value `receive`. */
@@ -120,6 +124,7 @@ enum mip_tools_serial_use MIP_ENUM_8 {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_serial_use_name(uint8_t value);
+
 /** One of a list; what it is depends on what was asked for. */
 struct mip_tools_reading {
     /** Of the reading. */
@@ -136,6 +141,7 @@ typedef uint32_t mip_tools_a_faults;
 #define MIP_TOOLS_A_FAULTS_SENSOR UINT32_C(0x00000100)
 /** Bit 24. */
 #define MIP_TOOLS_A_FAULTS_SOLUTION UINT32_C(0x01000000)
+
 /** Of the model B. */
 typedef uint32_t mip_tools_model_b_faults;
 /** Bit 0. */
@@ -181,6 +187,7 @@ MIP_CHECKED static inline mip_error mip_tools_ping_encode(const struct mip_tools
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_ping_codec, value, builder);
 }
+
 /**
  * Settings: command (0x01,0x02).
  *
@@ -244,14 +251,16 @@ static inline mip_error mip_tools_settings_decode(struct mip_tools_settings *val
 MIP_CHECKED static inline mip_error
 mip_tools_settings_encode(const struct mip_tools_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - port: Number of the port, 0 for all. Range: 0 to 8.
-   * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
-   *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
-   * - baud: Speed. Unit: Bd. Default: 115200. Required for write and apply.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - port: Number of the port, 0 for all. Range: 0 to 8.
+ * - mode: What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read
+ *   and apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+ * - baud: Speed. Unit: Bd. Default: 115200. Required for write and apply.
+ */
 static inline struct mip_tools_settings *mip_tools_settings_write(
     struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -262,6 +271,7 @@ static inline struct mip_tools_settings *mip_tools_settings_write(
     command->reserved = 1;
     return command;
 }
+
 /**
  * Send the current setting back in a response. Fills the structure and returns its address.
  *
@@ -278,6 +288,7 @@ static inline struct mip_tools_settings *mip_tools_settings_read(struct mip_tool
     command->reserved = 1;
     return command;
 }
+
 /**
  * Save the current setting to non-volatile memory. Fills the structure and returns its address.
  *
@@ -291,6 +302,7 @@ static inline struct mip_tools_settings *mip_tools_settings_save(struct mip_tool
     command->reserved = 1;
     return command;
 }
+
 /**
  * Load the saved setting. Fills the structure and returns its address.
  *
@@ -304,6 +316,7 @@ static inline struct mip_tools_settings *mip_tools_settings_load(struct mip_tool
     command->reserved = 1;
     return command;
 }
+
 /**
  * Load the factory default setting. Fills the structure and returns its address.
  *
@@ -317,6 +330,7 @@ mip_tools_settings_default(struct mip_tools_settings *command, uint8_t port) {
     command->reserved = 1;
     return command;
 }
+
 /**
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
@@ -382,6 +396,7 @@ MIP_CHECKED static inline mip_error mip_tools_settings_response_encode(
     const struct mip_tools_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_response_codec, value, builder);
 }
+
 /**
  * Set time: command (0x01,0x03).
  *
@@ -428,12 +443,14 @@ static inline mip_error mip_tools_set_time_decode(struct mip_tools_set_time *val
 MIP_CHECKED static inline mip_error
 mip_tools_set_time_encode(const struct mip_tools_set_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - part: Which half of the time. A value of enum mip_mode.
-   * - value: The new value. Unit: s. Required for write and apply.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - part: Which half of the time. A value of enum mip_mode.
+ * - value: The new value. Unit: s. Required for write and apply.
+ */
 static inline struct mip_tools_set_time *
 mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
     memset(command, 0, sizeof(*command));
@@ -442,6 +459,7 @@ mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part,
     command->value = value;
     return command;
 }
+
 /**
  * Send the current setting back in a response. Fills the structure and returns its address.
  *
@@ -454,6 +472,7 @@ static inline struct mip_tools_set_time *mip_tools_set_time_read(struct mip_tool
     command->part = (uint8_t)part;
     return command;
 }
+
 /**
  * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
  * its address.
@@ -504,6 +523,7 @@ MIP_CHECKED static inline mip_error mip_tools_set_time_fast_response_encode(
     const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_fast_response_codec, value, builder);
 }
+
 /**
  * Set time response: response (0x01,0x84).
  *
@@ -538,6 +558,7 @@ MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode(
     const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_slow_response_codec, value, builder);
 }
+
 /**
  * Status: command (0x01,0x04).
  *
@@ -577,11 +598,13 @@ static inline mip_error mip_tools_status_decode(struct mip_tools_status *value,
 MIP_CHECKED static inline mip_error mip_tools_status_encode(const struct mip_tools_status *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_codec, value, builder);
-} /**
-   * Status. Fills the structure and returns its address.
-   *
-   * - selector: Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout.
-   */
+}
+
+/**
+ * Status. Fills the structure and returns its address.
+ *
+ * - selector: Which layout. Range: 1 to 2. On the Model C: always 2. Inferred: It has one layout.
+ */
 static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_status *command,
                                                              uint8_t selector) {
     memset(command, 0, sizeof(*command));
@@ -634,6 +657,7 @@ MIP_CHECKED static inline mip_error mip_tools_status_paged_encode(
     const struct mip_tools_status_paged *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_paged_codec, value, builder);
 }
+
 /**
  * Status response: response (0x01,0x90).
  *
@@ -677,6 +701,7 @@ MIP_CHECKED static inline mip_error mip_tools_status_short_encode(
     const struct mip_tools_status_short *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_short_codec, value, builder);
 }
+
 /**
  * Status response: response (0x01,0x90).
  *
@@ -723,6 +748,7 @@ MIP_CHECKED static inline mip_error mip_tools_status_long_encode(
     const struct mip_tools_status_long *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_long_codec, value, builder);
 }
+
 /**
  * Status response: response (0x01,0x90).
  *
@@ -766,6 +792,7 @@ MIP_CHECKED static inline mip_error
 mip_tools_status_old_encode(const struct mip_tools_status_old *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_old_codec, value, builder);
 }
+
 /**
  * Status response: response (0x01,0x90).
  *
@@ -813,6 +840,7 @@ MIP_CHECKED static inline mip_error mip_tools_full_encode(const struct mip_tools
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_full_codec, value, builder);
 }
+
 /**
  * Bias: command (0x01,0x05).
  *
@@ -857,12 +885,13 @@ static inline mip_error mip_tools_bias_decode(struct mip_tools_bias *value,
 MIP_CHECKED static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - bias: Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for
-   * write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - bias: Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for write.
+ */
 static inline struct mip_tools_bias *mip_tools_bias_write(struct mip_tools_bias *command,
                                                           const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -870,24 +899,28 @@ static inline struct mip_tools_bias *mip_tools_bias_write(struct mip_tools_bias 
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
+
 /** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_read(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_save(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_load(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
+
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_default(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
@@ -929,6 +962,7 @@ MIP_CHECKED static inline mip_error mip_tools_bias_vector_encode(
     const struct mip_tools_bias_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_vector_codec, value, builder);
 }
+
 /**
  * Capture bias: command (0x01,0x06).
  *
@@ -965,11 +999,13 @@ static inline mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_b
 MIP_CHECKED static inline mip_error mip_tools_capture_bias_encode(
     const struct mip_tools_capture_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_capture_bias_codec, value, builder);
-} /**
-   * Capture bias. Fills the structure and returns its address.
-   *
-   * - time: How long. Unit: s. Range: 1 to 30.
-   */
+}
+
+/**
+ * Capture bias. Fills the structure and returns its address.
+ *
+ * - time: How long. Unit: s. Range: 1 to 30.
+ */
 static inline struct mip_tools_capture_bias *
 mip_tools_capture_bias_make(struct mip_tools_capture_bias *command, uint16_t time) {
     memset(command, 0, sizeof(*command));
@@ -1017,14 +1053,16 @@ static inline mip_error mip_tools_formats_decode(struct mip_tools_formats *value
 MIP_CHECKED static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_tools_formats_codec, value, builder);
-} /**
-   * Formats. Fills the structure and returns its address.
-   *
-   * - suppress_ack: Send no acknowledge.
-   * - num_segments: Number of segments. The number of elements of segments.
-   * - checkpoint: Between a counter and its array. Deprecated.
-   * - segments: The segments.
-   */
+}
+
+/**
+ * Formats. Fills the structure and returns its address.
+ *
+ * - suppress_ack: Send no acknowledge.
+ * - num_segments: Number of segments. The number of elements of segments.
+ * - checkpoint: Between a counter and its array. Deprecated.
+ * - segments: The segments.
+ */
 static inline struct mip_tools_formats *mip_tools_formats_make(
     struct mip_tools_formats *command, mip_bool suppress_ack, uint8_t num_segments,
     uint8_t checkpoint, const struct mip_segment segments[]) {
@@ -1096,14 +1134,16 @@ static inline mip_error mip_tools_choice_decode(struct mip_tools_choice *value,
 MIP_CHECKED static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - instance: Which one.
-   * - shape: Which member follows. A value of enum mip_tools_shape. Required for write.
-   * - parameters: The member. Selected by shape. Required for write. Empty if shape is
-   *   MIP_TOOLS_SHAPE_NONE.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - instance: Which one.
+ * - shape: Which member follows. A value of enum mip_tools_shape. Required for write.
+ * - parameters: The member. Selected by shape. Required for write. Empty if shape is
+ *   MIP_TOOLS_SHAPE_NONE.
+ */
 static inline struct mip_tools_choice *mip_tools_choice_write(
     struct mip_tools_choice *command, uint8_t instance, enum mip_tools_shape shape,
     const union mip_tools_choice_parameters *parameters) {
@@ -1116,6 +1156,7 @@ static inline struct mip_tools_choice *mip_tools_choice_write(
     }
     return command;
 }
+
 /**
  * Send the current setting back in a response. Fills the structure and returns its address.
  *
@@ -1178,6 +1219,7 @@ MIP_CHECKED static inline mip_error mip_tools_choice_response_encode(
     const struct mip_tools_choice_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_response_codec, value, builder);
 }
+
 /**
  * List: command (0x01,0x09).
  *
@@ -1222,12 +1264,14 @@ static inline mip_error mip_tools_list_decode(struct mip_tools_list *value,
 MIP_CHECKED static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - count: Number of items. The number of elements of items. Required for write.
-   * - items: The items. Required for write.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - count: Number of items. The number of elements of items. Required for write.
+ * - items: The items. Required for write.
+ */
 static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list *command,
                                                           uint8_t count, const uint16_t items[]) {
     memset(command, 0, sizeof(*command));
@@ -1237,12 +1281,14 @@ static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list 
              mip_counted(count, items, sizeof(items[0])));
     return command;
 }
+
 /** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_list *mip_tools_list_read(struct mip_tools_list *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_tools_list *mip_tools_list_save(struct mip_tools_list *command) {
     memset(command, 0, sizeof(*command));
@@ -1285,6 +1331,7 @@ MIP_CHECKED static inline mip_error mip_tools_list_response_encode(
     const struct mip_tools_list_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_response_codec, value, builder);
 }
+
 /**
  * Inventory: command (0x01,0x0A).
  *
@@ -1322,6 +1369,7 @@ MIP_CHECKED static inline mip_error mip_tools_stock_encode(const struct mip_tool
                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_codec, value, builder);
 }
+
 /**
  * Inventory response: response (0x01,0x8A).
  *
@@ -1359,6 +1407,7 @@ MIP_CHECKED static inline mip_error mip_tools_stock_response_encode(
     const struct mip_tools_stock_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_response_codec, value, builder);
 }
+
 /**
  * Pin: command (0x01,0x0B).
  *
@@ -1405,13 +1454,15 @@ static inline mip_error mip_tools_pin_decode(struct mip_tools_pin *value,
 MIP_CHECKED static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_codec, value, builder);
-} /**
-   * Apply the new setting. Fills the structure and returns its address.
-   *
-   * - drive: What drives it. A value of enum mip_tools_drive.
-   * - use: How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum
-   *   mip_tools_pulse. If drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
-   */
+}
+
+/**
+ * Apply the new setting. Fills the structure and returns its address.
+ *
+ * - drive: What drives it. A value of enum mip_tools_drive.
+ * - use: How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum
+ *   mip_tools_pulse. If drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
+ */
 static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *command,
                                                         enum mip_tools_drive drive, uint8_t use) {
     memset(command, 0, sizeof(*command));
@@ -1420,6 +1471,7 @@ static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *co
     command->use = use;
     return command;
 }
+
 /**
  * Send the current setting back in a response. Fills the structure and returns its address.
  *
@@ -1471,6 +1523,7 @@ MIP_CHECKED static inline mip_error mip_tools_pin_response_encode(
     const struct mip_tools_pin_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_response_codec, value, builder);
 }
+
 /**
  * Hello: command (0x01,0x0C).
  *
@@ -1516,6 +1569,7 @@ MIP_CHECKED static inline mip_error mip_tools_hello_encode(const struct mip_tool
                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_codec, value, builder);
 }
+
 /**
  * Hello response: response (0x01,0x8C).
  *
@@ -1550,6 +1604,7 @@ MIP_CHECKED static inline mip_error mip_tools_hello_response_encode(
     const struct mip_tools_hello_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_response_codec, value, builder);
 }
+
 /**
  * Readings: command (0x01,0x0D).
  *
@@ -1584,11 +1639,13 @@ static inline mip_error mip_tools_readings_decode(struct mip_tools_readings *val
 MIP_CHECKED static inline mip_error
 mip_tools_readings_encode(const struct mip_tools_readings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_codec, value, builder);
-} /**
-   * Readings. Fills the structure and returns its address.
-   *
-   * - drive: What is asked for. A value of enum mip_tools_drive.
-   */
+}
+
+/**
+ * Readings. Fills the structure and returns its address.
+ *
+ * - drive: What is asked for. A value of enum mip_tools_drive.
+ */
 static inline struct mip_tools_readings *mip_tools_readings_make(struct mip_tools_readings *command,
                                                                  enum mip_tools_drive drive) {
     memset(command, 0, sizeof(*command));
@@ -1641,6 +1698,7 @@ MIP_CHECKED static inline mip_error mip_tools_readings_response_encode(
     const struct mip_tools_readings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_response_codec, value, builder);
 }
+
 /**
  * Poll: command (0x01,0x0E).
  *
@@ -1681,14 +1739,16 @@ static inline mip_error mip_tools_poll_decode(struct mip_tools_poll *value,
 MIP_CHECKED static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_poll_codec, value, builder);
-} /**
-   * Poll. Fills the structure and returns its address.
-   *
-   * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
-   * - first: Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01.
-   * - count: Number of fields. The number of elements of descriptors.
-   * - descriptors: Field descriptors. Refers to fields of descriptor_set.
-   */
+}
+
+/**
+ * Poll. Fills the structure and returns its address.
+ *
+ * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
+ * - first: Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01.
+ * - count: Number of fields. The number of elements of descriptors.
+ * - descriptors: Field descriptors. Refers to fields of descriptor_set.
+ */
 static inline struct mip_tools_poll *mip_tools_poll_make(struct mip_tools_poll *command,
                                                          uint8_t descriptor_set, uint8_t first,
                                                          uint8_t count,

@@ -150,6 +150,7 @@ struct settings_response_ : ::mip_tools_settings_response {
         return static_cast<::mip::mode>(c_type::mode);
     }
 };
+
 /** Settings response. See struct mip_tools_settings_response. */
 using settings_response = settings_response_;
 
@@ -177,6 +178,7 @@ struct status_full_ : ::mip_tools_full {
         return static_cast<::mip::mode>(c_type::mode);
     }
 };
+
 /** Status response. See struct mip_tools_full. */
 using status_full = status_full_;
 
@@ -189,6 +191,7 @@ struct choice_response_ : ::mip_tools_choice_response {
         return static_cast<::mip::tools::shape>(c_type::shape);
     }
 };
+
 /** Choice response. See struct mip_tools_choice_response. */
 using choice_response = choice_response_;
 
@@ -198,6 +201,7 @@ struct list_response_ : ::mip_tools_list_response {
         return {c_type::items, c_type::count};
     }
 };
+
 /** List response. See struct mip_tools_list_response. */
 using list_response = list_response_;
 
@@ -207,6 +211,7 @@ struct inventory_response_ : ::mip_tools_stock_response {
         return {c_type::descriptors, c_type::descriptors_count};
     }
 };
+
 /** Inventory response. See struct mip_tools_stock_response. */
 using inventory_response = inventory_response_;
 
@@ -216,6 +221,7 @@ struct pin_response_ : ::mip_tools_pin_response {
         return static_cast<::mip::tools::drive>(c_type::drive);
     }
 };
+
 /** Pin response. See struct mip_tools_pin_response. */
 using pin_response = pin_response_;
 
@@ -231,6 +237,7 @@ struct readings_response_ : ::mip_tools_readings_response {
         return {c_type::readings, c_type::count};
     }
 };
+
 /** Readings response. See struct mip_tools_readings_response. */
 using readings_response = readings_response_;
 

@@ -21,6 +21,7 @@ extern "C" {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_ping_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_ping_exchange;
 
@@ -38,6 +39,7 @@ static inline struct mip_result mip_call_tools_ping(struct mip_device *device) {
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_settings_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_settings_exchange;
 
@@ -161,6 +163,7 @@ mip_call_tools_settings_with(struct mip_device *device, const struct mip_tools_s
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_set_time_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_set_time_exchange;
 
@@ -274,6 +277,7 @@ mip_call_tools_set_time_with(struct mip_device *device, const struct mip_tools_s
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_status_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_status_exchange;
 
@@ -405,6 +409,7 @@ static inline struct mip_result mip_call_tools_status_with(struct mip_device *de
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_bias_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_bias_exchange;
 
@@ -477,6 +482,7 @@ static inline struct mip_result mip_call_tools_bias_with(struct mip_device *devi
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_capture_bias_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_capture_bias_exchange;
 
@@ -520,6 +526,7 @@ static inline struct mip_result mip_call_tools_capture_bias_with(
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_formats_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_formats_exchange;
 
@@ -562,6 +569,7 @@ mip_call_tools_formats_with(struct mip_device *device, const struct mip_tools_fo
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_choice_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_choice_exchange;
 
@@ -622,6 +630,7 @@ mip_call_tools_choice_with(struct mip_device *device, const struct mip_tools_cho
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_list_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_list_exchange;
 
@@ -685,6 +694,7 @@ static inline struct mip_result mip_call_tools_list_with(struct mip_device *devi
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_stock_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_stock_exchange;
 
@@ -710,6 +720,7 @@ static inline struct mip_result mip_call_tools_stock(struct mip_device *device,
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_pin_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_pin_exchange;
 
@@ -766,6 +777,7 @@ static inline struct mip_result mip_call_tools_pin_with(struct mip_device *devic
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_hello_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_hello_exchange;
 
@@ -794,6 +806,7 @@ mip_call_tools_hello_with(struct mip_device *device, const struct mip_tools_hell
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_readings_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_readings_exchange;
 
@@ -838,6 +851,7 @@ mip_call_tools_readings_with(struct mip_device *device, const struct mip_tools_r
 
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_poll_command;
+
 /** How it is answered. */
 extern MIP_API const struct mip_exchange mip_tools_poll_exchange;
 

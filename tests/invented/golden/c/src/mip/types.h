@@ -67,6 +67,7 @@ static inline uint8_t mip_state_flags_get_level(mip_state_flags flags) {
     const uint32_t bits = flags & MIP_STATE_FLAGS_LEVEL;
     return (uint8_t)(bits >> 4);
 }
+
 /** Sets it. */
 static inline void mip_state_flags_set_level(mip_state_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_STATE_FLAGS_LEVEL;
@@ -79,6 +80,7 @@ static inline uint8_t mip_state_flags_get_mode(mip_state_flags flags) {
     const uint32_t bits = flags & MIP_STATE_FLAGS_MODE;
     return (uint8_t)(bits >> 8);
 }
+
 /** Sets it. */
 static inline void mip_state_flags_set_mode(mip_state_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_STATE_FLAGS_MODE;

@@ -69,6 +69,7 @@ inline flag_names names_of(state_flags) {
 
 /** mip_health: health */
 using health = ::mip_health;
+
 /** Its bits, for mip::get and mip::has. */
 enum class health_bits : std::uint16_t {
     clock = MIP_HEALTH_CLOCK,
@@ -94,6 +95,7 @@ struct acknowledge_ : ::mip_protocol_acknowledge {
         return static_cast<::mip::ack_code>(c_type::code);
     }
 };
+
 /** Acknowledge. See struct mip_protocol_acknowledge. */
 using acknowledge = acknowledge_;
 
