@@ -221,7 +221,7 @@ def test_a_page_that_never_closes_its_end_is_cut_off(monkeypatch: pytest.MonkeyP
         page = Page(server, f"/{server.token}")
         page.send(masked(BINARY, PING_COMMAND))
         page.receive(ACKNOWLEDGE)
-    while (message := page.message())[0] != CLOSE:
+    while page.message()[0] != CLOSE:
         pass
     assert page.socket.recv(1) == b""
     page.close()
