@@ -1,4 +1,4 @@
-"""`mip info` and `mip dump` say the same by columns as packet by packet; parts of what they use."""
+"""`mip info`, `dump` and `cut` do the same by columns as packet by packet; parts of what they use."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from typing import Any
 import pytest
 from mip_protocol import EncodeError, Packet, PacketBuilder, filter_data, registry, sensor, shared
 from mip_protocol.text import shortest
-from mip_tools.cli import clocks, decoding, dump, info, intervals, lines, log_report, scan
+from mip_tools.cli import clocks, cut, decoding, dump, info, inputs, intervals, lines, log_report, scan
 from mip_tools.columns import log as columns_log
 from mip_tools.columns import read_log, text, times
 from mip_tools.sentences import Sentences
-from program import log, run
+from program import log, mip, run
 from support import SEED, later, rounds
 
 np, pq = later("numpy"), later("pyarrow.parquet")
@@ -152,6 +152,72 @@ def test_dump(
     monkeypatch.setattr(dump, "_by_columns", lambda *given: False)
     assert fast == run(capsys, "dump", tmp_path / "log.bin", *words)
     assert len(seen) == 1
+
+
+Pieces = list[scan.Piece]
+
+
+def cut_plainly(pieces: Pieces, options: dict[str, str], skipped: bool) -> bytes:
+    """A part of a log packet by packet."""
+    only = options.get("--only", "")
+    first, end = (int(n or 10**9) for n in options.get("--bytes", "0:").split(":"))
+    since, until = (
+        clocks.SECOND * float(options.get(word, late)) for word, late in (("--begin", "-inf"), ("--end", "inf"))
+    )
+    moments = [clocks.moments(piece.packet) for piece in pieces if piece.packet]
+    known = {clock for said in moments for clock, time in said.items() if time is not None}
+    clock = next((clock for clock in clocks.CLOCKS if clock in known), "")
+    if not clock and ("--begin" in options or "--end" in options):
+        return b""
+    within, out, start, now = first == 0 and "--begin" not in options, b"", None, None
+    for piece in pieces:
+        if piece.packet is None:
+            out += piece.data * (within and skipped)
+            continue
+        now = next((t for c, t in clocks.moments(piece.packet).items() if c == clock and t is not None), now)
+        start = now if start is None else start
+        timed = "--begin" not in options if now is None or start is None else since <= now - start < until
+        within = first <= piece.offset < end and timed
+        fields = list(decoding.raw_fields(piece.packet))
+        wanted = [raw for raw in fields if not only or (raw.set, raw.descriptor) in ((0x80, 4), (0x82, 5))]
+        if not within or (only and not wanted):
+            continue
+        builder = PacketBuilder(piece.packet.set)
+        for raw in wanted:
+            builder.add(raw.descriptor, raw.data)
+        out += piece.data if len(wanted) == len(fields) else bytes(builder.build())
+    return out
+
+
+@pytest.mark.parametrize("piece", [300, 1 << 20])
+@pytest.mark.parametrize("skipped", [False, True])
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"--only": "sensor.scaled_accel,filter_data.euler_angles"},
+        {"--bytes": "300:9000", "--only": "sensor.scaled_accel,filter_data.euler_angles"},
+        {"--begin": "0.5"},
+        {"--end": "1.5"},
+        {"--begin": "0", "--end": "1000"},
+    ],
+    ids=str,
+)
+def test_cut(
+    stream: bytes, options: dict[str, str], skipped: bool, piece: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The same by columns as packet by packet, from a file and from a pipe."""
+    monkeypatch.setattr(columns_log, "_PIECE", piece)
+    monkeypatch.setattr(cut, "PART", 5 * piece)
+    monkeypatch.setattr(inputs, "_BATCH", 5 * piece)
+    (tmp_path / "log").write_bytes(stream)
+    scanner = scan.Scanner()
+    wanted = cut_plainly([*scanner.feed(stream), *scanner.flush()], options, skipped)
+    words = [*(word for option in options.items() for word in option), *["--keep-skipped"] * skipped]
+    for name, data in ((tmp_path / "log", b""), ("-", stream)):
+        code, _, error = mip("cut", name, "-o", tmp_path / "part", *words, data=data)
+        assert (code, error.count("\n")) == (0, 0) if wanted else code == 1
+        assert not wanted or (tmp_path / "part").read_bytes() == wanted
 
 
 def test_fields_that_come_twice_make_rows_in_their_order(tmp_path: Path, capsys: Any) -> None:

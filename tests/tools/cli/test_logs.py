@@ -142,7 +142,7 @@ sys.exit(code or (int(most) > 80_000 and f"{most} kB"))
 
 
 def test_without_noise(path: Path, tmp_path: Path) -> None:
-    assert mip("cut", path, "-o", tmp_path / "part", extras=False) == (0, "", "")
+    assert mip("cut", path, "-o", tmp_path / "part") == (0, "", "")
     assert (tmp_path / "part").read_bytes() == log()
     assert mip("cut", path, "-o", tmp_path / "all", "--keep-skipped")[0] == 0
     assert (tmp_path / "all").read_bytes() == path.read_bytes()
@@ -154,12 +154,14 @@ def test_parts_are_the_whole(by: str, path: Path, capsys: pytest.CaptureFixture[
     rng = random.Random(3)
     total = path.stat().st_size if by == "--bytes" else len(packets(path.read_bytes()))
     cuts = sorted(rng.sample(range(total), 4))
-    parts = b""
+    parts = every = b""
     for first, end in zip([0, *cuts], [*cuts, ""]):
         out = path.with_name("part")
         assert run(capsys, "cut", path, "-o", out, by, f"{first}:{end}")[0] == 0
         parts += out.read_bytes()
-    assert parts == log()
+        assert run(capsys, "cut", path, "-o", out, by, f"{first}:{end}", "--keep-skipped")[0] == 0
+        every += out.read_bytes()
+    assert parts == log() and every == path.read_bytes()
 
 
 def test_by_time(path: Path, tmp_path: Path) -> None:

@@ -207,6 +207,7 @@ def test_a_table_in_a_pipe(path: Path) -> None:
     [
         (["export", "log.bin", "-o", "t.parquet"], "export: numpy is missing; pip install numpy"),
         (["info", "log.bin"], "info: numpy is missing; pip install numpy"),
+        (["cut", "log.bin", "-o", "t.npz"], "cut: numpy is missing; pip install numpy"),
         (["export", "log.bin", "-o", "t.npz"], "export: numpy is missing; pip install numpy"),
         (["plot", "log.bin", "sensor", "-o", "t.png"], "plot: matplotlib is missing; pip install matplotlib"),
     ],

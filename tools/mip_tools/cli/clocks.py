@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
 from datetime import datetime, timedelta
 
-from ..binding import CLOCKS, SECOND, Packet, from_date, moments
+from ..binding import CLOCKS, SECOND, from_date, moments
 
 _UNIX = datetime(1970, 1, 1)
 
@@ -13,16 +12,6 @@ _UNIX = datetime(1970, 1, 1)
 def dated(clock: str | None) -> bool:
     """Does it have a date? Then its times are UTC."""
     return clock is not None and CLOCKS[clock] is not None
-
-
-def best(packets: Callable[[], Iterable[Packet]]) -> str | None:
-    """The first clock that has a valid time in these packets; looks no further than that needs."""
-    seen: set[str] = set()
-    for packet in packets():
-        seen.update(clock for clock, time in moments(packet).items() if time is not None)
-        if next(iter(CLOCKS), None) in seen:
-            break
-    return next((clock for clock in CLOCKS if clock in seen), None)
 
 
 def stamp(clock: str, time: int, digits: int = 9) -> str:
@@ -48,7 +37,6 @@ def seconds(time: int, digits: int = 9) -> str:
 __all__ = [
     "CLOCKS",
     "SECOND",
-    "best",
     "dated",
     "from_date",
     "moments",

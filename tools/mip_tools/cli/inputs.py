@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from ..columns import Log
 
 CHUNK = 1 << 16
+#: Bytes that are looked at together, even if more have arrived.
+_BATCH = 1 << 20
 #: Seconds after which it is said that nothing has arrived.
 _TURN = 0.1
 _HEX = re.compile(rb"(?:0[xX])?[0-9A-Fa-f]{2}(?:[\s,:]*(?:0[xX])?[0-9A-Fa-f]{2})*[\s,]*")
@@ -94,6 +96,21 @@ def arriving(name: str, progress: bool = True) -> Iterator[Piece | None]:
         yield from scanner.feed(chunk)
         yield None
     yield from scanner.flush()
+
+
+def batches(arriving: Iterator[Piece | None]) -> Iterator[list[Piece]]:
+    """The pieces that arrive together."""
+    batch: list[Piece] = []
+    size = 0
+    for piece in arriving:
+        if piece is not None:
+            batch.append(piece)
+            size += len(piece.data)
+        if batch and (piece is None or size > _BATCH):
+            yield batch
+            batch, size = [], 0
+    if batch:
+        yield batch
 
 
 def _waited_for(source: Iterator[bytes]) -> Iterator[bytes]:
@@ -273,6 +290,7 @@ __all__ = [
     "CHUNK",
     "Progress",
     "arriving",
+    "batches",
     "chunks",
     "columns",
     "counted",

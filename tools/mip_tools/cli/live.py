@@ -53,7 +53,7 @@ def write(
         return
     if form == "csv" and not (types or found):
         raise Failure("nothing arrived of which the columns could be known; name the fields")
-    _write_table(out, form, chain([seen], _batches(arriving)), options, selection, clock, types or found)
+    _write_table(out, form, chain([seen], inputs.batches(arriving)), options, selection, clock, types or found)
 
 
 def serve(server: Server, arriving: Iterator[Piece | None], options: argparse.Namespace, selection: Selection) -> None:
@@ -117,21 +117,6 @@ def _kinds(log: Any, form: Form) -> list[Occurrence]:
     from ..columns import tables
 
     return [Occurrence(*one) for one in tables.survey(log, form)[0]]
-
-
-def _batches(arriving: Iterator[Piece | None]) -> Iterator[list[Piece]]:
-    """The pieces that arrive together."""
-    batch: list[Piece] = []
-    size = 0
-    for piece in arriving:
-        if piece is not None:
-            batch.append(piece)
-            size += len(piece.data)
-        if batch and (piece is None or size > _MOST):
-            yield batch
-            batch, size = [], 0
-    if batch:
-        yield batch
 
 
 def _preview(arriving: Iterator[Piece | None]) -> list[Piece]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -143,6 +143,27 @@ def chosen(log: Log, sets: list[int]) -> str:
             break  # the first one is the best
     every = [clock for clock, present in has.items() if present and all(present)]
     return next(iter([*every, *(clock for clock, present in has.items() if any(present)), ""]))
+
+
+def best(parts: Iterable[Log]) -> str | None:
+    """The first clock that has a valid timestamp in a log; looks at no more parts than that needs."""
+    seen: set[str] = set()
+    for part in parts:
+        sets = [number for number in part.sets() if number >= 0x80]
+        seen.update(clock for clock in CLOCKS if any(read(part, number, clock).some for number in sets))
+        if next(iter(CLOCKS), None) in seen:
+            break
+    return next((clock for clock in CLOCKS if clock in seen), None)
+
+
+def of_packets(log: Log, clock: str) -> Array:
+    """The valid timestamp of each packet of a log; NONE if it has none itself."""
+    values = np.full(log.packets, NONE, np.int64)
+    for number in log.sets():
+        if number >= 0x80:
+            known = read(log, number, clock)
+            values[known.packet] = known.value
+    return values
 
 
 def rate(log: Log, set: int, count: int, first: int, last: int) -> float | None:
