@@ -28,7 +28,8 @@ from mip_protocol import (
     sensor,
     shared,
 )
-from mip_tools.columns import tables
+from mip_tools import columns
+from mip_tools.columns import read_log, tables
 from program import ENVIRONMENT, log, mip, run
 from support import later
 
@@ -136,6 +137,17 @@ def test_in_parts(
             assert run(capsys, "export", path, *words, "-o", tmp_path / "parts.arrow")[0] == 0
         first, second = (pa.ipc.open_file(tmp_path / f"{name}.arrow").read_all() for name in ("whole", "parts"))
         assert first.equals(second) and first.schema.equals(second.schema, check_metadata=True)
+
+
+@pytest.mark.parametrize("form", ["csv", "jsonl", "npz"])
+def test_an_export_does_not_keep_where_the_packets_are(
+    form: str, path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of a log of 2 GB, that would be 160 MB."""
+    seen = []
+    monkeypatch.setattr(columns, "read_log", lambda *given: seen.append(read_log(*given)) or seen[-1])
+    assert run(capsys, "export", path, "-o", tmp_path / f"out.{form}")[0] == 0
+    assert len(seen) == 1 and not seen[0]._kept
 
 
 def test_units_are_in_the_metadata(path: Path, tmp_path: Path) -> None:

@@ -89,6 +89,8 @@ def run(options: argparse.Namespace) -> int:
         if form in MESSAGES:
             return _messages(options, form, selection)
     inputs.need_numpy()
+    from ..columns import tables
+
     writers: Any = import_module(".writers", __package__)
     writers.require(form)
     with ExitStack() as stack:
@@ -97,7 +99,7 @@ def run(options: argparse.Namespace) -> int:
             with outputs.whole(options.output) as out, writers.FORMS[form](out) as write:
                 write(_sentences(options, log))
             return 0
-        if not log.packets:
+        if not any(part.packets for part in log.parts(tables.PART)):  # the whole log would keep where each is
             raise Failure(f"{options.file} has no packets")
         job = _job(options, selection, log)
         if not job.kinds:
