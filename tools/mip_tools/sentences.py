@@ -34,7 +34,7 @@ class Sentences:
         *lines, rest = self._line.split(b"\n")
         found = []
         for line in lines:
-            if (sentence := _sentence(line[-LONGEST:])) is not None:
+            if (sentence := last(line[-LONGEST:])) is not None:
                 begin, text = sentence
                 found.append((self._taken + max(0, len(line) - LONGEST) + begin, text))
             self._taken += len(line) + 1
@@ -43,7 +43,7 @@ class Sentences:
         return found
 
 
-def _sentence(line: bytearray) -> tuple[int, str] | None:
+def last(line: bytes | bytearray) -> tuple[int, str] | None:
     """The sentence at the end of a line, and where it begins; any bytes before it are noise."""
     end = _END.search(line)
     if end is None:
@@ -60,4 +60,4 @@ def _sentence(line: bytearray) -> tuple[int, str] | None:
     return None
 
 
-__all__ = ["LONGEST", "Sentences"]
+__all__ = ["LONGEST", "Sentences", "last"]

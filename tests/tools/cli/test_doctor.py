@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 from mip_protocol import PacketBuilder, Parser, base, mip_3dm, shared, timestamps, types
+from mip_tools.cli import log_report
 from mip_tools.columns import read_log
 from mip_tools.doctor import findings, stream
 from mip_tools.doctor.events import Event, merged
@@ -93,6 +94,8 @@ def stepped(packet: bytes, seconds: float) -> bytes:
 
 # --------------------------------------------------------------------------- planted causes
 
+SENTENCE = b"$GPZDA,,,,,,*48\r\n"
+
 
 def damaged() -> bytes:
     data = bytearray(clean())
@@ -116,8 +119,13 @@ def another_format() -> bytes:
 PLANTED: dict[str, tuple[Callable[[], bytes], list[tuple[str, set[int]]]]] = {
     "nothing": (clean, []),
     "NMEA, and an end within a packet": (
-        lambda: b"".join(packets()[:300]) + b"$GPGGA,noise*00\r\n" + b"".join(packets()[300:]) + packets()[0][:10],
+        lambda: b"".join(packets()[:300]) + SENTENCE + b"".join(packets()[300:]) + packets()[0][:10],
         [],
+    ),
+    "an end within a sentence": (lambda: clean() + SENTENCE[:9], []),
+    "a sentence with a wrong checksum": (
+        lambda: b"".join(packets()[:300]) + SENTENCE.replace(b",", b"1", 1) + b"".join(packets()[300:]),
+        [("line damage", set())],
     ),
     "an end within the first bytes": (lambda: clean() + packets()[0][:3], []),
     "a begin within a packet": (lambda: clean()[7:], []),
@@ -273,8 +281,16 @@ def test_the_parts_of_a_log_do_not_show(name: str, size: int, monkeypatch: pytes
 
 def test_sentences_without_packets() -> None:
     """All are counted, however long the log is."""
-    (found,) = findings.of(examined(b"$GPZDA,,,,,,*48\r\n" * 10_000))
+    (found,) = findings.of(examined(SENTENCE * 10_000))
     assert found.text == "no packet, but 10000 NMEA sentences"
+
+
+def test_sentences_are_those_of_info() -> None:
+    """In noise, too, as long as that has a sentence by chance only if its checksum is right."""
+    noise = random.Random(1).randbytes(1 << 16) + b"$\n$GPZDA,,,,,,*49\r\n$GPZDA\n"
+    data = SENTENCE + noise + b"ue\x80" + SENTENCE * 2
+    assert len(re.findall(rb"\$[ -~]*\r?\n", data)) > 5
+    assert examined(data).sentences == log_report.examine(read_log(data)).sentences == 3
 
 
 def test_a_time_that_is_not_valid() -> None:

@@ -45,8 +45,8 @@ class Change(NamedTuple):
 class Rhythm:
     """Follows a field. A gap is known when the usual interval comes again, a change when another one repeats."""
 
-    def __init__(self) -> None:
-        self.usual: float | None = None
+    def __init__(self, usual: float | None = None) -> None:
+        self.usual = usual
         self.first: Moment | None = None
         self.last: Moment | None = None
         self._run = 0.0
@@ -100,12 +100,6 @@ class Rhythm:
         if self.usual is not None and step > GAP * self.usual:
             self._gaps.append(Gap(before, now, self.usual))
         return []
-
-    def restart(self) -> None:
-        """The clock begins anew; the usual interval remains."""
-        usual = self.usual
-        self.__init__()  # type: ignore[misc]
-        self.usual = usual
 
 
 def differences(times: Array) -> Array:

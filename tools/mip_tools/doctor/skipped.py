@@ -6,12 +6,14 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from .. import sentences
 from ..binding import SYNC
 from ..cli import show
 from ..columns.between import Gaps
 from ..columns.piece import Piece
 
-_SENTENCE = re.compile(rb"\$[ -~]*\r?\n")
+#: A sentence without its end.
+_BEGUN = re.compile(rb"[$!][ -~]*\r?\Z")
 _MOST = 1 << 16  # bytes that are kept
 
 
@@ -43,9 +45,7 @@ class Skipped:
             self._end = gap.offset + len(gap.data)
             text = self._line + gap.data
             stop = text.rfind(b"\n") + 1
-            others, count = _SENTENCE.subn(b"", text[:stop])
-            self.sentences += count
-            self._other(others)
+            self._lines(text[:stop])
             self._line = text[stop:]
             if len(self._line) > _MOST:
                 self._other(self._line)
@@ -57,12 +57,22 @@ class Skipped:
         """The damage at the end of the log."""
         yield from self._complete(True)
 
+    def _lines(self, text: bytes) -> None:
+        """Takes whole lines. Sentences are those with a correct checksum, as for all commands."""
+        others = []
+        for line in text.split(b"\n")[:-1]:
+            found = sentences.last(line)
+            self.sentences += found is not None
+            others.append(line + b"\n" if found is None else line[: found[0]])
+        self._other(b"".join(others))
+
     def _other(self, data: bytes) -> None:
         self._others = (self._others + data)[-_MOST:]
         self._count += len(data)
 
     def _complete(self, at_end: bool) -> Iterator[Damage]:
-        self._other(self._line)
+        if not (at_end and _BEGUN.match(self._line)):
+            self._other(self._line)
         rest = self._others.strip(b"\r\n")
         count = self._count - len(self._others) + len(rest)
         self._others, self._line, self._count = b"", b"", 0

@@ -242,12 +242,12 @@ class Examination:
             if not len(packets):
                 return
             self._rhythms[key] = Rhythm()
-        rhythm, number = self._rhythms[key], key[0]
+        number = key[0]
         cuts = np.searchsorted(packets, restarts)
         for i, (some, when) in enumerate(zip(np.split(packets, cuts), np.split(beats, cuts))):
-            if i:
-                rhythm.restart()
-            for row, change in rhythm.follow(when, partial(self._moment, part, number, some, when)):
+            if i:  # the clock begins anew; the usual interval remains
+                self._rhythms[key] = Rhythm(self._rhythms[key].usual)
+            for row, change in self._rhythms[key].follow(when, partial(self._moment, part, number, some, when)):
                 at = int(part.at[some[row]])
                 event = self._gap(number, change, at) if isinstance(change, Gap) else self._changed(key, change)
                 self._noted.append(_Noted(at, part.order[key], event))
