@@ -1,8 +1,8 @@
 """`make bench`: the same stream through all languages, side by side. Figures to read, never a test.
 
-Each program runs several times in turn with the others; the median of its runs counts, and the
-ratio to C. A struct.unpack written by hand shows what Python could do at best. Before that come C and Rust against
-code that is written by hand: bench_c.py, bench_rust.py.
+Each program runs several times, in turn with the others; the median of its runs counts, and the
+ratio to C. A hand-written loop with struct.unpack shows the best that Python could do. Before that, C and Rust are
+compared with hand-written code: bench_c.py, bench_rust.py.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""C: how much faster than code written by hand, how many instructions for each byte, how large.
+"""C: speed compared with hand-written code, instructions per byte, and size.
 
-The code written by hand is in plain.c. Times are of the processor, the best of many rounds; instructions are
+The hand-written code is in plain.c. Times are processor times, the best of many rounds; instructions are
 counted by valgrind. `make bench README=1` writes the result into the README.
 """
 
@@ -48,7 +48,7 @@ LINK = ["-nostdlib", "-Wl,--gc-sections", *(f"-Wl,--defsym={f}=0" for f in OUTSI
 #: Parser, walk and builder of both.
 CORE = ("parser_init", "parser_next", "walk_packet", "walk_next", "builder_start", "builder_add", "builder_finish")
 PLAIN = ("init", "next", "field", "start", "begin", "float", "u64", "finish")
-#: Optional parts: a header, and a function that links the tables of it.
+#: Optional parts: a header, and a function that links its tables.
 OPTIONAL = (("device", "mip_device_call"), ("registry", "mip_registry_find"), ("profiles", "mip_profile_find"),
             ("reflect", "mip_reflect"), ("print", "mip_print_packet"))  # fmt: skip
 STATES = """#include "mip/core.h"
@@ -82,7 +82,7 @@ def version(compiler: str) -> str:
 
 
 def measure(stream: Path, functions: dict[str, Path]) -> dict[str, float]:
-    """Functions, each with its program -> the nanoseconds of their best rounds. They take turns, so that all see the
+    """Functions, each with its program -> the nanoseconds of its best round. They take turns, so that all see the
     same disturbances."""
     best: dict[str, float] = {}
     found: dict[str, str] = {}
@@ -149,7 +149,7 @@ def linked(name: str, symbols: list[str], text: str = "") -> int:
 
 
 def state(symbol: str) -> int:
-    """Bytes of a variable of the program that was linked for the states."""
+    """Size of a variable of the program that holds the states."""
     found = re.search(rf"^\S+ (\S+) \S {symbol}$", run("arm-none-eabi-nm", "-S", BUILD / "states.elf"), re.M)
     assert found
     return int(found[1], 16)
@@ -214,7 +214,7 @@ def complexity(source: str) -> tuple[int, str]:
 
 
 def by_source() -> str:
-    """What each source takes on a Cortex-M4 before anything is left out, and its largest function, as Markdown."""
+    """Size of each source on a Cortex-M4 before unused code is removed, and its most complex function, as Markdown."""
     BUILD.mkdir(parents=True, exist_ok=True)
     rows, totals = [], [0, 0]
     for name in PARTS:
@@ -245,8 +245,8 @@ def table(heads: list[str], rows: list[Row]) -> str:
 
 
 def report(readme: bool = False) -> str:
-    """As Markdown. The README leaves out the code by hand, which is not a library that anyone uses, and times,
-    which depend on the machine: bench_c_peer.py compares."""
+    """As Markdown. The README omits the hand-written code, which nobody uses as a library (bench_c_peer.py compares
+    with one), and times, which depend on the machine."""
     BUILD.mkdir(parents=True, exist_ok=True)
     heads = ["Speed", "Ratio", "Instructions for each byte", "By hand", "MB/s", "By hand"]
     machine = platform.machine().replace("_", "-")

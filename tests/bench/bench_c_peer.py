@@ -1,6 +1,6 @@
-"""C beside the vendor's SDK, as it recommends itself: the same streams and the same three programs of a firmware.
+"""C beside the vendor's SDK, built as its documentation recommends: the same streams, the same three firmware programs.
 
-Nothing of the SDK is here: `make bench PEER=FOLDER` names a folder of it. peer/ has what is measured, ours and theirs.
+Nothing of the SDK is here: `make bench PEER=FOLDER` names its folder. peer/ has the programs for both.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ PROGRAMS = (
     ("fields", "parser and three fields"),
     ("app", "three fields, ping, message format, stream"),
 )
-#: What the programs need of the hardware, in no code of theirs or ours.
+#: Functions of the hardware, which neither library provides.
 HARDWARE = ("rx", "rx_size", "tx", "port_read", "port_write", "port_now", "port_receive", "port_send")
 
 

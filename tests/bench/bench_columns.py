@@ -1,8 +1,8 @@
-"""Columns of a log with NumPy, in units of a loop written by hand: `python tests/bench/bench_columns.py`.
+"""Columns of a log with NumPy, relative to a hand-written loop: `python tests/bench/bench_columns.py`.
 
-The loop unpacks each field with a struct that its author knows, keeps the values in lists, and checks no checksum.
-All run in turn, on the time of this process alone; the median of the ratios counts. Compiled are the innermost loops
-that platform wheels bring.
+The loop unpacks each field with a fixed struct, keeps the values in lists, and checks no checksum.
+All run in turn, measured in the CPU time of this process; the median of the ratios counts. The compiled code is the
+innermost loops, which platform wheels include.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ TASKS: dict[str, tuple[Callable[[bytes], object], int]] = {
 
 def seconds(task: Callable[[bytes], object], data: bytes) -> float:
     begin = time.process_time()
-    kept = task(data)  # what it gives is freed outside
+    kept = task(data)  # freed after the time is taken
     took = time.process_time() - begin
     del kept
     return took

@@ -1,6 +1,6 @@
 """`mip export` beside the columns and pandas doing the same: `python tests/bench/bench_exports.py LOG`.
 
-Each is a process of its own; its CPU seconds count, the least of some runs.
+Each runs in a process of its own; the least CPU time of several runs counts.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ ENVIRONMENT = {**os.environ, "PYTHONPATH": f"{ROOT / 'tools'}{os.pathsep}{ROOT /
 FIELDS = ("sensor.scaled_accel", "sensor.scaled_gyro", "sensor.scaled_mag", "filter_data.euler_angles")
 
 READ = f"import sys, mip_tools; frame = mip_tools.read_log(sys.argv[1]).frame({list(FIELDS)})\n"
-#: Format -> what writes the frame to a file.
+#: Format -> the code that writes the frame to a file.
 API = {
     "parquet": "import pyarrow as pa, pyarrow.parquet as pq; pq.write_table(pa.Table.from_pandas(frame), sys.argv[2])",
     "arrow": "import pyarrow as pa; t = pa.Table.from_pandas(frame)\n"

@@ -1,4 +1,4 @@
-"""Python against Python: packets, objects and noise, in units of a loop that is written by hand.
+"""Python against Python: packets, objects and noise, relative to a hand-written loop.
 
 The loop reads every field with a `struct.Struct` and checks nothing. All run in one process, in turn, over the same
 stream that is made here: packets of 44 bytes on average, in the order of a device and shuffled.
@@ -19,7 +19,7 @@ from pathlib import Path
 
 try:
     import construct
-except ImportError:  # a tool of development; the line is left out then
+except ImportError:  # a development tool; without it, its line is left out
     construct = None
 
 from mip_protocol import Decoder, Parser, checksum, registry
@@ -113,7 +113,7 @@ def with_construct() -> Callable[[bytes], object] | None:
 
 
 def dense(gap: int) -> bytes:
-    """Noise that does not repeat, with a start of a packet so often."""
+    """Noise that does not repeat, with the start of a packet every `gap` bytes."""
     chance = random.Random(gap)
     return b"".join(b"ue" + chance.randbytes(gap - 2) for _ in range(SIZE // gap))
 
@@ -128,7 +128,7 @@ def speed(work: Callable[[bytes], object], data: bytes) -> float:
 
 
 def imports(module: str) -> float:
-    """Milliseconds of a processor in a new process, without those of Python itself."""
+    """CPU time of an import in a new process, in milliseconds, without the start of Python."""
     code = f"import time; t = time.process_time(); import {module}; print((time.process_time() - t) * 1e3)"
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
     runs = [float(subprocess.check_output([sys.executable, "-c", code], env=environment)) for _ in range(ROUNDS)]

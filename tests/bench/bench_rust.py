@@ -22,7 +22,7 @@ from mipgen.resolve.load import load_model
 
 CRATE = ROOT / "generated/rust"
 README = ROOT / "spec/programs/bench_rust.md"
-#: More than a cache holds; and what is counted instruction by instruction.
+#: Bytes of a stream: more than a cache holds; and for counting instructions.
 SIZE, COUNTED = 16_000_000, 1_000_000
 EMBEDDED = "thumbv7em-none-eabi"
 
@@ -109,7 +109,7 @@ CLIENT = """
         }
 """
 
-#: They are static, as in firmware: what starts a program clears the memory.
+#: They are static, as in firmware: the start-up code clears the memory.
 PARSER = "static mut PARSER: Parser = Parser::new();"
 PARSER_AND_CLIENT = f"{PARSER}\nstatic mut CLIENT: Client<2> = Client::new();"
 BORROW = "let {} = unsafe {{ &mut *core::ptr::addr_of_mut!({}) }};\n    "
@@ -183,7 +183,7 @@ def instructions(program: Path, stream: Path, function: str) -> float:
 
 
 def ratio(other: float | None, own: float) -> str:
-    """How many times as much the other one takes."""
+    """How many times as long the other one takes."""
     if other is None or other != other or own != own:
         return ""
     return f"{other / own:.{2 if other < 10 * own else 0}f}"
@@ -200,7 +200,7 @@ def speed() -> tuple[list[Row], str]:
     times: dict[str, dict[str, float]] = {"recording": {}, "shuffled": {}}
     for name, found in times.items():
         for plain in dict.fromkeys(row.plain for row in ROWS):
-            rows = [row for row in ROWS if row.plain == plain]  # they all find the same
+            rows = [row for row in ROWS if row.plain == plain]  # they all return the same
             functions = {f: rust for row in rows for f in (row.ours, row.plain)}
             functions |= {row.c: c for row in rows if row.c}
             functions |= {} if missing else {row.peer: rust for row in rows if row.peer}
@@ -276,7 +276,7 @@ class Elf:
 
 
 def report(readme: bool = False) -> str:
-    """As Markdown. The last two columns depend on the machine: the README goes without them."""
+    """As Markdown. The last two columns depend on the machine: the README omits them."""
     BUILD.mkdir(parents=True, exist_ok=True)
     heads = ["Speed", "Plain loop", "shuffled", "instructions", "C", "Other crate", "instructions"]
     heads += ["GB/s", "GB/s, shuffled"]

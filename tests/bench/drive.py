@@ -24,7 +24,7 @@ def _sentence(body: str) -> bytes:
 
 
 def drive(size: int) -> bytes:
-    """At least so many bytes: about 44 kB for each second."""
+    """At least `size` bytes: about 44 kB for each second of the log."""
     random, out, step = Random(1), bytearray(), 0
     while len(out) < size:
         time = step / 500

@@ -1,4 +1,4 @@
-//! The same work with another crate, as its documentation shows: it takes the stream byte by byte.
+//! The same work with another crate, used as its documentation shows: it reads the stream byte by byte.
 
 use std::hint::black_box;
 

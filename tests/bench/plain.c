@@ -17,7 +17,7 @@ void plain_init(struct plain_parser *parser) {
     parser->length = 0;
 }
 
-/** Takes one byte. True if it completes a packet. What was not a packet is lost. */
+/** Takes one byte. True if it completes a packet. Bytes that turn out not to be a packet are lost. */
 static inline bool take(struct plain_parser *parser, uint8_t byte) {
     uint8_t sum[2];
     const size_t length = parser->length;

@@ -1,5 +1,5 @@
-/* What firmware usually does by hand, to compare with: a parser that copies each
- * byte, a checksum loop, a switch over the descriptors of the log, a builder byte by byte. */
+/* What firmware usually does by hand, for comparison: a parser that copies each byte,
+ * a checksum loop, a switch over the descriptors of the log, a builder that works byte by byte. */
 #ifndef PLAIN_H
 #define PLAIN_H
 
@@ -9,7 +9,7 @@
 
 struct plain_parser {
     uint8_t buffer[261];
-    /** Bytes in the buffer, and those of the packet once its header is there. */
+    /** Bytes in the buffer; size of the packet, once its header is there. */
     uint16_t length;
     uint16_t size;
 };

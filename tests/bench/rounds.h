@@ -20,7 +20,7 @@ struct row {
     size_t name(const uint8_t *data, size_t size); \
     size_t name(const uint8_t *data, size_t size)
 
-/** Keeps the compiler from leaving out what has been computed, without an instruction. */
+/** Keeps the compiler from removing a computation; takes no instruction itself. */
 static inline void use(const void *value) {
     __asm__ volatile("" : : "r"(value) : "memory");
 }

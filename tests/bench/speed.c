@@ -53,7 +53,7 @@ static bool table(const struct mip_field *field) {
     }
 }
 
-/** As a program that tries one type after the other. */
+/** Like a program that tries one type after the other. */
 #define TRY(key, name)                                       \
     {                                                        \
         struct mip_##name value;                             \

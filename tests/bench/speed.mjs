@@ -1,4 +1,4 @@
-// Megabytes per second of CPU time, of the packets in a file.
+// Prints speeds over the packets of a file, in megabytes per second of CPU time.
 //
 //     speed.mjs GENERATED_FOLDER RECORDING
 import fs from "node:fs";

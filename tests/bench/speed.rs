@@ -61,7 +61,7 @@ fn got<T: Field>(field: &RawField<'_>) -> bool {
     used(field.get::<T>())
 }
 
-/// As in a loop without the crate, the value is used, and an error only counted.
+/// Uses the value, as a loop without the crate does; false if there is none.
 fn used<T, E>(value: Option<Result<T, E>>) -> bool {
     match value {
         Some(Ok(value)) => {
@@ -109,7 +109,7 @@ fn any(data: &[u8]) -> usize {
     chunks(data, CHUNK, |packet| {
         let mut count = 0;
         for field in packet.fields().flatten() {
-            // Borrowed: to move a value that is as large as the largest field takes longer.
+            // Borrowed: moving a value as large as the largest field takes longer.
             if let Some(Ok(value)) = &AnyField::decode(&field) {
                 black_box(value);
                 count += 1;
@@ -202,7 +202,7 @@ fn encode(data: &[u8]) -> usize {
 
 // ------------------------------------------------------------------- safe loops without the crate
 
-/// The next packet at the front: what is behind it, and its bytes.
+/// The next packet: the bytes after it, and its own.
 fn next(mut data: &[u8]) -> Option<(&[u8], &[u8])> {
     loop {
         let length = usize::from(*data.get(3)?);
@@ -232,7 +232,7 @@ fn bare(mut data: &[u8]) -> usize {
     count
 }
 
-/// The same for bytes that arrive in pieces: what is left of one is moved to the front, the next goes behind it.
+/// The same for bytes that arrive in pieces: the rest of one is moved to the front, and the next is appended.
 fn pieces(data: &[u8], size: usize) -> usize {
     let (mut held, mut count) = (Vec::with_capacity(1024), 0);
     for piece in data.chunks(size) {
@@ -440,7 +440,7 @@ fn main() {
     let (_, run) = ROWS.iter().find(|(name, _)| *name == arguments[2]).expect("a function");
     let (mut best, mut found) = (f64::INFINITY, 0);
     for _ in 0..arguments[3].parse().expect("a number of rounds") {
-        // SAFETY: it takes nothing and always returns.
+        // SAFETY: it has no arguments and always returns.
         let begin = unsafe { clock() };
         found = run(black_box(&data));
         let end = unsafe { clock() };

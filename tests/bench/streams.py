@@ -27,7 +27,7 @@ RECORDED = (
     ("sensor.scaled_accel", "sensor.scaled_gyro"),
 )
 
-#: Lower case is rare in what receivers send, but the first sync byte of MIP is a small u.
+#: Receivers rarely send lower case, but the first sync byte of MIP is a lower-case u.
 SENTENCES = (
     "GPGGA,{:06d}.00,4807.{:04d},N,01131.{:04d},E,4,12,0.9,545.4,M,46.9,M,1.2,0000",
     "GPRMC,{:06d}.00,A,4807.{:04d},N,01131.{:04d},E,022.4,084.4,230394,003.1,W",
@@ -37,7 +37,7 @@ SENTENCES = (
 
 
 def log(model: m.Model, size: int, cycle: tuple[tuple[str, ...], ...] = CYCLE) -> bytes:
-    """Packets of the set of their last field."""
+    """Packets with random values; each has the descriptor set of its last field."""
     random, out = Random(1), bytearray()
     fields = {f.full_name: f for f in model.fields}
     while len(out) < size:
@@ -48,7 +48,7 @@ def log(model: m.Model, size: int, cycle: tuple[tuple[str, ...], ...] = CYCLE) -
 
 
 def recording(model: m.Model, size: int) -> bytes:
-    """Many different packets, as often as it takes: building each anew would take minutes."""
+    """Many different packets, repeated as often as needed: building every packet would take minutes."""
     part = log(model, 1_000_000, RECORDED)
     return part * -(-size // len(part))
 
