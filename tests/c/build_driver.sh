@@ -20,7 +20,7 @@ if [ "${MIP_SANITIZE:-0}" = 1 ]; then
     program=$build/driver-sanitized
 fi
 
-# Everything that the program is made of, so that nothing is built twice.
+# Identifies everything that the program is made of, so that nothing is built twice.
 stamp=$(cat "$here"/driver/* "$generated"/src/mip/* | cksum)
 stamp="$CC $flags $generated $stamp"
 if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ]; then

@@ -66,7 +66,7 @@ def test_each_header_stands_alone(compiler: str, spec: str, tmp_path: Path) -> N
 @both
 @pytest.mark.parametrize("compiler", ["cc", CPP])
 def test_all_headers_at_once(compiler: str, spec: str, tmp_path: Path) -> None:
-    """mip/mip.h has all of them, but for what only the sources need, and is C99 and C++11."""
+    """mip/mip.h includes all but those that only the sources need, and compiles as C99 and as C++11."""
     inner = {"checksum.h", "export.h", "mip.h", "program.h"}
     wanted = {p.name for p in (folder(spec) / "src/mip").glob("*.h")} - inner
     assert set(re.findall('#include "mip/(.*)"', (folder(spec) / "src/mip/mip.h").read_text("utf-8"))) == wanted
@@ -81,12 +81,12 @@ def test_only_the_promised_headers(spec: str) -> None:
     allowed = {"<stdbool.h>", "<stddef.h>", "<stdint.h>", "<string.h>"}
     for path in [*folder(spec).glob("src/mip/*.h"), *folder(spec).glob("src/mip/*.c")]:
         text = path.read_text("utf-8")
-        if path.name == "export.h":  # what a compiler may be told is said in one place, and for each that knows it
+        if path.name == "export.h":  # the only place for attributes, for each compiler that has them
             text = text.replace("__attribute__", "")
-        vectors = {"<arm_neon.h>", "<emmintrin.h>"} if path.name == "checksum.h" else set()  # of compilers
+        vectors = {"<arm_neon.h>", "<emmintrin.h>"} if path.name == "checksum.h" else set()  # headers of compilers
         assert set(re.findall(r"#include (<.*>)", text)) <= allowed | vectors, path
         assert not re.search(r"\b(malloc|calloc|realloc|free|printf|abort|assert)\(|__attribute__|#pragma", text), path
-        # Members have a fixed width, but for what never leaves a call.
+        # Members have a fixed width, except the outcome of a call.
         assert not re.search(r"^ +enum (?!mip_outcome )\w+ \w+(\[\d+\])?;", text, re.M), path
 
 
@@ -104,7 +104,7 @@ def test_formatted(spec: str) -> None:
 
 @both
 def test_lines_are_short(spec: str) -> None:
-    """100 columns, but for lines that hold one name of more than half of that."""
+    """100 columns, except for lines with a name longer than half of that."""
     for path in sorted(folder(spec).rglob("*.[ch]")):
         for number, line in enumerate(path.read_text("utf-8").splitlines(), 1):
             assert len(line) <= 100 or max(map(len, re.findall(r"\w+", line))) > 50, f"{path}:{number}: {line}"
@@ -137,7 +137,7 @@ def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
 
 
 def test_names_of_the_core_are_taken() -> None:
-    """language.yaml knows all of them, so that no name of a specification becomes one."""
+    """language.yaml lists all of them, so that no name of a specification becomes one."""
     found, constants = set(), set()
     headers = [p.name for p in (ROOT / "runtime/c/src/mip").glob("*.h")]
     for header in ("constants.h", "connect.h", *headers, "../../ports/mip/line.h", "../../ports/open.h"):
@@ -154,7 +154,7 @@ def test_names_of_the_core_are_taken() -> None:
 
 @both
 def test_the_runtime_is_ordinary_source(spec: str) -> None:
-    """Nothing is filled in, and nothing is left for the formatter to do."""
+    """It is copied unchanged, and the formatter finds nothing to do."""
     runtime = ROOT / "runtime/c"
     copied = [p for p in runtime.rglob("*") if p.is_file()]
     assert len(copied) > 15
@@ -193,7 +193,7 @@ def test_a_cpp_program(pair: str, tmp_path: Path) -> None:
 
 
 def sample(p: m.Parameter, values: dict[str, Any], case: int) -> Any:
-    """A value that is unlike zero; `case`: which alternative of unions and enumerations."""
+    """A value that differs from zero; `case`: which alternative of unions and enumerations."""
     if p.struct:
         return record(p.struct.parameters, p.struct.parameters, case)
     if p.union:
@@ -227,7 +227,7 @@ def record(some: Iterable[m.Parameter], parameters: tuple[m.Parameter, ...], cas
 
 
 def constructed(of: m.Model) -> Iterator[tuple[m.Field, Any, dict[str, Any]]]:
-    """Every constructor with values that it can be given."""
+    """Every constructor with values for its arguments."""
     for f in of.fields:
         for made in members.constructors(f):
             required = f.required(made.function.value if made.function else None)
@@ -584,7 +584,7 @@ def packet_sets(f: m.Field) -> list[tuple[int, m.Occurrence]]:
 
 @small("programs of the real C library")
 def test_every_field_in_each_of_its_sets(spec: str, tmp_path: Path) -> None:
-    """Decode and encode, by the table and directly, take it in these sets alone, under its key and its name there."""
+    """Decode and encode, by the table and directly, accept it in these sets only, under its key and its name there."""
     of = model(spec)
     every = [of.protocol.acknowledge, *of.fields]
     checks = []
@@ -631,7 +631,7 @@ def symbols(program: Path) -> set[str]:
 
 
 def test_the_compiler_sees_an_unchecked_addition(tmp_path: Path) -> None:
-    """What does not fit is refused and the packet stays valid: who looks at nothing would send less than meant."""
+    """A field that does not fit is rejected, and the packet stays valid: an unchecked program would send too little."""
     program = tmp_path / "unchecked.c"
     for statement, good in (
         ("return mip_tools_ping_encode(NULL, b) == MIP_OK;", True),
@@ -658,7 +658,7 @@ def test_a_small_program_stays_small(tmp_path: Path) -> None:
                "mip_copy", "mip_field_", "mip_get_bits", "mip_set_bits",
                "mip_set_has", "mip_sum", "mip_version", "mip_widen", "mip_narrow")  # fmt: skip
     assert {n for n in found if not n.startswith(objects)} == set()
-    # One that leaves out what is not called takes the functions alone, without the interpreter of other layouts.
+    # One that removes uncalled functions leaves out the interpreter of other layouts, too.
     run(*command, "-Wl,--gc-sections")
     assert {n for n in symbols(program) if n.startswith("mip_")} == {
         "mip_checksum", "mip_codec_belongs", "mip_codec_matches", "mip_decode", "mip_parser_init",
@@ -680,7 +680,7 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
         "void plot(int receiver, double latitude, double longitude);\n"
         "void show(const float accel[3], uint32_t arrived);\nvoid report(const char *outcome, const char *reason);\n"
     )
-    for i, block in enumerate(blocks[1:], 1):  # functions, whose prototypes some compilers want to see
+    for i, block in enumerate(blocks[1:], 1):  # functions, for which some compilers require prototypes
         includes, _, code = block.rpartition("#include")
         header, _, rest = code.partition("\n")
         prototypes = "".join(
@@ -692,7 +692,7 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
 
 
 def long_names(folder: Path) -> set[str]:
-    """The identifiers of which C99 does not look at all characters, and that are the same in those."""
+    """The identifiers that are the same in the characters that C99 compares."""
     found = set()
     for path in sorted((folder / "src/mip").glob("*.[ch]")):
         code = re.sub(r'/\*.*?\*/|"(?:\\.|[^"\\])*"', "", path.read_text("utf-8"), flags=re.S)

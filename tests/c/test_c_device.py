@@ -113,7 +113,7 @@ def asks(f: m.Field, function: m.Function | None, values: dict[str, Any], of: m.
 
 
 def outcome(f: m.Field, call: calls.Call, function: m.Function | None, values: dict[str, Any], of: m.Model) -> str:
-    """What becomes of it if the device sends an acknowledge, and the response if the call has one."""
+    """The outcome if the device sends an acknowledge, and the response if the call has one."""
     quiet = bool(f.silent_when) and all(values[c.parameter] == c.value for c in f.silent_when)
     if quiet or (function is not None and not function.reply):
         return "MIP_SENT"
@@ -128,7 +128,7 @@ def every_call(of: m.Model) -> Iterator[tuple[str, str]]:
         for call in calls.calls(f, of):
             if call.value == "NULL":
                 yield call.name, check(f, call, [], codec.encode(f, {}).hex(), outcome(f, call, None, {}, of))
-            elif not members.constructors(f):  # all is reserved
+            elif not members.constructors(f):  # all parameters are reserved
                 yield call.name, filled(f, call, record(f.always, f.parameters, 0), ["&x"], "MIP_ACKNOWLEDGED")
     for f, made, values in constructed(of):
         name = names.field_name(f)
@@ -150,7 +150,7 @@ def every_call(of: m.Model) -> Iterator[tuple[str, str]]:
 
 @small("programs of the real C library")
 def test_every_call(spec: str, tmp_path: Path) -> None:
-    """Sends what the reference encodes from the same values, and gives the response that the device sends."""
+    """Sends what the reference encodes from the same values, and returns the response that the device sends."""
     of = model(spec)
     found = list(every_call(of))
     wanted = {c.name for f in of.fields if f.role == m.COMMAND for c in calls.calls(f, of)}
@@ -180,7 +180,7 @@ def test_the_compiler_sees_a_wrong_response(tmp_path: Path) -> None:
     "arguments,good", [("MIP_SENSOR_SET, true", True), ("MIP_SENSOR_SET, x", True), ("true, MIP_SENSOR_SET", False)]
 )
 def test_the_compiler_sees_a_set_in_place_of_true(call: str, arguments: str, good: bool, tmp_path: Path) -> None:
-    """Arguments in the wrong order: a Boolean that is a constant above 1, if the compiler optimizes."""
+    """Arguments in the wrong order: a constant above 1 for a Boolean is reported if the compiler optimizes."""
     program = tmp_path / "truth.c"
     types = "struct mip_device *d, struct mip_3dm_data_stream_control *c, uint8_t x"
     program.write_text(
@@ -194,7 +194,7 @@ def test_the_compiler_sees_a_set_in_place_of_true(call: str, arguments: str, goo
 @pytest.mark.parametrize("cc", ["gcc", "clang"])
 @pytest.mark.parametrize("call", ["mip_3dm_message_format_write(c, {})", "mip_call_3dm_message_format_write(d, {})"])
 def test_the_compiler_sees_a_count_above_the_array(call: str, cc: str, tmp_path: Path) -> None:
-    """A constant count, if the compiler optimizes; MIP_ARRAY has none that could be wrong, and takes no pointer."""
+    """A constant count is reported if the compiler optimizes; MIP_ARRAY counts itself, and accepts no pointer."""
     program = tmp_path / "count.c"
     types = "struct mip_device *d, struct mip_3dm_message_format *c, const struct mip_descriptor_rate *p, uint8_t x"
     array = "const struct mip_descriptor_rate a[] = {{4, 1}, {5, 1}, {6, 1}};"
@@ -233,7 +233,7 @@ def test_the_compiler_sees_a_number_in_place_of_a_type(entry: str, tmp_path: Pat
     assert (subprocess.run(command, capture_output=True).returncode == 0) == ENTRIES[entry]
 
 
-#: A command whose parameters are called as the arguments of generated functions.
+#: A command whose parameters have the names of arguments of generated functions.
 CLASHING = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
 set: 0x62
 name: clashing
@@ -293,7 +293,7 @@ int main(void) {
 
 
 def example(tmp_path: Path, name: str, *also: Path) -> Path:
-    """An example with the library, as its user builds it, and more."""
+    """An example, built with the library as its user would; `also`: further sources."""
     out = tmp_path / name.partition(".")[0]
     library = archive("real", "cc", *SANITIZED)  # that of the unit programs
     return compiled(out, "real", "cc", EXAMPLES / name, "-std=c99", *SANITIZE, also=also, library=library)

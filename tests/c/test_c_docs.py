@@ -1,4 +1,4 @@
-"""The comments of the headers tell, of each thing, all that the specification knows of it."""
+"""The comments of the headers state all that the specification says about each item."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def documented(text: str) -> dict[str, str]:
         if token["macro"] or token["constant"]:
             found.setdefault(token["macro"] or token["constant"], doc)
         elif token["opened"] is not None:
-            # One without a name: its members are those of the outer one.
+            # An anonymous one: its members are those of the outer one.
             scopes.append(token["opened"] or (scopes[-1] if scopes else ""))
             found.setdefault(token["opened"], doc)
         elif token["closed"]:
@@ -62,7 +62,7 @@ def documented(text: str) -> dict[str, str]:
 
 
 def is_forward(statement: str) -> bool:
-    """A structure that is only announced: it is told of where its members are."""
+    """A structure that is only declared: its comment is where its members are."""
     return re.fullmatch(r"\s*(?:struct|union) \w+\s*", statement) is not None
 
 
@@ -115,7 +115,7 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     for t in (of.protocol.function_selector, *of.all_types):
         if not isinstance(t, m.Vector):
             told = [prose(t.description, of), *said(describe.type(t, of)), *describe.sources(t), *in_full(t)]
-            whole = not isinstance(t, m.Enum) or names.is_enum(t)  # one that C cannot have is only its values
+            whole = not isinstance(t, m.Enum) or names.is_enum(t)  # one that C cannot have is only constants
             yield names.type_name(t) if whole else names.constant(t, t.values[0]), told
         if isinstance(t, m.Struct):
             yield from of_record(t, of)
@@ -138,7 +138,7 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
 
 
 def of_arguments(f: m.Field, of: m.Model) -> Iterator[tuple[str, list[str]]]:
-    """What each argument of a function is: its units and ranges, where a caller looks for them."""
+    """The units and ranges of each argument of a function, where a caller looks for them."""
     taking = [(f"{names.field_name(f)}_{c.name}", c.asked) for c in members.constructors(f)]
     if f.role == m.COMMAND:
         taking += [(c.name, c.given) for c in calls.calls(f, of)]
@@ -179,7 +179,7 @@ def test_every_fact_is_told(spec: str) -> None:
 
 
 def test_what_is_compared_holds_all_topics() -> None:
-    """So that the test above does not pass because nothing is there to be told."""
+    """So that the test above does not pass for lack of facts."""
     of = model("invented")
     facts = [x for f in of.fields for x in describe.field(f, of)]
     facts += [x for f in of.fields for p in f.parameters for x in describe.parameter(p, f, of)]
@@ -197,7 +197,7 @@ def test_what_is_compared_holds_all_topics() -> None:
 
 @both
 def test_headers_leave_what_is_not_certain_to_the_profiles(spec: str) -> None:
-    """Which devices may support a field takes more lines than all else; each file says where it is told."""
+    """The devices that may support a field would take more lines than all else; each file says where to find them."""
     of = model(spec)
     assert not [name for name, text in comments(spec).items() if "May be supported by" in text]
     for x in of.families:
@@ -255,7 +255,7 @@ def test_doxygen_has_nothing_to_complain_of(spec: str, tmp_path: Path) -> None:
     pages = "".join(p.read_text("utf-8") for p in (folder / "html_cpp").glob("group__*.html"))
     with_commands = [x for x in model(spec).families if calls.commands(x)]
     assert all(f"mip_1_1{cpp.namespace(x.name).replace('_', '__')}_1_1" in pages for x in with_commands)
-    header = folder / "src/mip/core.h"  # it would complain
+    header = folder / "src/mip/core.h"  # without one comment, it complains
     header.write_text(header.read_text("utf-8").replace("/** Reads a number of 16 bits, high byte first. */", ""))
     done = subprocess.run([need("doxygen")], cwd=folder, capture_output=True, text=True)
     assert done.returncode != 0 and "mip_get_16" in done.stderr and done.stderr.count("is not documented") == 1

@@ -43,7 +43,7 @@ def ran(program: Path, *arguments: str) -> tuple[int, list[str], str]:
 # --------------------------------------------------------------------------- connect and stream
 
 
-def test_connect_and_stream_at_a_port_that_does_as_one_likes(tmp_path: Path) -> None:
+def test_connect_and_stream_at_a_scripted_port(tmp_path: Path) -> None:
     library = archive("real", "cc", *SANITIZED)
     run(compiled(tmp_path / "connect", "real", "cc", HERE / "unit/connect.c", "-std=c99", *SANITIZE, library=library))
 
@@ -122,7 +122,7 @@ def test_a_device_with_the_older_commands(stream: Path) -> None:
 
 
 def test_faults(stream: Path, tmp_path: Path) -> None:
-    """Lost answers are repeated; what the device refuses is told; damage costs nothing but itself."""
+    """Commands with lost replies are repeated, NACKs are reported, and damage costs only the damaged packets."""
     path = f"{tmp_path}/terminal"
     for fault in ("lose_answer@1", "lose_answer@2", "lose_answer@5", "nmea=0.2,noise=0.05"):
         with simulated("--pty", path, "--duration", "2", "--fault", fault):
@@ -162,7 +162,7 @@ def test_a_port_has_one_user(stream: Path) -> None:
         os.close(second)
 
 
-#: What only a program sees: a rate that the system does not have, an address of IPv6, a port that is gone.
+#: Cases that the example does not reach: a rate that the system does not have, an IPv6 address, a port that is gone.
 LINES = """
 #include "check.h"
 #include "mip/line.h"

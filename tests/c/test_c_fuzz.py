@@ -1,4 +1,4 @@
-"""The fuzz targets without libFuzzer: the seeds, the kept corpus, and inputs that are made from them by chance."""
+"""The fuzz targets without libFuzzer: the seeds, the kept corpus, and inputs made from them at random."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def test_replay_shows_what_fails(failure: str, tmp_path: Path) -> None:
 @heavy("clang")
 @pytest.mark.parametrize("name", fuzz.C)
 def test_libfuzzer(name: str, tmp_path: Path) -> None:
-    """What `make fuzz` builds, for a moment; the kept corpus is well-formed and small."""
+    """Runs briefly what `make fuzz` builds; the kept corpus is well-formed and small."""
     program = fuzz.build(name, tmp_path / "program")
     kept = fuzz.write(tmp_path / "kept", fuzz.kept(name))
     done = subprocess.run([str(program), "-runs=2000", str(kept)], capture_output=True, text=True)

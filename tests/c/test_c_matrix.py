@@ -47,7 +47,7 @@ def units(tmp: Path, spec: str, compiler: str, *flags: str, library: Path | None
 @compilers
 @pytest.mark.parametrize("unit", UNITS)
 def test_unit(unit: str, compiler: str, tmp_path: Path) -> None:
-    """Under the sanitizers, that of alignment too."""
+    """Under the sanitizers, including the check of alignment."""
     run(compiled(tmp_path / unit, "invented", compiler, HERE / f"unit/{unit}.c", "-std=c99", "-O1", *SANITIZE))
 
 
@@ -57,7 +57,7 @@ def test_garbage_in_all_real_fields(compiler: str, tmp_path: Path) -> None:
 
 
 def rows() -> Iterator[object]:
-    """Every language with every level; the flags change from row to row, so that pairs of all are met.
+    """Every language with every level; the flags change from row to row, so that all pairs occur.
 
     `make test-all` builds each language at one level, which is another one with the next seed.
     """
@@ -109,7 +109,7 @@ def test_c99_without_a_warning(level: str, compiler: str, spec: str) -> None:
 @heavy("many builds of C")
 @both
 def test_further_warnings_of_gcc(spec: str, tmp_path: Path) -> None:
-    """Casts that raise the alignment and the like: nothing that a project with its own flags would see."""
+    """Casts that raise the alignment and the like: a project with stricter flags sees no warning either."""
     for source in sources(spec):
         run(need("gcc"), "-std=c99", "-O2", *WARNINGS, *PEDANTIC, include(spec), "-c", source, "-o", tmp_path / "o")
 
@@ -149,7 +149,7 @@ def test_every_form_of_the_checksum(compiler: str, form: str, tmp_path: Path) ->
 @heavy("bare-metal machines with clang")
 @pytest.mark.parametrize("machine", ["thumbv7m-none-eabi", "powerpc-none-eabi", "msp430-none-elf", "avr"])
 def test_freestanding_on_small_machines(machine: str, spec: str, tmp_path: Path) -> None:
-    """32 and 16 bits, both byte orders, no C library but five functions of <string.h>."""
+    """32 and 16 bits, both byte orders, no C library except five functions of <string.h>."""
     flags = ["-std=c99", "-Os", "-ffreestanding", "-nostdlibinc", *WARNINGS, "-Wno-avr-rtlib-linking-quirks"]
     for source in sources(spec):
         run(need("clang"), f"--target={machine}", *flags, "-isystem", HERE / "freestanding", include(spec),

@@ -1,6 +1,6 @@
-"""The C library in the hands of build systems and package managers, by the lines that its README shows.
+"""The C library in build systems and package managers, with the lines that its README shows.
 
-Where the real tool is too large, tests/c/packages stands for what the library sees of it: ESP-IDF and Zephyr.
+Where the real tool is too large, tests/c/packages stands in for what the library sees of it: ESP-IDF and Zephyr.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def exported(library: Path) -> set[str]:
 
 
 def marked() -> set[str]:
-    """What headers mark with MIP_API."""
+    """The functions and tables that headers mark with MIP_API."""
     found: set[str] = set()
     for header in (folder("real") / "src/mip").glob("*.h"):
         if header.name != "export.h":
@@ -216,7 +216,7 @@ def test_a_library_for_windows(project: Path, tmp_path: Path) -> None:
     assert set(re.findall(r"\b(mip_\w+)", table)) == marked() > {"mip_parser_next"}
     assert "DLL Name: libmip.dll" in run(dump, "-p", build / "main.exe")
     unresolved = run(need("x86_64-w64-mingw32-nm"), *build.glob("CMakeFiles/main.dir/*.obj"))
-    assert "U __imp_mip_parser_next" in unresolved  # imported without a detour
+    assert "U __imp_mip_parser_next" in unresolved  # imported directly
 
 
 # --------------------------------------------------------------------------- Meson
@@ -257,7 +257,7 @@ def test_meson_installed(project: Path, tmp_path: Path) -> None:
 # --------------------------------------------------------------------------- Conan and vcpkg
 
 
-#: What asks for both targets, of the package that a manager has made.
+#: Asks for both targets of the package that a manager has made.
 USER = "find_package(mip REQUIRED)\ntarget_link_libraries(main mip::mip mip::ports)"
 
 

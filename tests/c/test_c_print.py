@@ -72,7 +72,7 @@ def real(bits: str) -> str:
         return "nan"
     if value in (float("inf"), float("-inf")):
         return "inf" if value > 0 else "-inf"
-    text = f"{Decimal(repr(value)):e}"  # as long as a double may be
+    text = f"{Decimal(repr(value)):e}"  # all digits that a double needs
     for digits in range(1, 10 if len(data) == 4 else 1):
         text = f"{value:.{digits - 1}e}"
         try:
@@ -290,7 +290,7 @@ def packets(of: m.Model, fields: list[m.Field], count: int) -> Iterator[tuple[m.
 
 @small("programs of the real C library")
 def test_every_field(spec: str) -> None:
-    """With random values, on every device that gives some values of it a meaning, and with bytes behind it."""
+    """With random values, on every device that gives some values of it a meaning, and with trailing bytes."""
     of = model(spec)
     found = list(packets(of, all_fields(of), 8 if spec == "real" else 40))
     assert {f.full_name for f, _ in found} == {f.full_name for f in all_fields(of)}
@@ -436,7 +436,7 @@ def test_a_hex_dump() -> None:
 
 
 def test_a_buffer_that_is_too_small() -> None:
-    """The beginning, whole characters of it, and the length that all of it would have."""
+    """It gets the beginning, in whole characters, and the caller the length of the whole text."""
     of = model("invented")
     packet = of.examples[0].packet
     whole = bytes_text(of, packet)

@@ -1,4 +1,4 @@
-"""What the README states of sizes, stack and complexity is what `make bench README=1` would write."""
+"""The sizes, stack and complexity in the README are those that `make bench README=1` would write."""
 
 from __future__ import annotations
 

@@ -8,9 +8,9 @@
 
 /* A command that was sent. */
 struct command {
-    struct mip_request request; /* first, so that the one leads to the other */
+    struct mip_request request; /* first, so that its address is that of the command */
     uint64_t number;
-    bool timed_out; /* and said so */
+    bool timed_out; /* and that was reported */
     struct command *next;
 };
 
@@ -24,7 +24,7 @@ struct session {
     bool first;
     /* Of a `live` request; NULL otherwise. */
     struct port *port;
-    bool told; /* that the port is closed */
+    bool told; /* the closed port was reported */
     /* All that were sent, oldest first. */
     struct command *sent;
     struct command *last;
@@ -63,7 +63,7 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
         return "unknown";
     }
     struct command *c = (struct command *)arena_take(s->arena, sizeof(struct command));
-    /* A driver sends any function, also one that the client refuses. */
+    /* A driver sends any function, even one that the client rejects. */
     const size_t start = builder->length;
     const mip_error error = mip_encode(entry->codec, values, builder);
     if (error != MIP_OK) {
@@ -74,7 +74,7 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
     mip_client_wait(&s->client, &c->request, s->now);
     *end = c;
     const struct mip_response *asked = c->request.asked;
-    /* What has several layouts is decoded when it has come. */
+    /* A response with several layouts is decoded after it has arrived. */
     if (asked != NULL && asked->descriptor != 0 && asked->layout == NULL) {
         size_t i = 0;
         while (mip_registry_link(entry, i)->descriptor != asked->descriptor) {
@@ -88,7 +88,7 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
     return NULL;
 }
 
-/* The time of a clock, if there is a port. */
+/* Takes the time from a clock, if there is a port. */
 static void tick(struct session *s) {
     if (s->port != NULL) {
         s->now = port_milliseconds(s->port);
@@ -167,7 +167,7 @@ static const struct mip_entry *entry_of(const struct mip_codec *codec) {
     return entry;
 }
 
-/* Decodes a response that nobody has named a place for. */
+/* Decodes a response for which the command named no structure. */
 static void take_response(struct session *s, struct command *c, const struct mip_field *field) {
     struct mip_request *r = &c->request;
     if (r->state == MIP_REQUEST_ACKNOWLEDGED && r->asked != NULL && r->response == NULL) {
@@ -178,7 +178,7 @@ static void take_response(struct session *s, struct command *c, const struct mip
     }
 }
 
-/* The response in its place; how many bytes were left over, only another decoding tells. */
+/* Writes a response that the client decoded; it is decoded again to count the trailing bytes. */
 static void put_response(struct session *s, const struct command *c, const struct mip_field *field) {
     const struct mip_codec *codec = c->request.codec;
     size_t trailing = 0;
@@ -234,7 +234,7 @@ static void take(struct session *s, const struct mip_packet *packet) {
     struct mip_field field;
     bool any = false;
     if (mip_client_passes(&s->client, packet)) {
-        tell_timed_out(s); /* what was sent before it */
+        tell_timed_out(s); /* commands sent before it */
         return;
     }
     while (mip_client_next(&s->client, &walk, &answered, &field)) {
@@ -335,7 +335,7 @@ static const char *end(struct session *s, const struct json *step) {
 
 /* ---------------------------------------------------------------------------------------- a port */
 
-/* What comes within so many milliseconds. */
+/* Receives for a number of milliseconds. */
 static void listen_for(struct session *s, uint32_t milliseconds) {
     uint8_t data[4096];
     const size_t size = port_read(s->port, data, sizeof(data), milliseconds);

@@ -1,8 +1,8 @@
 /*
  * The conformance driver: one JSON object per line in, one per line out.
  *
- * It knows no message. The registry finds the layout of a field, and the reflection tables tell where
- * its values are.
+ * It contains no message definitions. The registry finds the layout of a field, and the reflection
+ * tables locate its values.
  */
 #include "driver.h"
 
@@ -410,7 +410,7 @@ static const char *get_items(const struct json *j, const struct mip_parameter *p
         record[p->count_offset] = (uint8_t)j->size;
     }
     if (text) {
-        if (fixed) { // as by mip_copy_text, but a text may have a NUL
+        if (fixed) { // like mip_copy_text, but the text may contain a NUL
             memset(at, ' ', p->capacity);
         }
         return get_text(j, (char *)at);
@@ -490,7 +490,7 @@ static bool is_there(const struct json *values, const struct mip_parameter *p) {
     return p->kind == MIP_KIND_CONSTANT || json_get(values, p->name) != NULL;
 }
 
-/* Fills the structure of a field. Parameters of one group are there together or not at all. */
+/* Fills the structure of a field. Parameters of one group are all present or all absent. */
 static const char *get_field(const struct json *values, const struct mip_reflection *r, uint8_t *record) {
     const struct mip_record *all = r->record;
     unsigned required = 0;
@@ -539,7 +539,7 @@ static const char *get_field(const struct json *values, const struct mip_reflect
     return NULL;
 }
 
-/* A string as C has it. False if it is too long, or not ASCII. */
+/* Copies a string with a NUL at its end. False if it is too long, or not ASCII. */
 static bool as_text(const struct json *j, char *text, size_t room) {
     if (j->size >= room) {
         return false;
@@ -565,7 +565,7 @@ const char *get_named(struct arena *arena, const struct json *field, uint8_t set
     if (name == NULL || name->kind != JSON_STRING || values == NULL || values->kind != JSON_OBJECT) {
         return REQUEST;
     }
-    /* Of no other set, even if it is the same type. */
+    /* The name must be the one in this set, even if the type occurs in others. */
     char text[64];
     uint8_t of = 0;
     *entry = as_text(name, text, sizeof(text)) ? mip_registry_by_name(text, &of) : NULL;

@@ -1,4 +1,4 @@
-/* What the parts of the driver share. Functions that can fail give what is wrong, NULL if nothing is. */
+/* Shared by the parts of the driver. Functions that can fail return an error text, or NULL. */
 #ifndef DRIVER_H
 #define DRIVER_H
 
@@ -7,13 +7,13 @@
 #include "mip/core.h"
 #include "mip/registry.h"
 
-/* What is wrong with a request that is none. */
+/* The error of an invalid request. */
 extern const char *const REQUEST;
 
 /* Bytes in memory of exactly their size, so that a sanitizer sees the first one too many; or NULL. */
 uint8_t *bytes_of(struct arena *arena, const struct json *j, size_t *size);
 
-/* A whole number from 0 on. */
+/* A whole number that is not negative. */
 const char *get_whole(const struct json *j, uint32_t *number);
 
 /* A field of a request by its name, with its values in a structure. */
@@ -22,7 +22,7 @@ const char *get_named(struct arena *arena, const struct json *field, uint8_t set
 /* The values of a structure. */
 void put_values(struct output *out, const struct mip_codec *codec, const uint8_t *value);
 
-/* `,"name":"gnss_2.dop"`: a type by its name in a set. */
+/* Writes `,"name":"gnss_2.dop"`: the name of a type in a set. */
 void put_name(struct output *out, const struct mip_entry *entry, uint8_t set);
 
 /* A field of a packet, decoded. */

@@ -32,7 +32,7 @@ struct json {
     struct json *key;
 };
 
-/* Memory that is given back all at once. */
+/* Memory that is freed all at once. */
 struct arena {
     struct block *blocks;
 };

@@ -100,7 +100,7 @@ size_t port_read(struct port *port, uint8_t *data, size_t capacity, uint32_t mil
     const bool ready = poll(&wanted, port->closed ? 0 : 1, (int)milliseconds) > 0;
     const ssize_t size = ready ? read(port->handle, data, capacity) : 0;
     if (ready && (size == 0 || (size < 0 && errno != EINTR))) {
-        port->closed = true; /* a closed pseudo-terminal gives an error */
+        port->closed = true; /* a closed pseudo-terminal returns an error */
     }
     return size > 0 ? (size_t)size : 0;
 }

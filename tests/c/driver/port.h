@@ -16,12 +16,12 @@ struct port {
 bool port_open(struct port *port, const char *name);
 void port_close(struct port *port);
 
-/* Since it was opened. */
+/* The time since it was opened. */
 uint32_t port_milliseconds(const struct port *port);
 
 void port_write(struct port *port, const uint8_t *data, size_t size);
 
-/* What has come, after at most so long; nothing if it is closed, too. */
+/* Reads what has arrived, waiting at most that long; 0 also if the port is closed. */
 size_t port_read(struct port *port, uint8_t *data, size_t capacity, uint32_t milliseconds);
 
 #endif

@@ -1,4 +1,4 @@
-/* All of the C library that the binding may use, for targets that have no more. */
+/* The only functions of the C library that the binding may use, for targets without one. */
 #ifndef STRING_H
 #define STRING_H
 #include <stddef.h>

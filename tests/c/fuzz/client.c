@@ -1,5 +1,5 @@
 /*
- * The command client: whatever is sent and comes, each request ends once, and no field of a packet is lost.
+ * The command client: whatever is sent and received, each request ends once, and no field of a packet is lost.
  *
  * Input: steps. A step is a byte for its kind and for the pieces in which bytes arrive, then what the step needs:
  *
@@ -75,7 +75,7 @@ static const struct mip_entry *command_of(uint8_t set, uint8_t descriptor) {
     return entry != NULL && entry->role == MIP_COMMAND ? entry : NULL;
 }
 
-/* The command alone, and then where its response goes; or both at once. */
+/* Adds the command and then names the place of its response; or both at once. */
 static mip_error add(struct slot *s, struct mip_builder *b, const void *command, uint8_t choice) {
     const struct mip_entry *response = mip_registry_link(s->entry, choice % 128);
     mip_error error;
@@ -114,7 +114,7 @@ static void send(struct input *in) {
         void *command = exactly(entry->codec->size);
         uint8_t buffer[MIP_MAX_PACKET];
         struct mip_builder b;
-        (void)mip_decode(entry->codec, command, &field, NULL); /* zeros if they do not fit */
+        (void)mip_decode(entry->codec, command, &field, NULL); /* zeros if the data cannot be decoded */
         CHECK(mip_builder_start(&b, buffer, sizeof(buffer), set) == MIP_OK);
         void *old = s->response; /* of a request that may still wait */
         s->response = NULL;
@@ -135,7 +135,7 @@ static void send(struct input *in) {
 
 /* ---------------------------------------------------------------------------------------- receiving */
 
-/* One request has ended: is what it says true? Is `field` what follows `acknowledge`, or that itself? */
+/* Checks a request that has ended. True if `field` is the response after `acknowledge`, or that itself. */
 static bool check_answer(struct slot *s, const struct mip_field *acknowledge, const struct mip_field *field) {
     const struct mip_request *r = &s->request;
     const struct mip_codec *command = s->entry->codec;
@@ -162,7 +162,7 @@ static bool check_answer(struct slot *s, const struct mip_field *acknowledge, co
     return responds;
 }
 
-/* Each field of the packet is given once, or is the acknowledge in front of the response that is given. */
+/* Each field of the packet is returned once, or is the acknowledge in front of a response that is returned. */
 static void take(const struct mip_packet *packet) {
     struct mip_walk plain = mip_walk_packet(packet);
     struct mip_walk walk = plain;

@@ -15,7 +15,7 @@ static void check_packet(struct mip_builder *b, uint8_t set) {
     CHECK(checked.descriptor_set == set && checked.size == b->length + MIP_CHECKSUM_SIZE);
 }
 
-/* The value in a packet of exactly as much room as it needs, less `lack` bytes; what is in front of it stays. */
+/* Encodes a value with exactly the room that it needs, less `lack` bytes; the field in front of it is untouched. */
 static void encode_tightly(const struct mip_codec *codec, const void *value, uint8_t set, const uint8_t *wanted,
                            size_t size, size_t lack) {
     static const uint8_t front[3] = {1, 2, 3};
@@ -62,7 +62,7 @@ static void encode_again(const struct mip_codec *codec, const uint8_t *value, co
     encode_tightly(codec, value, field->descriptor_set, field->data, size, 1 + lack);
 }
 
-/* Any memory as a value: whatever is encoded comes back. */
+/* Encodes arbitrary memory as a value: if it can be encoded, decoding returns the same. */
 static void encode_anything(const struct mip_codec *codec, const struct mip_field *field) {
     uint8_t *value = (uint8_t *)exactly(codec->size);
     for (size_t i = 0; i < codec->size; i++) {
@@ -119,7 +119,7 @@ static void all_layouts(const struct mip_field *field, size_t lack) {
     CHECK(found == NULL || (among && mip_codec_matches(found->codec, field)));
 }
 
-/* The fields of a payload by the rules of the wire; the walk gives the same, and a builder builds it again. */
+/* The fields of a payload by the rules of the wire; the walk finds the same, and a builder builds it again. */
 static void all_fields(const uint8_t *payload, size_t size, uint8_t set, size_t lack) {
     uint8_t *bytes = (uint8_t *)exactly(size + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE);
     bytes[0] = 0x75;

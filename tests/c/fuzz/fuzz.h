@@ -1,4 +1,4 @@
-/* What the fuzz targets share. Each is one function of libFuzzer's form; replay.c calls it without libFuzzer too. */
+/* Shared by the fuzz targets. Each is one function in libFuzzer's form, which replay.c calls without libFuzzer. */
 #ifndef FUZZ_H
 #define FUZZ_H
 
@@ -18,7 +18,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* The input, read from its front; zeros behind its end. */
+/* The input, read from its front; zeros after its end. */
 struct input {
     const uint8_t *at;
     size_t left;
@@ -32,7 +32,7 @@ static inline uint8_t input_byte(struct input *in) {
     return *in->at++;
 }
 
-/* Memory of exactly this size, so that the address sanitizer sees every step beyond it. */
+/* Memory of exactly this size, so that the address sanitizer reports every access beyond it. */
 static inline void *exactly(size_t size) {
     void *memory = malloc(size > 0 ? size : 1);
     CHECK(memory != NULL);

@@ -11,12 +11,12 @@
 
 struct plain {
     const uint8_t *stream;
-    size_t end; /* bytes that have come */
-    size_t at;  /* bytes that are done with */
+    size_t end; /* bytes received */
+    size_t at;  /* bytes processed */
     size_t skipped;
 };
 
-/* What stands at a place: a packet of that many bytes, nothing (0), or the start of what may become one (-1). */
+/* What is at a position: a packet (its size), nothing (0), or the start of a possible packet (-1). */
 static int packet_at(const struct plain *p, size_t at) {
     const uint8_t *b = p->stream + at;
     const size_t left = p->end - at;
@@ -94,7 +94,7 @@ static void compare(const struct mip_parser *parser, const struct plain *p, bool
 static void between(struct mip_parser *parser, struct plain *p, uint8_t what) {
     struct mip_packet packet;
     bool found = what < 32;
-    while (found) { /* each call gives a packet or is the last */
+    while (found) { /* each call returns a packet or is the last */
         const bool flush = what < 16;
         found = flush ? mip_parser_flush(parser, &packet) : mip_parser_look_behind(parser, &packet);
         compare(parser, p, found, &packet, flush ? plain_flush(p) : plain_look_behind(p));

@@ -1,5 +1,5 @@
 /*
- * Runs a fuzz target without libFuzzer: the inputs of a file, then as many more that are made from them by chance.
+ * Runs a fuzz target without libFuzzer: the inputs of a file, then COUNT more made from them at random.
  *
  *     replay FILE COUNT [SEED]
  *
@@ -28,7 +28,7 @@ static size_t input_count;
 
 static struct bytes current;
 
-/* Which input it was, before the process ends; only what a signal handler may do. */
+/* Prints the input before the process ends; calls only what a signal handler may call. */
 static void show(int signal_number) {
     static const char digits[] = "0123456789abcdef";
     static char text[2 * LARGEST + 64];
@@ -124,7 +124,7 @@ static size_t insert(uint8_t *to, size_t size, const uint8_t *from, size_t count
     return size + count;
 }
 
-/* An input with a few changes: bytes, bits, small numbers, a part less, a part of another one more. */
+/* An input with a few changes: bytes, bits, small numbers, a part removed, a part of another one inserted. */
 static size_t change(uint8_t *bytes, size_t size) {
     for (uint32_t changes = chance(4) + 1; changes > 0; changes--) {
         const size_t at = size > 0 ? chance((uint32_t)size) : 0;

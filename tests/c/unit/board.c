@@ -1,5 +1,5 @@
-/* The board of examples/bare_metal.c, and a device at its UART. Bytes come by interrupts, eleven in a
- * millisecond, also while the program sends. The device starts late, and restarts once. */
+/* The board of examples/bare_metal.c, and a device at its UART. Bytes arrive by interrupt, eleven per
+ * millisecond, even while the program sends. The device starts late, and restarts once. */
 #include "check.h"
 
 #include "mip/3dm.h"
@@ -71,7 +71,7 @@ static void measure(void) {
         CHECK(mip_sensor_scaled_accel_encode(&accel, &b) == MIP_OK);
         transmit(&b);
     }
-    if (sent == 300 && restarts == 0) { /* off, and on with other settings */
+    if (sent == 300 && restarts == 0) { /* a power cycle: the settings are lost */
         restarts++;
         format = stream = false;
     }
@@ -119,7 +119,7 @@ uint32_t board_time(void) {
 
 void board_sleep(void) {
     static unsigned slept;
-    CHECK(++slept < 100000); /* the program does what it should before that */
+    CHECK(++slept < 100000); /* the program is done before that */
     now++;
     measure();
     for (int i = 0; i < 11; i++) {

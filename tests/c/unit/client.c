@@ -1,4 +1,4 @@
-/* The command client: every outcome, in the packets of a device that answers as one likes. */
+/* The command client: every outcome, with the packets of a scripted device. */
 #include "check.h"
 
 #include "mip/measurements.h"
@@ -61,7 +61,7 @@ static void acknowledged(void) {
     CHECK(r.state == MIP_REQUEST_WAITING);
     CHECK(is_packet(mip_builder_finish(&packet), "\x75\x65\x01\x05\x05\x02\x02\x01\x01\xEB\x94", 11));
 
-    /* Streams of data, other sets and answers to others disturb nothing. */
+    /* Data, other sets and replies to other commands change nothing. */
     CHECK(!RECEIVE(0x80, "\x10\x01\0\0\0\0\0\0\0\0\0\0\0\0\0\0"));
     CHECK(!RECEIVE(0x0C, "\x04\xF1\x02\0"));
     CHECK(!RECEIVE(0x01, "\x04\xF1\x01\0"));
@@ -73,7 +73,7 @@ static void acknowledged(void) {
     CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && r.code == MIP_ACK_CODE_OK && client.waiting == NULL);
     CHECK(r.responded && response.baud == 9600 && response.mode == MIP_MODE_SLOW && response.limit == 7);
 
-    /* Without the response; with it, though the caller has no place for it. */
+    /* The response is missing; then it is there, though the caller has no place for it. */
     fresh();
     add(&r, &mip_tools_settings_command, &read, 0);
     expect(&r, &mip_tools_settings_response_codec, &response);
@@ -84,7 +84,7 @@ static void acknowledged(void) {
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x0B\x82\x01\x02\0\0\x25\x80\0\x07\x01"));
     CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && !r.responded && client.waiting == NULL);
 
-    /* A response that is too short says so, and leaves zeros. */
+    /* A response that is too short is reported, and leaves zeros. */
     fresh();
     memset(&response, 0xAA, sizeof(response));
     add(&r, &mip_tools_settings_command, &read, 0);
@@ -130,7 +130,7 @@ static void timed_out(void) {
     CHECK(expire(start + MIP_DEFAULT_TIMEOUT) == 1 && r.state == MIP_REQUEST_TIMED_OUT);
     CHECK(!RECEIVE(0x01, "\x04\xF1\x01\0") && r.state == MIP_REQUEST_TIMED_OUT); /* too late */
 
-    /* A command that takes longer, by the specification or by the caller. */
+    /* A longer time-out, from the specification or from the caller. */
     struct mip_tools_status status;
     mip_tools_status_make(&status, 1);
     fresh();
@@ -145,7 +145,7 @@ static void timed_out(void) {
     mip_client_cancel(&client, &r); /* once more does no harm */
     CHECK(expire(9999) == 0 && r.state == MIP_REQUEST_CANCELLED);
 
-    /* The longest. */
+    /* The longest time-out. */
     client.timeout = UINT32_MAX;
     fresh();
     add(&r, &mip_tools_ping_command, NULL, 1000);
@@ -179,7 +179,7 @@ static void several(void) {
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0"));
     CHECK(r[3].state == MIP_REQUEST_ACKNOWLEDGED);
 
-    /* The oldest of equal commands is answered first; each runs out of time by itself. */
+    /* The oldest of equal commands is answered first; each has a time-out of its own. */
     fresh();
     add(&r[0], &mip_tools_ping_command, NULL, 0);
     add(&r[1], &mip_tools_ping_command, NULL, 100);
@@ -188,7 +188,7 @@ static void several(void) {
     CHECK(expire(1100) == 1 && r[1].state == MIP_REQUEST_TIMED_OUT);
     CHECK(r[2].state == MIP_REQUEST_WAITING && expire(10000) == 1);
 
-    /* What cannot be sent is not waited for. */
+    /* A command that cannot be sent does not wait. */
     fresh();
     struct mip_builder small;
     uint8_t six[6];
@@ -209,7 +209,7 @@ static void several(void) {
     CHECK(client.waiting == &r[1] && r[1].next == &r[0] && r[0].next == NULL);
     CHECK(expire(10000) == 2);
 
-    /* A command that does not fit is refused before anything changes. */
+    /* A command that does not fit is rejected before anything changes. */
     fresh();
     packet.capacity = MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE + 3;
     CHECK(mip_client_add(&client, &r[0], &packet, &mip_tools_bias_command, &read, 0) == MIP_OK);
@@ -260,14 +260,14 @@ static void responses(void) {
     CHECK(r.state == MIP_REQUEST_WAITING && slow.value == 0xAAAAAAAA);
     CHECK(RECEIVE(0x01, "\x04\xF1\x03\0\x06\x84\0\0\0\x07"));
     CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && r.responded && slow.value == 7);
-    /* Nor is a foreign field, and nothing behind it. */
+    /* Nor is a foreign field, or anything behind it. */
     fresh();
     add(&r, &mip_tools_set_time_command, &read, 0);
     expect(&r, &mip_tools_set_time_slow_response_codec, &slow);
     memset(&slow, 0xAA, sizeof(slow));
     CHECK(RECEIVE(0x01, "\x04\xF1\x03\0\x06\xEE\0\0\0\x07\x06\x84\0\0\0\x07"));
     CHECK(r.state == MIP_REQUEST_MISSING_RESPONSE && !r.responded && slow.value == 0xAAAAAAAA);
-    /* Commands that ask for none. */
+    /* Commands that ask for no response. */
     struct mip_tools_set_time write;
     mip_tools_set_time_write(&write, MIP_MODE_SLOW, 1);
     fresh();
@@ -305,21 +305,21 @@ static void sizes(void) {
     expect(&r, &mip_tools_status_old_codec, &value);
     CHECK(RECEIVE(0x01, old) && r.state == MIP_REQUEST_ACKNOWLEDGED && r.responded && value.uptime == 5);
 
-    /* Another one: it says so, and leaves zeros. */
+    /* Another one: this is reported, and leaves zeros. */
     fresh();
     add(&r, &mip_tools_status_command, &ask, 0);
     expect(&r, &mip_tools_status_old_codec, &value);
     CHECK(RECEIVE(0x01, current) && r.state == MIP_REQUEST_UNDECODABLE && r.error == MIP_ERROR_LAYOUT);
     CHECK(!r.responded && value.uptime == 0 && r.codec == &mip_tools_status_long_codec);
 
-    /* One that nobody expects: the request says which it is. */
+    /* One that is not expected: the request states which it is. */
     fresh();
     add(&r, &mip_tools_status_command, &ask, 0);
     CHECK(RECEIVE(0x01, old) && r.state == MIP_REQUEST_ACKNOWLEDGED && r.codec == &mip_tools_status_old_codec);
 }
 
 static void step_by_step(void) {
-    /* Each answer, and each field that is none, in order. */
+    /* Each answer, and each field that answers nothing, in order. */
     static uint8_t bytes[MIP_MAX_PACKET];
     struct mip_request r[2];
     struct mip_request *answered;
@@ -348,7 +348,7 @@ static void step_by_step(void) {
 }
 
 static void noise(void) {
-    /* An answer behind the beginning of a packet that never ends is found before the time is over. */
+    /* An answer behind the beginning of a packet that never ends is found before the time-out. */
     static const uint8_t stream[] = "\x75\x65\x80\xFF\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A\x75\x65\x01\x00\xDB";
     static const uint8_t rest[] = "\x05";
     const uint8_t *data = stream;
@@ -363,12 +363,12 @@ static void noise(void) {
     CHECK(!mip_client_poll(&client, &parser, 999, &p) && r.state == MIP_REQUEST_WAITING && parser.skipped == 0);
     CHECK(mip_client_poll(&client, &parser, 1000, &p) && mip_client_receive(&client, &p));
     CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && parser.skipped == 4);
-    /* Nothing is late any more: the packet behind it that is not complete stays. */
+    /* Nothing is late any more: the incomplete packet behind it stays. */
     CHECK(!mip_client_poll(&client, &parser, 1000, &p) && parser.skipped == 4);
     data = rest;
     size = sizeof(rest) - 1;
     CHECK(mip_parser_next(&parser, &data, &size, &p) && p.size == 6 && parser.skipped == 4);
-    /* What stands whole behind it comes next. */
+    /* A complete packet behind it comes next. */
     static const uint8_t two[] = "\x75\x65\x80\xFF\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A\x75\x65\x01\x00\xDB\x05";
     data = two;
     size = sizeof(two) - 1;

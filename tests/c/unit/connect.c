@@ -1,16 +1,16 @@
-/* The first minutes with a device, at a port that does as one likes; with the library of the real specification. */
+/* The first minutes with a device, at a scripted port; with the library of the real specification. */
 #include "check.h"
 
 #include "mip/connect.h"
 
-/* A device: at which rate it answers, and what goes wrong. */
+/* A device: its baud rate, and its faults. */
 struct fake {
     uint32_t baud, rate, clock, base_rate;
-    /* Answers that it does not send, of all and of this command; a command that it refuses; data that it sends. */
+    /* Replies that it loses, and to which command (0: all); a command that it NACKs; data that it sends. */
     unsigned lose, lose_of, refuse, data;
-    /* Has it the older commands for some sets, in place of the others? */
+    /* True if it has the older commands for some sets, in place of the others. */
     bool older;
-    /* The rates that the port has: those up to this one. Reads and writes until the port is gone. */
+    /* The fastest rate of the port. Reads and writes until the port is gone. */
     uint32_t fastest;
     unsigned reads_left, writes_left;
     /* What it was sent: commands, rates tried, and the last format. */
@@ -153,13 +153,13 @@ static void connects(void) {
     CHECK(mip_device_profile(&info) != NULL);
     CHECK(strcmp(mip_device_profile(&info)->id, "3dm-cv7-gnss-ins") == 0);
 
-    /* The model number is first; a serial number tells it, too; else nobody knows the device. */
+    /* The model number comes first; a serial number identifies a model, too; otherwise the device is unknown. */
     memset(info.device_info.model_number, ' ', sizeof(info.device_info.model_number));
     CHECK(mip_device_profile(&info) == NULL);
     memcpy(info.device_info.serial_number, "  6292.1", 9);
     CHECK(mip_device_profile(&info) != NULL);
 
-    /* At another rate: the usual one first, then from the fastest. What the port does not have is left out. */
+    /* At another rate: the usual one first, then from the fastest down, without those that the port does not have. */
     start(9600);
     fake.fastest = 230400;
     CHECK(found(fake_set_baud) == MIP_ACKNOWLEDGED && fake.rate == 9600);
@@ -168,7 +168,7 @@ static void connects(void) {
         CHECK(fake.tried[i] < fake.tried[i - 1]);
     }
 
-    /* No rate to set. */
+    /* The rate cannot be set. */
     start(115200);
     CHECK(found(NULL) == MIP_ACKNOWLEDGED);
     start(115200);
@@ -192,7 +192,7 @@ static void patient(void) {
     fake.lose_of = 0x0102;
     CHECK(found(fake_set_baud) == MIP_TIMED_OUT && fake.count == 4);
 
-    /* A device that does not answer a ping, but sends data; one that refuses it. */
+    /* A device that does not answer a ping, but sends data; one that NACKs it. */
     start(57600);
     fake.lose = 1000;
     fake.lose_of = 0x0101;
@@ -249,7 +249,7 @@ static void streams(void) {
         CHECK(has(1000, 1000.0F / (float)by, by, 1000.0F / (float)by));
     }
 
-    /* Several: one that cannot be had is told, and nothing is changed; with the nearest, it works. */
+    /* Several: one that is not available is reported, and nothing is changed; with the nearest, it works. */
     struct mip_rate rates[84] = {{0xD3, 100, 0}, {0x04, 100, 0}, {0x05, 70, 0}};
     start(115200);
     CHECK(mip_device_stream(&device, 0x80, 3, rates).outcome == MIP_NO_SUCH_RATE && fake.count == 1);
@@ -266,7 +266,7 @@ static void streams(void) {
     const struct mip_result many = mip_device_stream(&device, 0x80, 84, rates);
     CHECK(many.outcome == MIP_NOT_SENT && many.error == MIP_ERROR_COUNT && fake.count == 0);
 
-    /* Each command may fail, or need patience. */
+    /* Each command may fail, or succeed only after repetition. */
     static const unsigned commands[] = {0x0C0E, 0x0C0F, 0x0C11, 0x0106};
     for (unsigned i = 0; i < 4; i++) {
         start(115200);
@@ -298,7 +298,7 @@ static void older(void) {
         CHECK(fake.format_size == 5 && memcmp(fake.format, "\x01\x01\x05\x00\x0A", 5) == 0);
         CHECK(fake.stream == (i == 0 ? 1 : 3));
     }
-    /* A set that it does not have, and one for which there is no older command: the first answer. */
+    /* A set that it does not have, and one for which there is no older command: the first reply is reported. */
     start(115200);
     fake.older = true;
     CHECK(mip_device_stream(&device, 0x81, 1, rates).outcome == MIP_REFUSED && fake.count == 2);

@@ -1,11 +1,11 @@
-/* One call for each command: every outcome, handlers, and time, at a port that does as one likes. */
+/* One call for each command: every outcome, handlers, and time, at a scripted port. */
 #include "check.h"
 
 #include "mip/measurements.h"
 #include "mip/shared.h"
 #include "mip/tools_commands.h"
 
-/* What will come, and when. */
+/* Bytes that will arrive, and when. */
 struct event {
     uint32_t at;
     size_t size;
@@ -86,7 +86,7 @@ static void fresh(const struct mip_handler *handlers, size_t count) {
     mip_device_init(&device, &port, count, handlers);
 }
 
-/* These bytes come after a while. */
+/* Lets bytes arrive after `delay`. */
 static void bytes_come(struct line *l, uint32_t delay, const void *bytes, size_t size) {
     struct event *e = &l->events[l->count++];
     CHECK(l->count <= sizeof(l->events) / sizeof(l->events[0]) && size <= sizeof(e->bytes));
@@ -95,7 +95,7 @@ static void bytes_come(struct line *l, uint32_t delay, const void *bytes, size_t
     memcpy(e->bytes, bytes, size);
 }
 
-/* A packet of raw fields comes after a while. */
+/* Lets a packet of raw fields arrive after `delay`. */
 static void packet_comes(struct line *l, uint32_t delay, uint8_t set, const char *payload, size_t size) {
     uint8_t bytes[MIP_MAX_PACKET];
     struct mip_builder b;
@@ -163,7 +163,7 @@ static void answers(void) {
     CHECK(is(mip_call_tools_settings_read(&device, 1, MIP_MODE_SLOW, &response), MIP_ACKNOWLEDGED, 0, MIP_OK));
     CHECK(response.baud == 9600 && response.mode == MIP_MODE_SLOW && response.limit == 7);
     CHECK(line.sent_size == 11 && memcmp(line.sent + 4, "\x05\x02\x02\x01\x02", 5) == 0);
-    COMES(20, 0x01, SETTINGS); /* nobody wants to know */
+    COMES(20, 0x01, SETTINGS); /* the caller does not want the response */
     CHECK(is(mip_call_tools_settings_read(&device, 1, MIP_MODE_SLOW, NULL), MIP_ACKNOWLEDGED, 0, MIP_OK));
 
     /* A filled structure, with an optional parameter; it does not ask for a response. */
@@ -184,7 +184,7 @@ static void answers(void) {
     CHECK(line.sent_size == 0);
     line.sent_size = written;
 
-    /* A function for each response sets what decides on it. */
+    /* The call for a response sets the parameter that selects it. */
     struct mip_tools_set_time_slow_response slow;
     COMES(20, 0x01, "\x04\xF1\x03\0\x06\x84\0\0\0\x07");
     CHECK(is(mip_call_for_tools_set_time_slow_response_read(&device, &slow), MIP_ACKNOWLEDGED, 0, MIP_OK));
@@ -227,19 +227,19 @@ static void no_answers(void) {
     forget();
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
     CHECK(line.clock == 6000 && device.client.waiting == NULL);
-    COMES(0, 0x01, PONG); /* too late: unasked for */
+    COMES(0, 0x01, PONG); /* too late: unsolicited */
     CHECK(mip_device_poll(&device) && seen.count == 1 && mip_field_key(&seen.fields[0]) == MIP_PROTOCOL_ACKNOWLEDGE);
     device.client.timeout = 100;
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 6100);
     line.clock = UINT32_MAX - 40; /* the time wraps around meanwhile */
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 59);
 
-    /* Nobody answers these: nothing is read. */
+    /* These are not answered: nothing is read. */
     line.clock += 10000;
     const unsigned reads = line.reads;
     CHECK(is(mip_call_tools_set_time_apply(&device, MIP_MODE_FAST, 5), MIP_SENT, 0, MIP_OK) && line.reads == reads);
 
-    /* What does not fit is not sent. */
+    /* A command that does not fit is not sent. */
     const unsigned writes = line.writes;
     static const struct mip_segment segments[255];
     struct mip_result r = mip_call_tools_formats(&device, false, 255, 0, segments);
@@ -266,11 +266,11 @@ static void late_answers(void) {
     CHECK(seen.count == 2 && mip_field_key(&seen.fields[0]) == MIP_PROTOCOL_ACKNOWLEDGE);
     CHECK(device.parser.skipped == 4 && line.writes == writes + 2);
 
-    /* There is no other. */
+    /* There is no second barrier. */
     COMES(0, 0x01, PONG);
     CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.writes == writes + 3);
 
-    /* What is answered although its barrier is not may be late; so may be the answer of that. */
+    /* While a barrier is not answered, replies may be late; so may those of the barrier. */
     device.client.timeout = 100;
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
     COMES(0, 0x01, PONG);
@@ -281,7 +281,7 @@ static void late_answers(void) {
     COMES(0, 0x01, "\x04\xF1\x01\x03");
     CHECK(is(mip_call_tools_ping(&device), MIP_REFUSED, MIP_ACK_CODE_INVALID_PARAMETER, MIP_OK));
 
-    /* Bytes without end hold no command up. */
+    /* Bytes without end do not delay a command. */
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
     line.endless = true;
     line.deaf = true; /* so that it does not wait afterwards */
@@ -311,7 +311,7 @@ static void closed(void) {
     CHECK(is(mip_call_tools_ping(&device), MIP_CLOSED, 0, MIP_OK));
     COMES(0, 0x01, PONG);
     CHECK(is(mip_call_tools_ping(&device), MIP_CLOSED, 0, MIP_OK));
-    /* So it is after a write that failed: a part may have been sent. */
+    /* The same after a write that failed: a part may have been sent. */
     fresh(all, 1);
     line.deaf = true;
     CHECK(is(mip_call_tools_ping(&device), MIP_NOT_SENT, 0, MIP_OK));
@@ -320,7 +320,7 @@ static void closed(void) {
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
     fresh(all, 1);
     line.gone = true;
-    /* Requests of others run out of time, though nothing comes. */
+    /* Requests that the caller has added time out, even if nothing arrives. */
     uint8_t bytes[MIP_MAX_PACKET];
     struct mip_builder b;
     struct mip_request request;
@@ -330,7 +330,7 @@ static void closed(void) {
         CHECK(!mip_device_poll(&device));
     }
     CHECK(request.state == MIP_REQUEST_TIMED_OUT);
-    /* The last bytes may come with the end; what follows noise is found in them, too. */
+    /* The last bytes may arrive with the end; packets after noise are found in them, too. */
     fresh(all, 1);
     forget();
     line.ends = true;
@@ -340,7 +340,7 @@ static void closed(void) {
     CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.reads == 1 && seen.count == 1);
     COMES(0, 0x80, ACCEL);
     CHECK(!mip_device_poll(&device) && seen.count == 2);
-    /* A read that says that it has read more than there is room for. */
+    /* A read that reports more bytes than there is room for. */
     fresh(NULL, 0);
     line.boasts = true;
     CHECK(is(mip_call_tools_ping(&device), MIP_CLOSED, 0, MIP_OK) && !mip_device_poll(&device));
@@ -354,7 +354,7 @@ static void call_again(void *user, const struct mip_field *field, uint32_t arriv
     (void)arrived;
     memset(&inner_response, 0xAA, sizeof(inner_response));
     inner = mip_call_tools_settings_read((struct mip_device *)user, 1, MIP_MODE_FAST, &inner_response);
-    /* Its own device: false, or a loop in a handler would never end. */
+    /* False for its own device: otherwise, a loop in a handler would never end. */
     CHECK(mip_device_poll((struct mip_device *)user) == (user != &device));
 }
 
@@ -460,7 +460,7 @@ static void handlers(void) {
     CHECK(mip_device_poll(&device) && seen.count + rest.count == 2);
     CHECK(rest.count > 0 && rest.fields[rest.count - 1].size == 7);
 
-    /* One for the acknowledges of all sets; without an entry for the rest, it is dropped. */
+    /* One for the acknowledges of all sets; without an entry for them, all others are dropped. */
     static const struct mip_handler few[] = {{&mip_protocol_acknowledge_codec, MIP_ANY_SET, see, &seen}};
     fresh(few, 1);
     forget();
@@ -473,7 +473,7 @@ static void handlers(void) {
     CHECK(mip_device_poll(&device) && line.next == line.count);
 }
 
-/* What belongs together is in one packet, which a handler can see. */
+/* A handler can see the other fields of its packet. */
 static struct mip_device *owner;
 
 static void see_time(void *user, const struct mip_field *field, uint32_t arrived) {
@@ -516,7 +516,7 @@ static void nothing_is_lost(void) {
             CHECK(mip_device_poll(&device));
         }
         CHECK(device.parser.skipped == 0 && line.reads >= line.count * 8 / limit);
-        /* Pongs that came together answered one ping; the others were unasked for. */
+        /* Of replies that came together, one answered the ping; the others were unsolicited. */
         size_t data = 0;
         for (size_t i = 0; i < seen.count; i++) {
             data += seen.fields[i].descriptor_set == 0x80;
@@ -545,7 +545,7 @@ static void parser_time_out(uint32_t start) {
     poll_for(20);
     CHECK(seen.count == 1 && seen.arrived[0] == start && device.parser.skipped == 4);
 
-    /* A pause that is shorter cuts no packet; one that is longer does. */
+    /* A pause shorter than `silence` cuts no packet; a longer one does. */
     forget();
     bytes_come(&line, 0, "ue\x80\x03\x03", 5);
     bytes_come(&line, 250, "\x55", 1);
@@ -589,7 +589,7 @@ static void tell_accel(void *user, const struct mip_field *field, uint32_t arriv
     strcat(told, "a");
 }
 
-/* Each packet begins and ends once, whatever is in it: also answers, no field, and a field that is cut. */
+/* Each packet begins and ends once, whatever is in it: even replies, no field, or a truncated field. */
 static void observers(void) {
     static const struct mip_handler accels[] = {{&mip_measurements_accel_codec, MIP_ANY_SET, tell_accel, NULL}};
     static const struct mip_observer observer = {tell, &gap};
@@ -622,12 +622,12 @@ static void dawdle(void *user, const struct mip_field *field, uint32_t arrived) 
     ((struct line *)user)->clock += 40;
 }
 
-/* A host that is slow does not take what waits to be read for an answer that has not come. */
+/* A slow host does not report a time-out while the reply waits to be read. */
 static void backlog(void) {
     static const struct mip_handler slow[] = {{&mip_measurements_accel_codec, MIP_ANY_SET, dawdle, &line}};
     fresh(slow, 1);
     device.client.timeout = 100;
-    for (int i = 0; i < 14; i++) { /* more than one read takes */
+    for (int i = 0; i < 14; i++) { /* more than one read returns */
         COMES(0, 0x80, ACCEL "\x14\x66                  ");
     }
     COMES(0, 0x01, PONG);

@@ -48,7 +48,7 @@ static void widen(uint32_t bits) {
         CHECK(is_nan_64(found) && found >> 63 == bits >> 31);
     } else {
         CHECK(found == bits_of_double((double)float_of(bits)));
-        CHECK(mip_narrow(found) == bits); /* nothing is lost there and back */
+        CHECK(mip_narrow(found) == bits); /* nothing is lost on the way there and back */
     }
 }
 

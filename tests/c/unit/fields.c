@@ -51,14 +51,14 @@ static void presence(void) {
     CHECK(mip_decode(&mip_tools_settings_codec, &v, &field, &trailing) == MIP_OK);
     CHECK(v.present == 2 && v.mode == MIP_MODE_SLOW && v.baud == 0 && trailing == 1);
     CHECK(ENCODES(tools_settings, &v, "030702"));
-    /* A function that is changed then requires what it requires. */
+    /* After a change of the function, its own parameters are required. */
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.baud = 5;
     CHECK(ENCODES(tools_settings, &v, "01070200000005"));
-    /* More parameters than there are. */
+    /* More than the parameters that exist. */
     v.present = 6;
     CHECK(mip_tools_settings_encode(&v, fresh(1)) == MIP_ERROR_MISSING && packet.length == MIP_HEADER_SIZE);
-    /* A selector that nobody knows requires nothing. */
+    /* An unknown selector requires nothing. */
     field = field_of(1, 2, "77");
     CHECK(mip_tools_settings_decode(&v, &field) == MIP_OK && v.function == 0x77 && v.present == 0);
     CHECK(ENCODES(tools_settings, &v, "77"));
@@ -83,7 +83,7 @@ static void presence(void) {
     memcpy(&bits, &g.third, 4);
     CHECK(g.present == 2 && trailing == 3 && bits == 0);
 
-    /* A counter and its array come and go together. */
+    /* A counter and its array are present or absent together. */
     static const uint16_t items[] = {0x0102, 0x0304};
     struct mip_tools_list l;
     mip_tools_list_write(&l, 2, items);
@@ -103,7 +103,7 @@ static void counts(void) {
     struct mip_tools_list l;
     mip_tools_list_write(&l, 125, items);
     CHECK(mip_tools_list_encode(&l, fresh(1)) == MIP_OK);
-    /* A constructor copies no more than there is room for, and encode refuses the count. */
+    /* A constructor copies no more than there is room for, and encode rejects the count. */
     mip_tools_list_write(&l, 126, items);
     CHECK(l.count == 126 && mip_tools_list_encode(&l, fresh(1)) == MIP_ERROR_COUNT);
     CHECK(packet.length == MIP_HEADER_SIZE && mip_builder_finish(&packet).size == 6);
@@ -118,7 +118,7 @@ static void counts(void) {
 }
 
 static void refused(void) {
-    /* What does not fit behind others leaves them as they are. */
+    /* A field that does not fit leaves those before it unchanged. */
     struct mip_measurements_accel accel;
     memset(&accel, 0, sizeof(accel));
     struct mip_builder *b = fresh(MIP_MEASUREMENTS_SET);
@@ -166,7 +166,7 @@ static void several_sets(void) {
         CHECK(!right || strcmp(only_field(&packet), data) == 0);
         CHECK(mip_field_is(&field, &mip_measurements_accel_codec) == right);
         CHECK(!mip_field_is(&field, &mip_measurements_strings_codec));
-        switch (mip_field_key(&field)) { /* a type and a set is a constant */
+        switch (mip_field_key(&field)) { /* the key of a type in a set is a constant */
         case MIP_MEASUREMENTS_ACCEL(MIP_MEASUREMENTS_SET):
         case MIP_MEASUREMENTS_ACCEL(MIP_COPY_SET):
             CHECK(set != MIP_MORE_SET && right);
@@ -175,7 +175,7 @@ static void several_sets(void) {
             CHECK(set == MIP_MORE_SET || !right);
         }
     }
-    /* One descriptor is another type in another set. */
+    /* The same descriptor is another type in another set. */
     const struct mip_field field = field_of(MIP_MORE_SET, 7, "01");
     struct mip_measurements_own own;
     struct mip_measurements_radio radio;
@@ -190,7 +190,7 @@ static void several_sets(void) {
     CHECK(mip_builder_set(fresh(MIP_COPY_SET)) == MIP_COPY_SET);
 }
 
-/* A field is decoded only as what it is. */
+/* A field is decoded only as its own type. */
 static void other_fields(void) {
     struct mip_measurements_accel accel;
     struct mip_field field = field_of(MIP_MORE_SET, MIP_MEASUREMENTS_ACCEL_DESCRIPTOR + 1, "3f800000400000004040000000ff");
@@ -230,7 +230,7 @@ static void unions(void) {
     CHECK(ENCODES(tools_choice, &v, "0101010001fffe01000000ff"));
     mip_tools_choice_write(&v, 1, MIP_TOOLS_SHAPE_NONE, NULL);
     CHECK(ENCODES(tools_choice, &v, "010100"));
-    v.shape = 0x99; /* nobody knows it: the union is empty */
+    v.shape = 0x99; /* unknown: the union is empty */
     CHECK(ENCODES(tools_choice, &v, "010199"));
     struct mip_field field = field_of(1, 8, "010104414243444546474821");
     size_t trailing;
@@ -271,7 +271,7 @@ static void layouts(void) {
     CHECK(mip_decode(&mip_tools_status_old_codec, &old, &field, &trailing) == MIP_ERROR_LAYOUT);
     CHECK(old.uptime == 0 && trailing == field.size);
     CHECK(mip_tools_status_short_decode(&brief, &field) == MIP_ERROR_LAYOUT);
-    /* Too short for any: what there is must agree. */
+    /* Too short for any: the bytes that are there must match. */
     field = field_of(1, 0x90, "1267");
     CHECK(mip_tools_status_short_decode(&brief, &field) == MIP_ERROR_TRUNCATED);
     field = field_of(1, 0x90, "126702");

@@ -1,5 +1,5 @@
 /*
- * Every type gets random bytes to decode and random memory to encode. Nothing may fall over, a failed
+ * Every type gets random bytes to decode and random memory to encode. Nothing may crash, a failed
  * decode leaves zeros, and a failed encode leaves the packet as it was.
  */
 #include "check.h"

@@ -56,11 +56,11 @@ static void builder(void) {
     CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_OK && b.error == MIP_OK);
     CHECK(is_packet(mip_builder_finish(&b), PING, 8));
 
-    /* What does not fit is refused, and the packet stays as it was. */
+    /* A field that does not fit is rejected, and the packet stays as it was. */
     CHECK(mip_builder_add(&b, 2, data, MIP_MAX_FIELD_DATA) == MIP_ERROR_LENGTH);
     CHECK(is_packet(mip_builder_finish(&b), PING, 8));
     CHECK(mip_builder_add(&b, 2, data, MIP_MAX_FIELD_DATA - 2) == MIP_OK);
-    CHECK(b.error == MIP_ERROR_LENGTH); /* whoever asks only at the end still learns of it */
+    CHECK(b.error == MIP_ERROR_LENGTH); /* a program that checks only at the end still sees it */
     packet = mip_builder_finish(&b);
     CHECK(packet.size == MIP_MAX_PACKET && mip_packet_check(packet.bytes, packet.size, &packet) == MIP_OK);
     CHECK(mip_builder_add(&b, 3, NULL, 0) == MIP_ERROR_LENGTH);
@@ -133,7 +133,7 @@ static void parser(void) {
     CHECK(!mip_parser_flush(&p, &packet) && p.skipped == 7);
     CHECK(!mip_parser_flush(&p, &packet) && p.skipped == 7);
 
-    /* After a flush, and after a flush that gave a packet, the stream goes on. */
+    /* After a flush, and after a flush that returned a packet, the stream goes on. */
     data = stream;
     size = 12;
     CHECK(!mip_parser_next(&p, &data, &size, &packet));
@@ -143,7 +143,7 @@ static void parser(void) {
     CHECK(mip_parser_next(&p, &data, &size, &packet) && is_packet(packet, PING, 8));
     CHECK(!mip_parser_next(&p, &data, &size, &packet) && p.skipped == 11);
 
-    /* Nothing at all. */
+    /* No bytes at all. */
     data = NULL;
     size = 0;
     CHECK(!mip_parser_next(&p, &data, &size, &packet));
@@ -156,8 +156,8 @@ static void parser(void) {
 #define COPIED false
 #endif
 
-/* A packet is copied only if the end of the caller's bytes cuts it, or if the library is to be small; noise does not
- * change that. What has been consumed, and what the parser still holds, tells its place in any case. */
+/* A packet is copied only if the end of the caller's bytes cuts it, or if the library is built for size; noise does not
+ * change that. Its position always follows from the bytes consumed and those that the parser still holds. */
 static void in_place(void) {
     static const uint8_t stream[] = "\x75\x65\x01\xFF\x75\x65\x01\x02\x02\x01\xE0\xC6"
                                     "\x75\x65\x01\x02\x02\x01\xE0\xC6";
@@ -168,7 +168,7 @@ static void in_place(void) {
         const uint8_t *data = stream;
         size_t size = cut;
         mip_parser_init(&p);
-        CHECK(!mip_parser_next(&p, &data, &size, &packet)); /* a false start holds all back */
+        CHECK(!mip_parser_next(&p, &data, &size, &packet)); /* a false start holds everything back */
         data = stream + cut;
         size = whole - cut;
         CHECK(!mip_parser_next(&p, &data, &size, &packet) && size == 0);

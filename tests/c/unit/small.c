@@ -1,4 +1,4 @@
-/* A program that reads one value: what it links is all that it should pay for. */
+/* A program that reads one value, and should link nothing more. */
 #include "mip/sensor.h"
 
 static struct mip_parser parser;

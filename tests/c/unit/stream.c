@@ -42,7 +42,7 @@ static void fill(void) {
     }
 }
 
-/* What the parser finds: where packets are. */
+/* The positions of the packets that the parser finds. */
 static size_t wanted[SIZE];
 static size_t wanted_count;
 
@@ -89,7 +89,7 @@ static void pieces(size_t chunk) {
     next_place = next_packet = 0;
     mip_stream_init(&stream);
     for (size_t at = 0; at < SIZE;) {
-        uint8_t bytes[SIZE]; /* that are gone after the chunk */
+        uint8_t bytes[SIZE]; /* gone after the chunk */
         size_t size = chunk > 0 ? chunk : 1 + number(300);
         size = size < SIZE - at ? size : SIZE - at;
         memcpy(bytes, log_bytes + at, size);

@@ -82,7 +82,7 @@ static void names_by_set(void) {
         CHECK(entry != NULL && entry->codec == known[i].codec && set == known[i].set);
         CHECK(mip_registry_by_name(known[i].name, NULL) == entry);
         const uint8_t packet = set == 0 ? 0x55 : set == 0xFF ? 0x92
-                                                             : set; /* one in which it may be */
+                                                             : set; /* one in which it may occur */
         const struct mip_field field = {NULL, 0, packet, entry->descriptor};
         CHECK(mip_registry_find(&field) == entry && mip_registry_next(packet, entry->descriptor, NULL) == entry);
         CHECK(mip_registry_next(packet, entry->descriptor, entry) == NULL);
@@ -101,7 +101,8 @@ static void names_by_set(void) {
     }
 }
 
-/* Commands and responses stand in packets of their own set, data in their own too, the acknowledge in all command sets, shared data in all data sets. */
+/* Commands, responses and data occur in packets of their own set, the acknowledge in those of all command sets, shared
+ * data in those of all data sets. */
 static void sets(void) {
     static union {
         double aligned;
@@ -192,7 +193,7 @@ static uint16_t number_of(const char *text) {
     return mip_model_number(text, strlen(text));
 }
 
-/* What begins the model and serial numbers of the device information. */
+/* The start of the model and serial numbers in the device information. */
 static void model_numbers(void) {
     static const struct {
         const char *text;

@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-// An enumeration holds every value that its member has, and goes back to where it came from.
+// An enumeration holds every value that its member can have, and converts back to it.
 static_assert(sizeof(mip_mode) == 1, "a value that has no name would be undefined");
 static_assert(static_cast<uint8_t>(static_cast<mip_mode>(0xFE)) == 0xFE, "lost");
 

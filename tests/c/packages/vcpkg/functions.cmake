@@ -1,4 +1,4 @@
-# What a port of vcpkg calls, as far as this one does: run with cmake -P.
+# The functions of vcpkg that this port calls; run with cmake -P.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE failed)
   if(failed)
@@ -16,7 +16,7 @@ function(vcpkg_cmake_install)
   run(${CMAKE_COMMAND} --build ${BUILD} --target install)
 endfunction()
 
-# It moves the package for find_package to share, from where it is two folders up to the prefix, not three.
+# Moves the package for find_package to share, from where the prefix is two folders up, not three.
 function(vcpkg_cmake_config_fixup)
   cmake_parse_arguments(PARSE_ARGV 0 given "" "PACKAGE_NAME;CONFIG_PATH" "")
   set(to ${CURRENT_PACKAGES_DIR}/share/${given_PACKAGE_NAME})

@@ -1,4 +1,4 @@
-# Stands for Zephyr, as far as a module sees it: options of prj.conf, modules by their module.yml, the library app.
+# Stands in for Zephyr, as far as a module sees it: options of prj.conf, modules by their module.yml, the library app.
 project(Zephyr-Kernel LANGUAGES C)
 
 file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/prj.conf options REGEX "^CONFIG_[A-Z0-9_]+=y$")

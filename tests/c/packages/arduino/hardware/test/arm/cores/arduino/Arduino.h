@@ -1,4 +1,4 @@
-// What a sketch calls, and those macros of Arduino that have short names.
+// The functions that a sketch calls, and Arduino's macros with short names.
 #ifndef ARDUINO_H
 #define ARDUINO_H
 
