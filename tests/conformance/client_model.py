@@ -1,6 +1,6 @@
 """What a command client must do, plain and short, on the generator's reference codec.
 
-The drivers of all languages are held against it: the steps of a `client` request in, its events out.
+The drivers of all languages are compared with it: the steps of a `client` request in, its events out.
 docs/conformance.md describes both.
 """
 
@@ -16,7 +16,7 @@ from mipgen.lower import codec
 
 Event = dict[str, Any]
 TIMEOUT = 1000  # milliseconds, unless a command is known to take longer
-BARRIERS = 62  # they have 2 to 63 commands, whose acknowledges still fit into one packet
+BARRIERS = 62  # sizes: 2 to 63 commands, whose acknowledges still fit into one packet
 
 
 @dataclass
@@ -70,7 +70,7 @@ class Client:
                 self.waiting.append(Waiting(number, command, wanted, self.now + allowed, self.behind))
 
     def barrier(self) -> bytes:
-        """After a command without an answer: a packet whose answer can be no other, by its number of acknowledges."""
+        """After a command without an answer: a packet whose reply is unmistakable by its number of acknowledges."""
         number, descriptor = self.of.protocol.barrier
         if not number or not self.missed or self.behind == self.missed + 1:
             return b""
@@ -83,7 +83,7 @@ class Client:
         self.missed = self.missed % BARRIERS + 1
 
     def passes(self, packet: bytes) -> bool:
-        """Is it the answer of the last barrier? Because answers are in order, what came before has none any more."""
+        """Is it the reply to the last barrier? As replies are in order, commands before it will not be answered."""
         number, descriptor = self.of.protocol.barrier
         fields = list(walk(packet))
         acknowledges = all(d == self.of.protocol.acknowledge.descriptor and len(data) == 2 for d, data in fields)
@@ -126,7 +126,7 @@ class Client:
         self.happens("end", waiting=[w.number for w in self.waiting], skipped=self.skipped)
 
     def poll(self) -> None:
-        """Before a command is given up, what holds back whole packets is; the start of a packet is kept."""
+        """Before a command times out, skips noise that holds back whole packets; the start of a packet is kept."""
         while any(w.deadline <= self.now for w in self.waiting):
             noise = next((at for at in range(1, len(self.buffer)) if whole(self.buffer[at:])), 0)
             if not noise:
@@ -183,7 +183,7 @@ class Client:
             self.happens("received", set=packet[2], fields=others)
 
     def answer(self, number: int, descriptor: int, data: bytes, behind: Any) -> Event | None:
-        """What an acknowledge field and the field behind it answer."""
+        """The event that an acknowledge field and the field behind it cause."""
         ack = self.of.protocol.acknowledge
         if number >= 0x80 or descriptor != ack.descriptor or len(data) < 2:
             return None
@@ -240,7 +240,7 @@ def wanted_responses(of: m.Model, command: m.Field, values: dict[str, Any]) -> l
 
 
 def fits(of: m.Model, layout: m.Field, data: bytes) -> bool:
-    """Can the data have this layout of their descriptor, as far as they reach?"""
+    """Can the data have this layout of its descriptor, as far as it reaches?"""
     constants = (constant.startswith(data[at : at + len(constant)]) for at, constant in layout.signature)
     return len(of.layouts(layout)) == 1 or (len(data) in of.sizes(layout) and all(constants))
 

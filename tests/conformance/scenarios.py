@@ -23,7 +23,7 @@ UNKNOWN = 0xEE  # a descriptor that no command set defines
 
 
 def values_of(f: m.Field, function: str = "", **given: int) -> dict[str, Any]:
-    """Zeros, but for the function and what is given."""
+    """Zeros, except for the function and the values given."""
     data = bytearray(f.max_size if f.role == m.COMMAND else f.min_size)
     if function:
         data[0] = next(x.value for x in f.functions if x.letter == function)
@@ -34,7 +34,7 @@ def values_of(f: m.Field, function: str = "", **given: int) -> dict[str, Any]:
 
 @dataclass
 class Words:
-    """What the rules need of a specification, found by what it is."""
+    """The fields of a specification that the rules need, found by their properties."""
 
     of: m.Model
 
@@ -225,7 +225,7 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
         "sent 0; refused 0 3; received 1",
     )
 
-    # Responses that are missing, broken, or those of somebody else.
+    # Responses that are missing, broken, or those of another command.
     yield (
         "missing",
         [w.send(read, asking), receive(w.reply(ok(setting), ok(asking)))],
@@ -618,7 +618,7 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
 
 
 def plain_payload(w: Words, field: Wire, rest: bytes) -> bytes:
-    """A packet with a field and bytes behind it that are none."""
+    """A packet with a field and bytes behind it that are no field."""
     payload = bytes((len(field[1]) + 2, field[0])) + field[1] + rest
     head = b"ue" + bytes((w.plain.set, len(payload))) + payload
     return head + codec.checksum(head)
@@ -628,7 +628,7 @@ def plain_payload(w: Words, field: Wire, rest: bytes) -> bytes:
 
 
 def random_steps(chance: Random, w: Words) -> list[Step]:
-    """Few commands, so that an answer meets several of them, and anything that a line may bring."""
+    """Few commands, so that a reply fits several of them, and anything else that may arrive."""
     number = chance.choice([f.set for f in w.of.fields if f.role == m.COMMAND])
     own = [f for f in w.of.fields if f.role == m.COMMAND and f.set == number]
     special = [f for f in own if len(f.responses) > 1 or f.silent_when or f.timeout]
@@ -663,7 +663,7 @@ def command_values(chance: Random, command: m.Field) -> dict[str, Any]:
     if chance.random() < 1 / 3:
         return field_values(chance, command)
     chosen = [values_of(command, f.letter) for f in command.functions] or [values_of(command)]
-    chosen += [v for v in chosen if v.get("function") == 2] * 2  # most is to be said of reading
+    chosen += [v for v in chosen if v.get("function") == 2] * 2  # reads have the most cases
     for p in command.parameters:
         if isinstance(p.element, (m.Enum, m.Scalar)) and not p.selector and p.constant is None and p.length is None:
             chosen += [{**v, p.name: n} for v in chosen[-3:] for n in (1, 2) if isinstance(v.get(p.name), int)][:8]
@@ -671,7 +671,7 @@ def command_values(chance: Random, command: m.Field) -> dict[str, Any]:
 
 
 def part(chance: Random, w: Words, number: int, waiting: list[Waiting], commands: list[m.Field]) -> bytes:
-    """A reply, mostly to what waits; or data, or noise."""
+    """A reply, mostly to a command that waits; or data, or noise."""
     if chance.random() < 0.25:
         return chance.choice([w.data, w.data, NMEA, LONG, b"u", b"ue", b"ueue", b"ue\0\0"])
     sizes = [x.behind for x in waiting if x.behind]

@@ -29,7 +29,7 @@ from support import (
 
 
 def compare(language: str, spec: str, requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Asks the driver and holds its answers against the reference."""
+    """Asks the driver and compares its answers with the reference."""
     answers = driver(language, spec).ask(requests)
     wrong = differences(requests, wanted(spec, json.dumps(requests)), answers)
     assert not wrong, wrong
@@ -99,7 +99,7 @@ def test_every_changed_byte_is_refused(language: str, spec: str) -> None:
 
 @each("encode")
 def test_random_values_of_every_field_encode(language: str, spec: str) -> None:
-    """What a packet decodes to encodes to the same packet: values without what the shortest form leaves out."""
+    """The values that a packet decodes to encode to the same packet: they lack what the shortest form leaves out."""
     of, requests, packets = model(spec), random_requests(spec), random_packets(spec)
     compare(language, spec, requests)
     again = []
@@ -120,7 +120,7 @@ def test_random_values_of_every_field_decode(language: str, spec: str) -> None:
 
 @each("decode")
 def test_every_field_decodes_in_each_of_its_sets(language: str, spec: str) -> None:
-    """Its name begins with that of the set, the values are the same; in another set of its family it is none."""
+    """Its name begins with that of the set, the values are the same; in a set without it, it is unknown."""
     of = model(spec)
     places = [(f, number, codec.encode(f, values)) for f, values in one_of_each(spec) for number in numbers(f, of)]
     requests = [decode_request(codec.build(of, number, [(f.descriptor, data)])) for f, number, data in places]
@@ -495,7 +495,7 @@ def test_no_packet_has_descriptor_set_0_or_255(language: str) -> None:
 
 @each("parse")
 def test_every_intact_packet_comes_out(language: str, spec: str) -> None:
-    """Between packets stand things that contain no packet themselves, so all of these must be found."""
+    """The noise between the packets contains no packet itself, so all of these must be found."""
     packets = sorted({e.packet for e in model(spec).examples})
     between = [NMEA, b"", b"\x75", b"\x75\x65", b"\x75\x65\x80", b"ue\x00", b"noise", b"\xff" * 9]
     stream = b"".join(p + between[i % len(between)] for i, p in enumerate(packets))

@@ -1,4 +1,4 @@
-"""What targets declare about their drivers: nothing is left out of the suite but by a declaration."""
+"""What targets declare about their drivers: only a declaration leaves something out of the suite."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def mine(folder: Path, driver: str = DRIVER, declared: str = 'conformance=("pars
 
 
 def suite(targets: Path) -> str:
-    """What the suite says of the targets of a folder, ours aside; with the invented specification only."""
+    """The output of the suite for the targets of a folder, without ours; with the invented specification only."""
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-m", "not heavy", "-k", "mine and not real",
          "tests/conformance/test_conformance.py", "tests/conformance/test_client.py"],
@@ -83,7 +83,7 @@ def test_the_suite_asks_a_target_of_others_what_it_declares(tmp_path: Path) -> N
     mine(tmp_path, declared='conformance=("parse",), needs="punched cards"', name="mine_cards")
     mine(tmp_path, declared='conformance=("parse",), program="no-such-program"', name="mine_program")
     said = suite(tmp_path)
-    # Streams, intact packets, descriptor set 0, and requests that are none.
+    # Streams, intact packets, descriptor set 0, and invalid requests.
     assert "tests run: conformance 4; " in said, said
     assert " failed" not in said
     for what in ("punched cards", "no-such-program"):
