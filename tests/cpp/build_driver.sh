@@ -3,9 +3,9 @@
 #
 #     build_driver.sh GENERATED_FOLDER BUILD_FOLDER
 #
-# It is the driver of C, but for what C++ does: see driver/layouts.cpp. The variables are those of tests/c/build_driver.sh,
-# and CXX chooses the compiler of C++. MIP_EVERY=N and MIP_SEED: the three ways to get a value are compared for each N-th
-# layout, from that one on; for each one if it is not given.
+# It is the driver of C, except for what C++ does: see driver/layouts.cpp. The variables are those of
+# tests/c/build_driver.sh, and CXX chooses the compiler of C++. With MIP_EVERY=N, the three ways to get a value are
+# compared for every N-th layout only; MIP_SEED chooses which.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 generated=$(cd "$1" && pwd)
@@ -28,7 +28,7 @@ for name in decode encode packet_check parser_next parser_flush; do
     names="$names -Dmip_$name=cpp_$name"
 done
 
-# Everything that the program is made of, so that nothing is built twice.
+# Identifies everything that the program is made of, so that nothing is built twice.
 stamp=$(cat "$0" "$here"/driver/* "$here"/../c/driver/* "$generated"/src/mip/* | cksum)
 stamp="$CC $CXX $warnings $generated $MIP_EVERY $MIP_SEED $stamp"
 if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ]; then

@@ -32,7 +32,7 @@ compilers = pytest.mark.parametrize(
 
 
 def checked(source: Path, compiler: str, *flags: str, spec: str = "real") -> subprocess.CompletedProcess[str]:
-    """Reads a program without building it."""
+    """Checks a program without building it."""
     command = [need(compiler), *WARNINGS, *flags, include(spec), "-fsyntax-only", str(source)]
     return subprocess.run(command, capture_output=True, text=True)
 
@@ -216,7 +216,7 @@ def test_cmake(how: str, tmp_path: Path) -> None:
 OUTSIDE = ("memchr", "memcmp", "memcpy", "memmove", "memset", "strlen", "uart", "use")
 #: Bytes of a program on a Cortex-M4 beyond the same one in C.
 MORE_BYTES = 150
-#: Instructions in place of those of C.
+#: Instructions, relative to those of C.
 RATIO = 1.03
 
 

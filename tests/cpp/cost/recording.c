@@ -1,4 +1,4 @@
-/* The sum of three fields of a recording: as the README of C says, for recording.cpp to be compared with. */
+/* Sums three fields of a recording, as the README of C shows; recording.cpp is compared with it. */
 #include "mip/filter_data.h"
 #include "mip/sensor.h"
 

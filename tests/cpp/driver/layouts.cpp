@@ -1,6 +1,6 @@
-// What the driver of C asks the library for, answered by C++: decoding, encoding, and the packets of a stream.
+// The functions that the driver of C calls, implemented in C++: decoding, encoding, and the packets of a stream.
 //
-// The driver is compiled with other names for these functions. It finds a layout by its codec; here is its type.
+// The driver is compiled with other names for them. It identifies a layout by its codec; here that becomes a type.
 #include "mip/mip.hpp"
 
 #include <cstdlib>
@@ -14,7 +14,7 @@ struct layout {
     mip_error (*add)(const void *value, mip::builder &builder);
 };
 
-// `Ways`: are the three ways to get a value compared? To compile them takes most of the time.
+// `Ways`: whether the three ways to get a value are compared. Compiling them takes most of the time.
 template <class T, bool Ways> constexpr layout layout_of() {
     return {nullptr,
             [](void *value, const mip::field &field, std::size_t *trailing) {
@@ -36,7 +36,7 @@ template <class T, bool Ways> constexpr layout layout_of() {
                 return error;
             },
             [](const void *value, mip::builder &builder) {
-                static const T empty = {}; // of a field without parameters there may be no structure
+                static const T empty = {}; // a field without parameters may have no structure
                 return builder.add(value != nullptr ? *static_cast<const T *>(value) : empty);
             }};
 }
@@ -59,7 +59,7 @@ const layout &find(const mip_codec *codec) {
     std::abort();
 }
 
-// Packets that were found and not yet asked for.
+// Packets that were found and not yet returned.
 std::vector<std::vector<std::uint8_t>> found;
 std::size_t given = 0;
 

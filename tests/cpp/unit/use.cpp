@@ -233,17 +233,17 @@ void calls() {
                     {}};
     const mip::result<> ping = device.call(mip::base::ping{});
     CHECK(ping && ping.outcome() == mip::outcome::acknowledged && ping.reason().empty());
-    CHECK((port.written == std::vector<std::uint8_t>{0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6})); // of a manual
+    CHECK((port.written == std::vector<std::uint8_t>{0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6})); // from a manual
     const mip::result<pps_source_control_response> read = device.call(read_pps_source_control{});
     CHECK(read && read->source() == pps_source::gpio && (*read).source() == pps_source::gpio);
-    const mip::result<> &any = read; // whatever its response
+    const mip::result<> &any = read; // of any response
     CHECK(any && any.outcome() == mip::outcome::acknowledged);
     const auto refused = device.call(write_pps_source_control{pps_source::gpio});
     CHECK(!refused && refused.outcome() == mip::outcome::refused);
     CHECK(refused.code() == mip::ack_code::invalid_parameter);
     CHECK(shown(refused) == "refused, invalid_parameter");
 
-    // The span, and the same by the builder and by the structure of C.
+    // A span, and the same with the builder and with the structure of C.
     const mip::descriptor_rate rates[] = {{4, 10}, {5, 1000}};
     const write_message_format format = {mip::sensor_set, rates};
     CHECK(device.call(format));
@@ -309,7 +309,7 @@ void client_without_a_port() {
     mip::request ping(mip::base::ping{});
     CHECK(!pps.waiting() && pps.result().outcome() == mip::outcome::not_sent);
 
-    // Two commands of one packet, the same as a builder makes, and no barrier.
+    // Two commands in one packet, the same as a builder makes, without a barrier.
     const mip::bytes both = client.send(0, pps, stream);
     mip::builder builder(mip::mip_3dm_set);
     CHECK(builder.add(pps.command) == MIP_OK && builder.add(stream.command) == MIP_OK);
@@ -327,7 +327,7 @@ void client_without_a_port() {
     CHECK(pps.result() && pps.result()->source() == pps_source::gpio);
     CHECK(shown(stream.result()) == "refused, invalid_parameter");
 
-    // Without an answer in time; then a barrier is in front, and behind its answer comes that of the next.
+    // A time-out; then a barrier goes in front, and behind its reply comes that to the next command.
     CHECK(client.send(20, ping).size() == 8);
     client.timeout(300);
     client.receive({}, 1019);
@@ -345,7 +345,7 @@ void client_without_a_port() {
     mip::request format(write_message_format{mip::sensor_set, many});
     CHECK(client.send(2000, pps, format).empty() && !pps.waiting() && !format.waiting());
     CHECK(format.result().error() == MIP_ERROR_COUNT && client.c().waiting == nullptr);
-    // Of another set than the first.
+    // A command of another set than the first.
     CHECK(client.send(2000, ping, pps).empty() && pps.result().error() == MIP_ERROR_SET);
     {
         mip::request<mip_base_get_device_info> gone; // a structure of C
