@@ -6,7 +6,7 @@
 /* A flag, a signed number, two floats, two doubles: 1.5, and 0.1 as a double of eight bytes has it. */
 static const char DATA[] = "01fffffffe3fc00000c0100000"
                            "3ff80000000000003fb999999999999a";
-/* What comes back: 0.1 is cut. */
+/* The result: 0.1 is rounded to a float. */
 static const char CUT[] = "01fffffffe3fc00000c0100000"
                           "3ff80000000000003fb99999a0000000";
 

@@ -54,7 +54,7 @@ class Machine:
     emulator: str
     bits: int
     big_endian: bool = False
-    strict: bool = False  # it refuses what is not aligned
+    strict: bool = False  # it traps unaligned access
     signed_char: bool = True
     flags: tuple[str, ...] = ()
 
@@ -160,7 +160,7 @@ def native(spec: str) -> str:
 @both
 @machines
 def test_the_conformance_driver(name: str, spec: str) -> None:
-    """Line by line, it answers what the native one does."""
+    """It answers each line as the native one does."""
     machine, build = MACHINES[name], BUILD / f"cross/{name}-{spec}"
     environment = {**os.environ, "CC": need(machine.compiler), "CFLAGS": " ".join(["-static", *machine.flags])}
     with locked(build):
@@ -213,8 +213,8 @@ def test_avr_compiles(spec: str) -> None:
     c_build.archive(spec, "avr-gcc", "-std=c99", *AVR)
 
 
-# The tables do not fit. Doubles that are cut to four bytes do not give the same bytes again, as garbage.c expects, and
-# doubles.c compares with those of eight bytes.
+# The tables do not fit. Doubles that are rounded to four bytes do not encode to the same bytes again, as garbage.c
+# expects, and doubles.c compares with those of eight bytes.
 AVR_PROGRAMS = [*(C / f"unit/{name}.c" for name in ("packets", "fields", "client", "checksum")), HERE / "narrow.c"]
 
 

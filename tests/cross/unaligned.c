@@ -1,4 +1,4 @@
-/* Reads a number from an odd address, which a machine that insists on alignment refuses. */
+/* Reads a number from an odd address, which a machine that insists on alignment traps. */
 #include <stdint.h>
 #include <string.h>
 
