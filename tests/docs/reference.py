@@ -179,7 +179,7 @@ class Manual:
         return self.sections[f"docs/{path}", anchor]
 
     def field(self, f: m.Field) -> str:
-        """What is said of a field: its page without its responses; of a response, its section of that page."""
+        """The text about a field: its page without its responses; for a response, its section of that page."""
         if f.family == "protocol":
             return self.section("packets.md", f.full_name)
         if f.role == m.RESPONSE:

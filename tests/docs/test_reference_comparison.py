@@ -1,4 +1,4 @@
-"""The comparison of devices says what the model says, and tells what is not known from what is not there."""
+"""The comparison of devices agrees with the model, and distinguishes what is unknown from what is absent."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ Known = tuple[dict[tuple[str, int], m.Support], set[tuple[str, int]]]
 
 
 def known(manual: Manual) -> dict[str, Known]:
-    """Device -> by the name of a field and a set: what it has, and what it refuses."""
+    """Device -> what it has and what it rejects, by the name of a field and a set."""
     return {d.id: known_of(d) for d in compared(manual)}
 
 

@@ -71,7 +71,7 @@ def flat(value: Any, path: str) -> Iterator[tuple[str, Any]]:
 
 
 def check_values(model: m.Model, e: m.Example, rows: list[dict[str, str]]) -> None:
-    """The decoded values stand in the table, in order."""
+    """The decoded values are in the table, in order."""
     values = [pair for x in e.fields if x.values is not None for pair in flat(x.values, "")]
     at = 0
     for path, value in values:
@@ -93,7 +93,7 @@ def check_values(model: m.Model, e: m.Example, rows: list[dict[str, str]]) -> No
 
 
 def test_examples_are_in_the_order_of_their_manual(manual: Manual) -> None:
-    """The sections of a manual one after the other; in each, the examples as their file has them."""
+    """The sections in the order of the manual; in each, the examples in the order of their file."""
     pages = {path: text for path, text in manual.pages.items() if path.startswith("docs/examples/")}
     seen = {path: re.findall(r'<a id="example\.([^"]*)"></a>', text) for path, text in pages.items()}
     assert sorted(id for ids in seen.values() for id in ids) == sorted(e.id for e in manual.model.examples)
@@ -114,7 +114,7 @@ def test_the_setup_sequence_of_the_manual_counts_up() -> None:
 
 
 def test_two_devices_with_one_manual(tmp_path: Path) -> None:
-    """What a value means is known where an example names its device, or its manual is of one device only."""
+    """The meaning of a value is known if the example names its device, or if its manual covers one device only."""
     spec = tmp_path / "spec"
     shutil.copytree(SPECS["invented"][0], spec)
     device = spec / "devices/model_b.yaml"
@@ -131,7 +131,7 @@ def test_two_devices_with_one_manual(tmp_path: Path) -> None:
 
 
 def test_values_mean_what_they_mean_on_the_device() -> None:
-    """Names and units come from what differs on the device of the example."""
+    """Names and units are those of the device of the example."""
     shown_ = manual_of("invented")
     section = words(shown_.example(next(e for e in shown_.model.examples if e.id == "accel-bytes")))
     assert "| scaled_accel | x 1 m, y -1 m, z NaN (0x7FE5BF7F) s |" in section

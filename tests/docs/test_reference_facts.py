@@ -51,7 +51,7 @@ def paragraphs(section: str) -> list[str]:
 
 
 def test_every_fact_of_a_field(manual: Manual) -> None:
-    """A heading, what it is, a paragraph of facts, notes; devices and relations. Functions, replies: in tables."""
+    """Heading, description, a paragraph of facts, notes, devices and relations; functions and replies are in tables."""
     for f in manual.model.fields:
         first, what, *rest = paragraphs(manual.field(f))
         level = "##" if f.role == m.RESPONSE else "#"
@@ -82,7 +82,7 @@ def listed(page: str, title: str) -> list[str]:
 
 
 def test_layouts_of_other_devices_are_not_listed() -> None:
-    """A layout is sent by the devices that have it, on its page and on theirs."""
+    """The page of a layout names only the devices that send it, and only their pages list it."""
     manual = manual_of("real")
     gq4 = manual.model.field("3dm.device_status_diagnostic_gq4_45_response")
     assert gq4 is not None
@@ -93,7 +93,7 @@ def test_layouts_of_other_devices_are_not_listed() -> None:
 
 
 def test_fields_without_a_manual_mention_none() -> None:
-    """What only source code has says nothing of a manual."""
+    """A field that is known only from source code mentions no manual."""
     of = model("real")
     kinds = {x.id: x.kind for x in of.protocol.manuals}
     fields = [f for f in of.fields if {kinds[s.manual] for s in f.sources} == {"sdk"}]
@@ -103,7 +103,7 @@ def test_fields_without_a_manual_mention_none() -> None:
 
 
 def test_sources_of_a_field(manual: Manual) -> None:
-    """Where the manuals say it, and how the length given there is wrong; a response cites what its command cites."""
+    """Its sections in the manuals, and wrong lengths given there; a response cites what its command cites."""
     for f in manual.fields:
         section = manual.field(f)
         listed = [x for row in in_sets(section) for x in words(row["In the manuals"]).split("; ")] or bullets(section)

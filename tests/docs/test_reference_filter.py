@@ -180,7 +180,7 @@ def test_where_devices_have_no_columns(page: browser.Page, site: Path) -> None:
 
 
 def test_keyboard(page: browser.Page, site: Path) -> None:
-    """Typing, then on by the tabulator: the box of differences, the list of devices, its first box."""
+    """Typing, then the tab key: the check box for differences, the list of devices, its first box."""
     open_(page, site, "compare/commands.html")
     page.run("document.querySelector('input[type=search]').focus()")
     for letter in "pps":

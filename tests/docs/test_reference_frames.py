@@ -30,12 +30,12 @@ def turn(axis: int, angle: float) -> Matrix:
 
 
 def attitude(roll: float, pitch: float, yaw: float) -> Matrix:
-    """Vectors of the vehicle to those of the world: yaw, then pitch, then roll."""
+    """The matrix from vectors of the vehicle to those of the world: yaw, then pitch, then roll."""
     return product(product(turn(2, yaw), turn(1, pitch)), turn(0, roll))
 
 
 def matrix(w: float, x: float, y: float, z: float) -> Matrix:
-    """That of a quaternion, of which each element is found by turning a vector: v + 2 r × (r × v + w v)."""
+    """The matrix of a quaternion, found by turning vectors: v + 2 r × (r × v + w v)."""
 
     def cross(a: Vector, b: Vector) -> Vector:
         return tuple(a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3] for i in range(3))
@@ -48,7 +48,7 @@ def matrix(w: float, x: float, y: float, z: float) -> Matrix:
 
 
 def quaternion(roll: float, pitch: float, yaw: float) -> Vector:
-    """By half angles, as devices send it."""
+    """The quaternion from half angles, as devices send it."""
     (a, b, c), (d, e, f) = ([g(angle / 2) for angle in (roll, pitch, yaw)] for g in (math.cos, math.sin))
     return a * b * c + d * e * f, d * b * c - a * e * f, a * e * c + d * b * f, a * b * f - d * e * c
 

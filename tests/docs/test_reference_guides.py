@@ -199,7 +199,7 @@ def program(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
 
 
 def questions(manual: Manual) -> dict[str, str]:
-    """What a client may ask by itself, and the answer: the settings that decide whether a command is acknowledged."""
+    """Commands that a client may send by itself, with replies: they read whether another command is acknowledged."""
     found = {}
     for _, _, sequence in plays(manual):
         for f in (manual.model.field(c.command or "") for s in sequence.steps for c in s.command.silenced_by):

@@ -1,4 +1,4 @@
-"""Everything of the model is in its index once, and leads to its place."""
+"""Everything in the model is in its index once, with a link to its place."""
 
 from __future__ import annotations
 

@@ -78,7 +78,7 @@ class Filler:
 
 
 def evaluate(expression: str, names: dict[str, int]) -> int:
-    """The number that "4 + 3*count" is."""
+    """The value of an expression such as "4 + 3*count"."""
     total = 0
     for term in expression.split(" + "):
         factor, _, name = term.rpartition("*")
@@ -87,7 +87,7 @@ def evaluate(expression: str, names: dict[str, int]) -> int:
 
 
 def lengths(text: str, names: dict[str, int]) -> set[int]:
-    """The numbers that "5, 7 or 10 + 3*count" are; those whose counters are not there are left out."""
+    """The values in a text such as "5, 7 or 10 + 3*count"; those with an absent counter are left out."""
     found = re.split(r", | or |; ", text)
     return {evaluate(x, names) for x in found if set(re.findall(r"[a-z_][\w.]*", x)) <= names.keys()}
 

@@ -1,4 +1,4 @@
-"""The pages of the reference manual are neat, their links lead somewhere, and what they need to become a site."""
+"""The pages of the reference manual: their form, their links, and what they need to become a site."""
 
 from __future__ import annotations
 
@@ -78,14 +78,14 @@ def test_lists_stay_apart(manual: Manual) -> None:
     assert not found
 
 
-#: What a page of a field needs whatever it says: fences, edges and headings of tables, brackets in programs, sections.
+#: Lines that the page of any field needs: fences, edges and headings of tables, brackets in programs, sections.
 FRAME = re.compile(
     r"```\w*|[| -]+|[ })\];]+|## (?:Packets|Parameters|Programs|Devices and sources)|(?:\| [A-Z][a-z ]+)+\|"
 )
 
 
 def test_pages_of_fields_are_short() -> None:
-    """Half of them have at most 80 lines, and of what they say a quarter at most is on another one, too."""
+    """Half of them have at most 80 lines, and at most a quarter of their text is on another one, too."""
     pages = [text.splitlines() for path, text in manual_of("real").pages.items() if path.startswith("docs/fields/")]
     assert statistics.median(map(len, pages)) <= 80
     said = [[line for line in page if line and not FRAME.fullmatch(line)] for page in pages]

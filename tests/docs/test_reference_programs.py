@@ -60,7 +60,7 @@ def reply(manual: Manual, packet: bytes) -> bytes:
 
 
 def questions(manual: Manual) -> dict[str, str]:
-    """Packets of all commands, any of which a device may be asked for once, and their answers."""
+    """Packets of all commands, any of which a program may send, and the replies."""
     packets = [manual.samples.packet(f, c) for f in asked(manual) if f.role == m.COMMAND for c in f.calls]
     return {p.hex(): reply(manual, p).hex() for p in packets}
 
@@ -244,7 +244,7 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
 
 
 def said_in_cpp(generated: Path, where: Path, includes: set[str], lines: list[str]) -> str:
-    """What a program prints that has the port and the device of CPP_HEAD."""
+    """The output of a program with the port and the device of CPP_HEAD."""
     for x in sorted((generated / "c/src/mip").glob("*.c")):
         run(need("cc"), "-std=c99", "-O0", f"-I{generated}/c/src", "-c", x, "-o", where / f"{x.stem}.o")
     head = re.sub(r"static bool take.*", "", C_HEAD, flags=re.S)
@@ -379,7 +379,7 @@ def rust_bytes(data: bytes) -> str:
 
 
 def said_in_rust(spec: str, name: str, functions: list[str], calls: list[str]) -> str:
-    """What a program of these functions, called in this order, writes to the standard error output."""
+    """The standard error output of a program that calls these functions in this order."""
     source = "\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"])
     target = f'[[bin]]\nname = "{name}"\npath = "{name}.rs"\ntest = false\n'
     folder = crates.project(spec, name, target, files={f"{name}.rs": source.encode()})

@@ -179,7 +179,7 @@ def test_tools_have_pages(spec: str, name: str) -> None:
 
 @with_node
 def test_what_people_type_in_the_index() -> None:
-    """Of the script of the site, without a browser."""
+    """With the script of the site, without a browser."""
     program = (
         "require(process.argv[1]); const index = mip.indexOf(new mip.Protocol(mip.model));"
         " const searches = JSON.parse(process.argv[2]);"
@@ -218,7 +218,7 @@ def searched(queries: list[str]) -> dict[str, list[str]]:
 
 @real_site
 def test_what_people_type_leads_to_the_page() -> None:
-    """95 of 100 searches have what is meant first, among them slips of the pen, and questions that users asked."""
+    """95 % of the searches list the intended page first, including those with typing errors and users' questions."""
     wanted = {query: [page_of(field)] for query, field in FIELDS.items()}
     wanted |= {query: [page] for query, page in WANTED_PAGES.items()} | WORDS
     assert len(wanted) > 200
@@ -477,7 +477,7 @@ def test_inspector_links_to_the_reference(page: browser.Page) -> None:
 @in_browser
 @pytest.mark.parametrize("name", ["3dm.message_format", "gnss_data.llh_position"])
 def test_a_program_becomes_a_complete_file(page: browser.Page, name: str, tmp_path: Path) -> None:
-    """Its lines are where those of another page were, and what compiles without a library does."""
+    """Its lines replace those of another page, and it compiles where that needs no library."""
     go(page, page_of(name))
     frames = json.loads((built("real") / "assets/frames.js").read_text("utf-8").partition(" = ")[2].rstrip(";\n"))
     kind = frames["command" if name.startswith("3dm") else "data"]
@@ -576,7 +576,7 @@ def test_a_site_without_the_workbench(page: browser.Page) -> None:
     assert found and found[0].startswith(site.as_uri()) and "accel" in "".join(found)
 
 
-#: Elements that are wider than the window, but for what scrolls by itself; and tables that neither fit nor scroll.
+#: Elements that are wider than the window, except those that scroll; and tables that neither fit nor scroll.
 WIDE = """
 (() => {
     const scrolls = ".md-typeset__scrollwrap, .mip-scroll, pre > code, .tabbed-labels";
@@ -747,7 +747,7 @@ def test_links_are_told_by_more_than_colour(page: browser.Page) -> None:
     assert page.run(f"{links}.length") > 10 and plain == 0
 
 
-#: Pages with tables as others have them, in great number.
+#: Pages with very many tables, of a kind that other pages have, too.
 MANY = {"examples/3dm-gx5-15/3dm.html", "errata/3dm-gx5-15/wire.html", "compare/commands.html", "indexes/c.html"}
 
 #: Widths and colour schemes in which a page is seen.

@@ -1,4 +1,4 @@
-"""The page with which people begin: its commands and its programs, in an empty folder, on a virtual device."""
+"""The page where people begin: its commands and its programs, in an empty folder, on a virtual device."""
 
 from __future__ import annotations
 

@@ -180,7 +180,7 @@ def test_descriptors_without_a_layout(manual: Manual) -> None:
 
 
 def test_what_is_uncertain_of_sets_and_types(manual: Manual) -> None:
-    """Of fields, parameters, values and bits it is among their facts."""
+    """For fields, parameters, values and bits, this is among their facts."""
     of = manual.model
     pages: list[tuple[str, list[m.Family | m.Set | m.Type]]] = [(manual.type(t), [t]) for t in of.all_types]
     for x in of.families:
@@ -429,7 +429,7 @@ def test_every_erratum_has_its_section(manual: Manual) -> None:
 
 
 def test_errata_that_name_a_field(manual: Manual) -> None:
-    """They are linked from its page, in whatever section of the manual they are."""
+    """Its page links to them, whatever section of the manual they are in."""
     for e in manual.model.errata:
         for name in re.findall(r"`([^`]+)`", f"{e.right} {e.reason}"):
             f = manual.model.field(name)

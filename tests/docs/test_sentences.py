@@ -94,7 +94,7 @@ def source(pattern: str) -> str:
 
 
 def section(language: str, name: str) -> str:
-    """The declaration of a type with all that is said of it and its members."""
+    """The declaration of a type with the comments on it and its members."""
     t = thing(name)
     if language == "c":
         found = re.search(
