@@ -18,7 +18,7 @@ from mipgen.lower import codec
 from support import OFFERS, Driver, driver, model
 
 LANGUAGES = ("c", "cpp", "python", "rust", "javascript")
-BATCH = 4000  # requests: each driver begins anew for each batch
+BATCH = 4000  # requests: drivers are restarted for each batch
 PAYLOAD = 0x80
 Request = dict[str, Any]
 
@@ -67,7 +67,7 @@ class Session:
         return request(source, data) or self.drawn()
 
     def run(self, seconds: float) -> int:
-        """How many requests each language has answered."""
+        """Returns the number of requests that each language has answered."""
         count, end = 0, time.monotonic() + seconds
         while time.monotonic() < end:
             asked = [self.drawn() for _ in range(BATCH)]
@@ -83,7 +83,7 @@ def of(d: Driver, asked: list[Request]) -> list[Any]:
 
 
 def answered(d: Driver, asked: list[Request]) -> list[Any]:
-    """The same; the request that ends a driver has that as its answer."""
+    """The same; for a request that ends a driver, the answer states so."""
     try:
         return list(d.ask(asked))
     except AssertionError as error:

@@ -4,7 +4,7 @@
 
 The targets of C are in tests/c/fuzz, those of Rust in tests/rust/fuzz. Inputs of one source have the same form in both
 languages, and each language begins with what was found in the other one. An input that fails is shown as hexadecimal:
-after the repair it belongs into corpus/, as a line of its own. Python (tests/python/fuzz.py, with Atheris) and the
+after the repair, add it to corpus/, as a line of its own. Python (tests/python/fuzz.py, with Atheris) and the
 comparison of all languages (differential.py) begin with these inputs, too, and keep none. counts.txt has how many
 inputs were run.
 """
@@ -33,7 +33,7 @@ from support import BUILD, model  # noqa: E402
 
 class Target(NamedTuple):
     language: str
-    #: What it tries, which says what an input is.
+    #: What it tries, which determines the form of its inputs.
     source: str
     #: The specification whose library it runs. The parser is the same in both.
     spec: str
@@ -61,7 +61,7 @@ ATHERIS = "3.0.0"
 FLAGS = ["-std=c99", "-g", "-O1", "-fsanitize=fuzzer-no-link,address,undefined", "-fno-sanitize-recover=all"]
 LARGEST = {"parser": 800, "fields": 260, "client": 400}  # bytes of an input, so that the corpus stays small
 
-#: What clang adds with fuzzer-no-link, as the stable compiler of Rust knows it; clang links libFuzzer.
+#: The options of clang's fuzzer-no-link, in the form that Rust's stable compiler accepts; clang links libFuzzer.
 COVERAGE = ["level=4", "inline-8bit-counters", "pc-table", "trace-compares"]
 RUSTFLAGS = ["-Cpasses=sancov-module", *(f"-Cllvm-args=-sanitizer-coverage-{flag}" for flag in COVERAGE)]
 RUSTFLAGS += ["-Cdebug-assertions", "-Clinker=clang", "-Clink-arg=-fsanitize=fuzzer"]
@@ -140,7 +140,7 @@ def fuzz(name: str, seconds: int) -> int:
     found = write(folder / "found", [])
     largest = LARGEST[TARGETS[name].source]
     output = run(folder, f"-max_total_time={seconds}", f"-max_len={largest}", found, first, before)
-    # What is needed beside the seeds, the smallest of those that reach the same; edges count, not how often.
+    # Keeps inputs that reach edges which the seeds do not, the smallest for each; how often does not matter.
     merged = write(folder / "merged", begin(name))
     seeded = {p.name for p in merged.iterdir()}
     run(folder, "-merge=1", "-use_counters=0", merged, before, found)
@@ -150,7 +150,7 @@ def fuzz(name: str, seconds: int) -> int:
 
 
 def fuzz_python(name: str, seconds: int) -> int:
-    """Atheris is not part of the lock: it is there for few Pythons and systems."""
+    """Atheris is not part of the lock: it is available for few Pythons and systems."""
     source, tool, folder = PYTHON[name], BUILD / "tools/atheris", BUILD / f"fuzz/{name}"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)

@@ -1,4 +1,4 @@
-"""What the fuzz targets begin with, made from the specification: its examples, each field, each command.
+"""The inputs with which fuzz targets begin, made from the specification: its examples, each field, each command.
 
 An input is bytes in the form that the head of its target (parser.c, fields.c, client.c) describes.
 """
@@ -72,7 +72,7 @@ def client(of: m.Model) -> Iterator[bytes]:
 def encoded(f: m.Field, values: dict[str, Any]) -> bytes:
     try:
         return codec.encode(f, values)
-    except codec.CodecError:  # some scenarios send what cannot be sent
+    except codec.CodecError:  # some scenarios send what cannot be encoded
         return b""
 
 
