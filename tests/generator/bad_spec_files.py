@@ -4,7 +4,7 @@ The first lines of a file tell what happens to it; the whole file, with them, be
 
     # file: sets/bad.yaml            what it replaces or adds
     # remove: protocol.yaml          a file of the base that is taken away (instead of `file`)
-    # target: python                 judge the names that this target makes, too; ours, or one of `targets/`
+    # target: python                 check the names that this target makes, too; ours, or one of `targets/`
     # error: sets/bad.yaml:12:9: error: ...      what must be reported, all of it, in this order
 
 `python tests/generator/bad_spec_files.py accept [name ...]` writes the errors that are reported now into the files.
@@ -42,7 +42,7 @@ class BadSpec:
     errors: list[str]
 
     def lay(self, folder: Path) -> Path:
-        """The whole specification, in a folder that is made."""
+        """Writes the whole specification below `folder`."""
         spec = folder / "spec"
         shutil.copytree(BASE, spec)
         if self.file is not None:
@@ -83,7 +83,7 @@ def problems(spec: Path, target: str | None = None) -> list[str]:
 
 
 def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Files that were good and stand as they were are neither parsed nor judged again: for tests with many runs."""
+    """Files that were valid and have not changed are neither parsed nor checked again: for tests with many runs."""
     good: dict[tuple[str, bytes], nodes.Node] = {}
     judge = loader._valid
 

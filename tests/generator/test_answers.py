@@ -32,7 +32,7 @@ def test_silence_by_parameters_and_by_settings() -> None:
 
 
 def test_echo_control() -> None:
-    """All aiding measurements are silent by the same setting, and nothing else is."""
+    """The same setting silences all aiding measurements, and nothing else."""
     silent = {f.full_name for f in model("real").fields if f.silenced_by}
     settings = {"aiding.frame_config", "aiding.echo_control"}
     commands = {f.full_name for f in model("real").fields if f.family == "aiding" and f.role == m.COMMAND}
@@ -49,7 +49,7 @@ def test_a_response_says_once_what_it_answers() -> None:
 
 
 def test_devices_that_send_a_response() -> None:
-    """A device that takes no function that is answered by a response does not send it."""
+    """A device that supports no function with a response does not send the response."""
     names = {"write", "apply"}
     settings, response = field(model("invented"), "tools.settings"), field(model("invented"), "tools.settings_response")
     some = tuple(f for f in settings.functions if f.name in names)

@@ -1,4 +1,4 @@
-"""The audit on a manual that is written here."""
+"""The audit of a manual that is written here."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_what_the_specification_has_is_no_finding(tmp_path: Path) -> None:
         ("X\t0x75\t0x65\t0x0C\t0x02\t0x02\t0x06", "no example has a table that begins 75 65 0C 02 02 06"),
     ],
 )
-def test_what_it_has_not_is_found(tmp_path: Path, line: str, message: str) -> None:
+def test_what_it_lacks_is_found(tmp_path: Path, line: str, message: str) -> None:
     found = findings(tmp_path, GOOD + line + "\n")
     assert f"manual.txt:{len(GOOD.splitlines()) + 1}: {message}" in found
 

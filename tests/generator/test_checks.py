@@ -1,4 +1,4 @@
-"""How manuals count lengths, and how prints are compared."""
+"""How manuals count lengths, and how printed packets are compared."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_computed_length(parameters: str, wire: str, scalars: str) -> None:
     assert (computed_length(f, "wire"), computed_length(f, "scalars")) == (wire, scalars)
 
 
-def test_the_vocabulary_stands_in_the_readme() -> None:
+def test_the_vocabulary_is_in_the_readme() -> None:
     vocabulary = model("real").protocol.vocabulary
     assert len(vocabulary) > 40
     readme = (ROOT / "spec/README.md").read_text("utf-8")

@@ -57,7 +57,7 @@ def test_a_new_specification_says_what_it_is(tmp_path: Path) -> None:
 
 
 def test_a_new_specification_has_the_unit_that_messages_recommend(tmp_path: Path) -> None:
-    """And takes a small model number."""
+    """A small model number is valid, too."""
     assert cli.main(["new", str(tmp_path)]) == 0
     data, device = tmp_path / "sets/measurements.yaml", tmp_path / "devices/my_device.yaml"
     original = data.read_text("utf-8")
@@ -144,7 +144,7 @@ def test_output_beside_the_specification(tmp_path: Path) -> None:
 
 
 def test_a_specification_that_is_a_whole_project(tmp_path: Path) -> None:
-    """What `mipgen new .` says works, also again: the output is not part of the specification."""
+    """The command that `mipgen new .` prints works, even twice: the output is not part of the specification."""
     command = mipgen("new", ".", cwd=tmp_path).stdout.rpartition("then: mipgen ")[2].split()
     for _ in range(2):
         done = mipgen(*command, "--target", "markdown", cwd=tmp_path)
@@ -174,7 +174,7 @@ def test_files_of_the_user_are_kept(tmp_path: Path) -> None:
 
 
 def test_a_lost_manifest_is_written_again(tmp_path: Path) -> None:
-    """What is there is what would be written; a file that differs may be the user's."""
+    """If the files there are those that would be written; one that differs may be the user's."""
     out = Path(shutil.copytree(GOLDEN, tmp_path / "out"))
     options = ("--spec", INVENTED, "--target", "c", "--out", out)
     (out / "c/.manifest").unlink()
@@ -252,7 +252,7 @@ def test_the_folders_of_the_current_folder(tmp_path: Path) -> None:
 
 
 def test_all_that_is_printed_arrives_or_is_missed() -> None:
-    """A run ends without the rest of Python's own end."""
+    """A run skips the rest of Python's own shutdown."""
     command = [sys.executable, "-m", "mipgen"]
     environment = os.environ | {"PYTHONPATH": str(ROOT / "generator"), "PYTHONUNBUFFERED": ""}
     done = subprocess.run(command, env=environment, capture_output=True, text=True)
@@ -269,7 +269,7 @@ def test_version(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_help(capsys: pytest.CaptureFixture[str]) -> None:
-    """Alone it says what there is; every command and every option says what it is for."""
+    """Without a command, it lists the commands; every command and every option says what it is for."""
     assert cli.main([]) == 0
     shown = capsys.readouterr().out
     for command, parser in commands().items():
@@ -352,7 +352,7 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def work(prepared: Path, tmp_path: Path) -> Path:
-    """A folder with a specification, what it gives, and what was kept of that run."""
+    """A folder with a specification, its output, and what was kept of that run."""
     return Path(shutil.copytree(prepared, tmp_path / "work"))
 
 
@@ -411,7 +411,7 @@ def test_a_change_of_the_specification_is_seen(work: Path) -> None:
 
 
 def test_the_last_line_says_what_was_made_and_what_was_left_out(work: Path) -> None:
-    for _ in range(2):  # the second time nothing is to be done
+    for _ in range(2):  # the second time, there is nothing to do
         done = mipgen("generate", *TARGETS, cwd=work)
         others = ", ".join(name for name in render.names() if name not in TARGETS)
         count = len(few())
@@ -443,7 +443,7 @@ def test_a_change_of_a_template_is_seen(work: Path) -> None:
 
 
 def test_a_target_of_the_user_is_always_asked(work: Path) -> None:
-    """What its module looks at is unknown."""
+    """What its module reads is unknown."""
     (work / "targets/note").mkdir(parents=True)
     (work / "targets/note/target.py").write_text(
         "from mipgen.emit.target import File, Target\n"

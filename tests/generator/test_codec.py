@@ -149,7 +149,7 @@ STATUS = MODEL.candidates(1, 0x90)
     ],
 )
 def test_layouts_are_told_apart_by_their_constants_then_by_size(head: str, chosen: dict[int, str | None]) -> None:
-    """`chosen`: the size of data from which on it is that layout."""
+    """`chosen`: the size of the data from which each layout is chosen."""
     for size in range(3, m.MAX_FIELD_DATA + 1):
         data = bytes.fromhex(head).ljust(size, b"\0")
         f = codec.choose(STATUS, data)

@@ -1,4 +1,4 @@
-"""Two specifications are compared by what a program on the old one would meet with the new one."""
+"""Comparing two specifications shows what a program for the old one would meet with the new one."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ NAMES_ONLY = {
 
 
 def words(text: str) -> set[str]:
-    """What a text says, as a name would.
+    """The words of a text, in the form that names have.
 
     >>> sorted(words("Bytes of the accelerometer."))
     ['accel', 'byte']

@@ -96,7 +96,7 @@ def test_the_cache_is_where_the_user_keeps_caches(monkeypatch: pytest.MonkeyPatc
 def test_the_cache_does_not_grow_without_end(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cache, "LIMIT", 3 * 5000)
     for n in range(10):
-        cache.put("some", {f"0{n}": bytes(300)})  # of such names, each looks at all entries
+        cache.put("some", {f"0{n}": bytes(300)})  # with such a name, each call looks at all entries
         os.utime(folder / "some" / f"0{n}", (1e9 + n, 1e9 + n))
         assert cache.get("some", "00") == bytes(300)  # in use all the time
     assert sorted(x.name for x in (folder / "some").iterdir()) == ["00", "08", "09"]
@@ -124,7 +124,7 @@ def test_a_missing_formatter_or_style_is_reported(no_programs: None) -> None:
 
 
 def test_lines_of_templates_are_short() -> None:
-    """A line that the output needs longer goes on behind `{# -#}`, which joins it with the next."""
+    """A line that must be longer in the output continues after `{# -#}`, which joins it with the next."""
     files = [path for path in sorted((ROOT / "templates").rglob("*")) if path.is_file()]
     assert len(files) > 50
     numbered = ((path, i, line) for path in files for i, line in enumerate(path.read_text("utf-8").splitlines(), 1))

@@ -1,4 +1,4 @@
-"""What a step of a guide sends and gets, where the specification's own guides have no such step."""
+"""Packets and replies of steps of a kind that the specification's own guides do not have."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ FORMATS = "command: tools.formats, values: {{suppress_ack: {}, checkpoint: 1, se
 
 
 @pytest.mark.parametrize(("quiet", "answer"), [("true", ""), ("false", "75 65 01 04 04 F1 07 00 DB 76")])
-def test_a_step_that_is_sent_silent_has_no_answer(quiet: str, answer: str, tmp_path: Path) -> None:
+def test_a_silenced_step_has_no_answer(quiet: str, answer: str, tmp_path: Path) -> None:
     step = resolved(FORMATS.format(quiet), tmp_path)
     assert step.packet[4:7] == bytes([5, 7, quiet == "true"])
     assert (step.answer, step.response) == (bytes.fromhex(answer), None)
 
 
-def test_a_step_that_is_sent_silent_states_no_answer(tmp_path: Path) -> None:
+def test_a_silenced_step_states_no_answer(tmp_path: Path) -> None:
     with pytest.raises(SpecError, match=r"not answered with 'tools.settings_response' here: no answer; leave it out"):
         resolved(f"{FORMATS.format('true')}, answer: {{tools.settings_response: {{port: 1}}}}", tmp_path)
 

@@ -1,5 +1,5 @@
-"""What a device lists itself: files that extend a device, in a specification and over it, and what counts of what they
-repeat."""
+"""What a device lists itself: files that extend a device, in a specification or an overlay, and which evidence counts
+if it is repeated."""
 
 from __future__ import annotations
 

@@ -149,7 +149,7 @@ def words(schema: dict[str, Any], value: Any) -> list[str]:
 
 
 def test_a_rule_without_words() -> None:
-    """The schemas use no rule that has no words of its own; a new one is not lost."""
+    """Every rule that the schemas use has a message of its own; any other rule still has one."""
     assert words({"multipleOf": 2}, 3) == ["the file: 3 is not a multiple of 2"]
 
 

@@ -1,4 +1,4 @@
-"""What a fresh machine needs, and what it is told when it lacks something; the locks of the Python tools."""
+"""What a fresh machine needs, and the messages if something is missing; the locks of the Python tools."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from packaging.utils import canonicalize_name
 from support import ROOT
 
 TOOLS = ROOT / "tests/tools.sh"
-PLAIN = ("sh", "make", "grep", "ls", "awk", "env", "dirname", "cat", "mkdir", "chmod", "rm")  # of any machine
+PLAIN = ("sh", "make", "grep", "ls", "awk", "env", "dirname", "cat", "mkdir", "chmod", "rm")  # on any machine
 SHIMS = """#!/bin/sh
 case "$0 $*" in
   */rustup*"target list"*) cat "$MACHINE/targets" 2>/dev/null ;;
@@ -193,6 +193,6 @@ def test_locks_hold_what_the_package_asks_for() -> None:
 
 
 def test_locks_agree() -> None:
-    """One environment is made from all."""
+    """One environment is made from all of them."""
     for small, large in pairwise(LOCKS):
         assert pinned(small).items() <= pinned(large).items()

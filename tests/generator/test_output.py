@@ -175,7 +175,7 @@ def state(folder: Path) -> dict[str, Any]:
 
 
 def test_a_link_to_what_would_be_written_is_no_harm(tmp_path: Path) -> None:
-    """As in a farm of links; nothing of it is to be written."""
+    """As in a folder of links; there is nothing to write."""
     lay(tmp_path / "there", NEW)
     lay(tmp_path / "c", NEW)
     link(tmp_path / "c/a.c", tmp_path / "there/a.c")

@@ -1,4 +1,4 @@
-"""Overlays add to a specification; what they do wrong is said with its place."""
+"""Overlays add to a specification; their mistakes are reported with their places."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_every_fact_of_the_specification_has_a_source() -> None:
 
 
 def test_the_names_of_an_overlay_are_free(tmp_path: Path) -> None:
-    """The vocabulary binds the specification below alone."""
+    """The vocabulary applies only to the specification below."""
     named = "extend: tools\nfields:\n  - {command: 0x70, name: gyroscope, title: Gyroscope, description: Turns.}\n"
     (tmp_path / "mine/sets").mkdir(parents=True)
     (tmp_path / "mine/sets/a.yaml").write_text(named, "utf-8")

@@ -1,4 +1,4 @@
-"""Programs as targets: what they read, what they may write, and what becomes of the mistakes that they make."""
+"""Programs as targets: what they read, what they may write, and how their mistakes are reported."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ TEXT = "a ~b.c~d, (e]"
 
 
 def talking() -> tuple[m.Field, SampleValues]:
-    """A command with a text that has much in it that programs write themselves."""
+    """A command with a text full of words and marks that programs themselves contain."""
     of = load(
         f"""\
         set: 0x05

@@ -120,7 +120,7 @@ def allows(v: m.Variant, p: m.Parameter, value: Any) -> bool:
 
 
 def sent() -> Iterator[tuple[m.Field, list[m.Device], codec.Values]]:
-    """Every command as pages offer it, and the devices that certainly take it like that."""
+    """Every command as pages show it, and the devices that certainly support it in this form."""
     of = model("real")
     for f in of.fields:
         for call in samples("real").sent(f) if f.role == m.COMMAND else []:
@@ -213,7 +213,7 @@ def test_rotations_are_rotations() -> None:
 
 
 def test_descriptors_are_known() -> None:
-    """What a typical value names is there, but for numbers with a meaning of their own: 0 is often all."""
+    """The descriptors in typical values exist, except for numbers with a special meaning: 0 often means all."""
     of, seen = model("real"), 0
     for f, _, values in every("real"):
         for p, value, record in leaves(f.parameters, values):
@@ -230,7 +230,7 @@ def test_descriptors_are_known() -> None:
 
 @pytest.mark.parametrize("spec", ["real", "invented"])
 def test_data_is_valid(spec: str) -> None:
-    """The flags of a value are set: a program that heeds them would skip what a page shows."""
+    """The flags of a value are set: otherwise, a program that checks them would skip what a page shows."""
     seen = 0
     for f, call, _ in every(spec):
         for p, _, record in leaves(f.parameters, samples(spec).whole(f, call)):

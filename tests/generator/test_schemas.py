@@ -64,7 +64,7 @@ def test_references_lead_somewhere(path: Path) -> None:
 
 
 def rules(schema: Any) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Every rule of a schema with the schema that it stands in."""
+    """Every rule of a schema with the schema that contains it."""
     if not isinstance(schema, dict):
         return
     for key, value in schema.items():
@@ -106,7 +106,7 @@ def test_every_pattern_has_words(path: Path) -> None:
 
 
 def lists() -> dict[str, list[str]]:
-    """What an editor can complete, by definition of common.schema.json: as the main specification has it."""
+    """The words that an editor can complete, by definition of common.schema.json, from the main specification."""
     found = model("real")
     units = [u.symbol for u in found.protocol.units]
     types = [t.name for t in sorted(found.types, key=lambda t: (t.kind != "vector", t.name))]
@@ -140,7 +140,7 @@ PROSE = {"uncertain", "notes", "varies", "sources", "cases", "in"}
 
 
 def test_parameters_are_written_in_one_style() -> None:
-    """By what a parameter has to say, not by how long it is; one with a mapping of its own may have a line for each."""
+    """The keys of a parameter decide, not its length; one with a mapping of its own may have a line for each."""
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     seen, wrong = 0, []
     for path in sorted((ROOT / "spec/sets").glob("*.yaml")):

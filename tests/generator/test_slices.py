@@ -32,7 +32,7 @@ class Runs:
         self.made: dict[str, set[str]] = {}  # target -> what was made anew by the last run
 
     def run(self) -> m.Model:
-        """Makes what is not right since the last run."""
+        """Makes what is no longer right since the last run."""
         model = load_model(self.spec)
         slices = Slices(model, self.out, "")
         for name in TARGETS:
@@ -86,7 +86,7 @@ def edits(spec: Path) -> Iterator[tuple[Path, str, str]]:
 
 @pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=heavy("edits of the whole specification"))])
 def test_after_any_edit_the_output_is_that_of_a_complete_run(spec: str, tmp_path: Path) -> None:
-    """Of the real specification after the last of some edits, as a complete run takes long."""
+    """For the real specification after the last edit only, as a complete run takes long."""
     runs = Runs(SPECS[spec][0], tmp_path)
     runs.run()
     wanted = rounds(4, 20) if spec == "real" else rounds(4, 200)
@@ -129,7 +129,7 @@ def test_only_what_shows_a_description_is_made_again(file: str, text: str, tmp_p
 
 
 def test_another_shape_makes_all_again_that_reads_the_part(tmp_path: Path) -> None:
-    """Nobody knows which objects of the part are the same, and all files read of the sets."""
+    """It is unknown which objects of the part are the same, and all files read something of the sets."""
     runs = Runs(SPECS["invented"][0], tmp_path)
     runs.run()
     first = dict(runs.made)
@@ -140,7 +140,7 @@ def test_another_shape_makes_all_again_that_reads_the_part(tmp_path: Path) -> No
 
 
 def test_two_edits_of_different_targets_make_only_what_shows_each(tmp_path: Path) -> None:
-    """Nothing of C shows the first edit; C is still that of the run before."""
+    """No file of C shows the first edit; C is still the output of the run before."""
     runs = Runs(SPECS["invented"][0], tmp_path)
     runs.run()
     runs.replace("guides/1_first.yaml", "answer: Ask it, and listen", "answer: Ask it and listen")
@@ -151,7 +151,7 @@ def test_two_edits_of_different_targets_make_only_what_shows_each(tmp_path: Path
     assert runs.made["c"] - {PLAN} == {"src/mip/tools.h"}
 
 
-def test_of_a_file_that_is_made_again_only_pieces_that_show_an_edit_are(
+def test_in_a_file_that_is_made_again_only_pieces_that_show_an_edit_are_new(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     runs = Runs(SPECS["invented"][0], tmp_path)

@@ -166,7 +166,7 @@ def test_a_device_has_its_own_layouts_of_a_response() -> None:
 
 
 def test_guides_of_a_device() -> None:
-    """What is left of them: sequences of the device, and no migration to another one."""
+    """They keep the sequences of the device, and no migration to another one."""
     part = select(REAL, Selection(devices=("3dm-gx5-15",)))
     assert [g.name for g in part.guides] == [
         g.name for g in REAL.guides if g.questions or any(d.id == "3dm-gx5-15" for s in g.sequences for d in s.devices)
@@ -175,7 +175,7 @@ def test_guides_of_a_device() -> None:
 
 
 def test_what_is_certain() -> None:
-    """Without what a device only probably has, but with the answers of what it has."""
+    """Without what a device only probably has, but with the responses to what it certainly has."""
     d = REAL.device("3dm-gq7")
     assert d is not None and d.probable
     both, sure = select(REAL, Selection((d.id,))), select(REAL, Selection((d.id,), certain=True))
@@ -183,7 +183,7 @@ def test_what_is_certain() -> None:
     assert {s.name for s in sure.devices[0].supports} == {s.name for s in d.certain}
     own = {f.full_name for f in sure.fields if f.role != m.RESPONSE}
     assert own <= {f.full_name for f in both.fields}
-    assert own - {s.field.full_name for s in d.certain} == {"3dm.gyro_bias"}  # answers as capture_gyro_bias does
+    assert own - {s.field.full_name for s in d.certain} == {"3dm.gyro_bias"}  # shares the response of capture_gyro_bias
 
 
 def test_what_was_left_out() -> None:

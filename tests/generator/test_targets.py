@@ -55,7 +55,7 @@ def test_the_same_from_anywhere(first: Path, tmp_path: Path) -> None:
 
 
 def test_the_syntax_of_the_oldest_python() -> None:
-    """What it reads, newer ones read."""
+    """What it accepts, newer ones accept."""
     parse_as("3.10", ROOT / "generator/mipgen")
 
 
@@ -83,7 +83,7 @@ def test_stale_files_go_and_others_stay(first: Path, tmp_path: Path) -> None:
 
 
 def test_the_snapshot_is_what_the_invented_specification_gives(tmp_path: Path) -> None:
-    """What the real one gives is compared by `make check`."""
+    """`make check` compares the output for the real one."""
     made = golden.snapshot()
     assert golden.differences(made) == []
     golden.write({**made, "c/old.h": b"stale"}, tmp_path)
