@@ -1,7 +1,7 @@
 """`make interop`: the vendor's example programs, unchanged, on virtual devices of the models that they name.
 
 Nothing of the SDK is here: PEER names a folder of it. Its programs open a fixed port; port.c, loaded before them, opens
-that of the virtual device. A program completes if it has printed data, if it streams, and ends with 0 or not at all.
+that of the virtual device. A program completes if it ends with 0 or not at all, and has printed data if it streams.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def build(sdk: Path) -> Path:
 
 
 def programs(sdk: Path, built: Path) -> list[Program]:
-    """Of those that a device is needed for."""
+    """The programs that need a device."""
     found = []
     for source in sorted(sdk.glob("examples/c*/**/*_example.c*")):
         language, *folders = source.parent.relative_to(sdk / "examples").parts
@@ -94,7 +94,7 @@ def programs(sdk: Path, built: Path) -> list[Program]:
 
 
 def models(sdk: Path, name: str, source: str) -> tuple[str, ...]:
-    """What a program names, or else what the README lists of its series, or else all that it lists."""
+    """The models that a program names; else those that the README lists for its series; else all that it lists."""
     if named := MODEL.findall(source):
         return tuple(sorted(set(named)))
     parts = re.split(r"^#+ *(\d)-Series Devices$", (sdk / "examples/README.md").read_text("utf-8"), flags=re.M)
@@ -110,7 +110,7 @@ def runs(found: list[Program]) -> list[Run]:
 
 @contextmanager
 def device(model: str, connection: str, notes: Path) -> Iterator[str]:
-    """A virtual device, and the port where it is; what it says goes to a file."""
+    """A virtual device, and the name of its port; its output goes to a file."""
     with tempfile.TemporaryDirectory() as folder, notes.open("w") as said:
         where = ["--pty", f"{folder}/port"] if connection == "pty" else ["--tcp", "0"]
         command = [sys.executable, "-m", "mip_tools", "simulate", model, *where]
@@ -129,7 +129,7 @@ def device(model: str, connection: str, notes: Path) -> Iterator[str]:
 
 
 def play(run: Run) -> Outcome:
-    """One program on one device. What both say is in the folder of logs."""
+    """Runs one program on one device. The output of both is in the folder of logs."""
     name = f"{run.program.name}-{run.program.language}-{run.model}-{run.connection}".replace("/", "_")
     logs = BUILD / "logs"
     logs.mkdir(exist_ok=True)
@@ -145,7 +145,7 @@ def play(run: Run) -> Outcome:
 
 
 def again(outcome: Outcome) -> Outcome:
-    """A command without an answer in two seconds may be the load of the machine: such a run is repeated alone."""
+    """A time-out of two seconds may be due to the load of the machine: such a run is repeated alone."""
     if outcome.complete or "Timed out" not in outcome.text:
         return outcome
     second = play(outcome.run)
@@ -153,7 +153,7 @@ def again(outcome: Outcome) -> Outcome:
 
 
 def judge(program: Program, status: int, out: str, errors: str) -> tuple[bool, str]:
-    """Whether a program completed, and what there is to say of it."""
+    """Returns whether a program completed, and a remark."""
     data = len(DATA.findall(out.partition("will now output data")[2]))
     if status == 0 and program.name in BRIEF:
         return True, ""
@@ -165,7 +165,7 @@ def judge(program: Program, status: int, out: str, errors: str) -> tuple[bool, s
 
 
 def last(text: str) -> str:
-    """The last lines that say something: the programs print a result, and what it is of."""
+    """The last lines that are not empty: the programs print a result, and what it is the result of."""
     lines = [line.split(": ", 1)[-1].strip() for line in text.splitlines() if line.strip()]
     return " ".join(lines[-2:])
 

@@ -10,7 +10,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-static int line = -1; /* a socket, which has no settings of a terminal */
+static int line = -1; /* a socket, which has no terminal settings */
 
 static int dial(const char *address) {
     char host[256];
