@@ -1,4 +1,4 @@
-// The bytes of a program, minified and without what it does not use.
+// Prints the size of a program, minified and without unused code, in bytes.
 //
 //     bundle.mjs NODE_MODULES PROGRAM
 import path from "node:path";

@@ -1,4 +1,4 @@
-"""The live view is tested with the real package of Python, on which its virtual device is made."""
+"""The live view is tested with the real package of Python, on which its virtual device is based."""
 
 import sys
 

@@ -1,4 +1,4 @@
-// A device at ports of this file's making: what real ports do at their worst. Programs at a virtual device test the rest.
+// A device at fake ports that do what real ports do at their worst. Programs at a virtual device test the rest.
 //
 //     FOLDER=generated/javascript node --test device.test.mjs
 import assert from "node:assert/strict";
@@ -74,7 +74,7 @@ const opened = async (reply, options) => {
 const joined = (parts) => new Uint8Array(Buffer.concat(parts));
 const pings = (count) => packetOf(Array.from({ length: count }, () => new Ping())).bytes;
 
-/** Answers each packet with what `reply` makes of each of its fields. */
+/** Answers each packet with what `reply` returns for each of its fields. */
 const answering = (reply) => {
     const parser = new Parser();
     return (bytes) => joined(parser.feed(bytes).map((sent) => packet(...[...sent.fields()].flatMap(reply))));
@@ -83,7 +83,7 @@ const answering = (reply) => {
 /** Acknowledges every field, with a code. */
 const acknowledging = (code = 0) => answering(({ set, descriptor }) => ack(set, descriptor, code));
 
-/** Acknowledges every field, and tells base rates: 100 Hz of set 0x80, and 4 Hz of others. */
+/** Acknowledges every field, and returns base rates: 100 Hz for set 0x80, and 4 Hz for others. */
 const rating = () =>
     answering(({ set, descriptor, data: [of] }) => {
         const rate = { descriptor: 0x8e, data: Uint8Array.of(of, 0, of === 0x80 ? 100 : 4), set };
@@ -219,7 +219,7 @@ test("the answer of a lost connection is not that of a command of the next one",
     await device.close();
 });
 
-test("nobody waits for the answer to what is only sent, and it is not that of the next command", async () => {
+test("the answer to a command that is only sent is not waited for, nor taken for that of the next", async () => {
     const { device, port } = await opened();
     await device.send(new Ping());
     const ping = device.request(new Ping(), { timeout: 5 });
@@ -341,7 +341,7 @@ test("the baud rate of a serial port is found", async () => {
 test("a serial port without a device", async (t) => {
     const { now } = performance;
     const { setTimeout: later } = globalThis;
-    t.mock.method(performance, "now", () => 50 * now.call(performance)); // it waits at each rate
+    t.mock.method(performance, "now", () => 50 * now.call(performance)); // 50 times as fast, as it waits at each rate
     t.mock.method(globalThis, "setTimeout", (call, milliseconds) => later(call, milliseconds / 50));
     await assert.rejects(openSerial(new FakeSerial(1)), { kind: "no_device" });
 });

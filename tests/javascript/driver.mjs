@@ -2,8 +2,8 @@
 //
 //     driver.mjs GENERATED_FOLDER
 //
-// Values have the names of the specification: classes read and write them in the plain form, which tools use. That their
-// objects hold the same is checked for each field: they must encode to the bytes from which they were decoded.
+// Values have the names of the specification: classes read and write them in the plain form, which tools use. Their
+// objects are checked for each field, too: they must encode to the bytes from which they were decoded.
 import path from "node:path";
 import readline from "node:readline";
 import { pathToFileURL } from "node:url";
@@ -81,7 +81,7 @@ function decoded({ set, descriptor, data }) {
 
 function encode({ set, fields }) {
     check(Number.isInteger(set) && set >= 0 && set < 256 && Array.isArray(fields));
-    Packet.build(set, []); // of several mistakes the first one is told
+    Packet.build(set, []); // of several mistakes, the first one is reported
     const parts = fields.map(({ descriptor, name, raw, values }) => {
         check(Number.isInteger(descriptor) && descriptor >= 0 && descriptor < 256);
         check(typeof raw === "string" || (typeof values === "object" && values !== null));
@@ -135,7 +135,7 @@ class Session {
             commands = [];
             for (const entry of fields) {
                 commands.push(commandOf(set, entry));
-                packetOf(commands, set); // of several mistakes the first one is told
+                packetOf(commands, set); // of several mistakes, the first one is reported
             }
             bytes = this.client.send(commands, this.now / 1000);
         } catch (error) {
@@ -192,7 +192,7 @@ class Session {
     }
 }
 
-/** A command of values with the names of the specification: its object is made of its bytes. */
+/** A command from values with the names of the specification: its object is made from its bytes. */
 function commandOf(set, { descriptor, name, values }) {
     check(typeof values === "object" && values !== null);
     const kind = registry.types(set, descriptor).find((one) => one.prototype instanceof Command && one.NAME === name);

@@ -79,7 +79,7 @@ def test_nothing_chosen(page: browser.Page) -> None:
 
 @pytest.mark.parametrize("device", [d.id for d in model("real").devices if d.base_rates])
 def test_base_rates(page: browser.Page, device: str) -> None:
-    """0 is known: such a set is sent as it arrives."""
+    """A rate of 0 is known: such a set is sent as it arrives."""
     page.run(f"choose({device!r}, [])")
     d = model("real").device(device)
     assert d is not None
@@ -120,7 +120,7 @@ def test_random_streams(page: browser.Page, device: str) -> None:
 
 
 def test_an_incomplete_profile_has_everything(page: browser.Page) -> None:
-    """What its sources do not tell is not what the device does not have: it is offered, and marked."""
+    """The device may have what its sources do not mention: it is offered, and marked."""
     assert page.run("choose('3dm-dh3', [['sensor', 'sensor.scaled_accel', 10]])")["need"]
     row = 'document.querySelector(\'[data-set="{}"] [data-field="{}"] label\').textContent'
     assert page.run(row.format("sensor", "sensor.scaled_accel")).endswith("(not known)")
@@ -144,7 +144,7 @@ def test_a_complete_profile_has_what_it_lists(page: browser.Page) -> None:
 
 @pytest.mark.parametrize("rate", ["", "0", "-5", "2000"])
 def test_a_rate_that_the_device_cannot_send(page: browser.Page, rate: str) -> None:
-    """It is said, and not counted as another."""
+    """The page says so, and counts no other rate instead."""
     chosen = page.run(f"choose('3dm-gx5-15', [['sensor', 'sensor.scaled_accel', {rate!r}]])")
     assert chosen == {"need": None, "ports": {}}
     said = "Scaled accel needs a rate above 0 Hz and up to 1000 Hz."

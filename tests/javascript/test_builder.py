@@ -186,7 +186,7 @@ def programs(page: browser.Page) -> list[str]:
 
 @pytest.fixture
 def own(page: browser.Page) -> Iterator[browser.Page]:
-    """The page, filled in otherwise, and as it was then."""
+    """The page, for tests that open other addresses; it is opened anew afterwards."""
     yield page
     page.open("about:blank")
     page.open(workbench("real") / "builder.html")
@@ -363,7 +363,7 @@ def test_a_field_of_several_sets_is_built_into_the_named_one(own: browser.Page) 
 
 
 def test_what_is_not_known_of_a_device_is_offered_and_marked(own: browser.Page) -> None:
-    """What the sources of an incomplete profile do not tell is not what the device does not have."""
+    """The device may have what the sources of an incomplete profile do not mention."""
     start(own, "3dm-gq7 filter.run")
     offered = browsed(own)
     assert offered["filter.run"] == "Run navigation filter"
@@ -467,7 +467,7 @@ def clipboard(page: browser.Page) -> str:
 
 @pytest.mark.parametrize("way", ["the clipboard", "a selection"])
 def test_everything_can_be_copied(own: browser.Page, way: str) -> None:
-    """Bytes, text and each program, also where a page may not write to the clipboard itself."""
+    """Bytes, text and each program, even where a page may not write to the clipboard itself."""
     own.call("Emulation.setFocusEmulationEnabled", enabled=True)
     own.browser.call("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
     start(own, "3dm.pps_source_control")

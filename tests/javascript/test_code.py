@@ -83,7 +83,7 @@ class Given(SampleValues):
 
 
 def writable(p: m.Parameter, value: Any) -> Any:
-    """A value that every language can write: printable, finite, not more than JSON keeps; bools are 0 or 1."""
+    """A value that every language can write: printable, finite, exact in JSON; bools are 0 or 1."""
     if p.struct:
         values = record(p.struct.parameters, value)
         return values | {
@@ -127,13 +127,13 @@ def others(of: m.Model, count: int) -> Iterator[tuple[m.Field, codec.Values]]:
 
 
 def reserved(p: m.Parameter) -> Any:
-    """What constructors set."""
+    """The value that constructors set."""
     return codec.canonical(p, p.reserved if p.length is None else [p.reserved] * int(p.length), p.name)
 
 
 @small("programs for many values")
 def test_other_values(spec: str, tmp_path: Path) -> None:
-    """The same text as the generator writes, which compiles what it writes for typical values; Python is run."""
+    """The same text as the generator writes, whose typical programs other tests compile; two languages are run here."""
     of, seen, bodies = model(spec), 0, []
     for round_ in range(3):
         chosen = {f.full_name: (f, values) for f, values in others(of, 3 + round_)}
@@ -178,7 +178,7 @@ def same(bodies: Bodies, language: str, output: str) -> None:
 
 
 def run_javascript(spec: str, bodies: Bodies, folder: Path) -> None:
-    """The same of programs in JavaScript, each of which is a module."""
+    """The same for programs in JavaScript, each of which is a module."""
     (folder / "node_modules").mkdir()
     (folder / "node_modules/mip-protocol").symlink_to(SPECS[spec][1] / "javascript")
     script = [
@@ -226,7 +226,7 @@ def test_other_values_compile(spec: str, tmp_path: Path) -> None:
 
 
 def spoiled(parameters: tuple[m.Parameter, ...], values: codec.Values) -> tuple[str, codec.Values] | None:
-    """The name of the first parameter that is reserved, and the values with another one there."""
+    """The name of the first reserved parameter, and the values with another one there."""
     for p in parameters:
         if p.name not in values or values[p.name] == []:
             continue
@@ -245,7 +245,7 @@ def spoiled(parameters: tuple[m.Parameter, ...], values: codec.Values) -> tuple[
 
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_another_value_of_what_is_reserved(spec: str, tmp_path: Path) -> None:
-    """Constructors set it: a program would send something else than the packet beside it."""
+    """Constructors set it: a program would send something other than the packet beside it."""
     commands = (f for f in model(spec).fields if f.role == m.COMMAND)
     typical = ((f, SampleValues(model(spec)).values(f, f.calls[0])) for f in commands)
     chosen = {f.full_name: found for f, values in typical if (found := spoiled(f.parameters, values))}

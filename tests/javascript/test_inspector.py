@@ -56,7 +56,7 @@ def page() -> Iterator[browser.Page]:
 
 
 def inspected(page: browser.Page, text: str, device: str = "") -> list[Any]:
-    """What the page shows of a text that is pasted."""
+    """What the page shows for a pasted text."""
     page.run(f"document.querySelector('select').value = {device!r}")
     page.run(
         f"(() => {{ const input = document.querySelector('textarea'); input.value = {text!r};"
@@ -253,7 +253,7 @@ def test_any_form(page: browser.Page, text: str) -> None:
     ],
 )
 def test_single_digits(page: browser.Page, text: str, wanted: str) -> None:
-    """Between bytes, and at the end of a list, they are bytes; in words, they are none."""
+    """Between bytes, and at the end of a list, they are bytes; in words, they are not."""
     inspected(page, text)
     shown = page.run(
         "[...document.querySelectorAll('.mip-other code, .mip-packet > .mip-bytes')].map(x => x.textContent)"
@@ -330,7 +330,7 @@ def test_what_cannot_be_decoded(page: browser.Page) -> None:
 
 
 def test_misprints_are_named(page: browser.Page) -> None:
-    """Each print with wrong bytes that is a whole text of bytes is told from the right one."""
+    """Each printed packet with wrong bytes is recognized, if its text is one of whole bytes."""
     known = 0
     for e in model("real").examples:
         printed = "".join(e.string.split()).lower() if e.string else ""
@@ -412,7 +412,7 @@ def test_what_is_no_packet_leads_to_the_hits_of_the_finder(page: browser.Page) -
 
 
 def test_bytes_and_values_are_linked(page: browser.Page) -> None:
-    """Who points at the bytes of a value sees its row, and the other way round."""
+    """Pointing at the bytes of a value marks its row, and the other way round."""
     inspected(page, "75650C04042801041B55")
     page.run("document.querySelector('[data-value=source]').dispatchEvent(new Event('mouseover', { bubbles: true }))")
     assert page.run("[...document.querySelectorAll('tr.mip-pointed')].map((row) => row.dataset.path)") == ["source"]

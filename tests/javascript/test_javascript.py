@@ -56,7 +56,7 @@ def program(folder: Path, name: str) -> Path:
 
 @pytest.mark.parametrize("device", ["3dm-cv7-gnss-ins", "3dm-gx5-15"])
 def test_a_program_talks_to_a_device(device: str, tmp_path: Path) -> None:
-    """Of two generations, which have other commands; only the older one does not have the command that is refused."""
+    """Devices of two generations with different commands; only the older one lacks the command that is rejected."""
     path = program(tmp_path, "live.mjs")
     with simulated("--tcp", "0", device=device) as place:
         host, _, port = place.rpartition(":")

@@ -26,7 +26,7 @@ def words(path: Path) -> str:
 
 
 def declared(spec: str, thing: m.Type | m.Field) -> tuple[str, str]:
-    """What stands between the declaration before and this one, with its comment; and what is in it."""
+    """The text between the declaration before and this one, with its comment; and its body."""
     text = words(SPECS[spec][1] / f"javascript/{names.home(thing)}.d.mts")
     kind = {"enum": "declare const", "bitfield": "declare const", "vector": "type", "struct": "interface"}
     head = kind.get(getattr(thing, "kind", ""), "declare class")

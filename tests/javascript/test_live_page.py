@@ -120,7 +120,7 @@ def test_identify_stream_and_see(page: browser.Page) -> None:
             "[...document.querySelectorAll('[data-field=\"sensor.scaled_accel\"] dd')].map((one) => one.textContent)"
         )
         assert len(values) == 3 and math.isclose(float(values[2].removesuffix(" g")), -1, abs_tol=0.05)
-        # What is drawn is drawn: there are pixels in the plots and in the picture.
+        # The plots and the picture are not empty: they have pixels.
         painted = (
             "[...document.querySelectorAll('canvas:not([hidden])')].map((one) => one.getContext('2d')"
             ".getImageData(0, 0, one.width, one.height).data.some((byte) => byte))"
@@ -200,7 +200,7 @@ def key(page: browser.Page, name: str, code: int, text: str = "") -> None:
     page.call("Input.dispatchKeyEvent", type="keyUp", key=name, code=name, windowsVirtualKeyCode=code)
 
 
-#: What has the focus: what it is called, and whether it can be seen that it has it.
+#: The element that has the focus: its name, and whether the focus is visible.
 FOCUS = """(() => {
     const it = document.activeElement;
     const name = it.ariaLabel || it.labels?.[0]?.textContent || it.textContent;
@@ -210,7 +210,7 @@ FOCUS = """(() => {
 
 
 def tabbed(page: browser.Page, until: str) -> list[str]:
-    """The names of what Tab leads to, up to one; each can be seen, and that it has the focus."""
+    """The names of the elements to which Tab leads, up to `until`; each is visible, and so is its focus."""
     names: list[str] = []
     while until not in names:
         key(page, "Tab", 9)
@@ -257,7 +257,7 @@ def test_by_keyboard_alone(page: browser.Page) -> None:
 
 
 def load(page: browser.Page, text: str) -> str:
-    """What the page says when it is given a file."""
+    """What the page says after a file is chosen."""
     page.run(
         "(() => { const input = document.querySelector('#mip-settings'); const held = new DataTransfer();"
         f" held.items.add(new File([{json.dumps(text)}], 'settings.yaml')); input.files = held.files;"

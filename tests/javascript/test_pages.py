@@ -13,7 +13,7 @@ from workbench import workbench
 pytestmark = heavy("Chromium")
 PAGES = ("bandwidth.html", "builder.html", "finder.html", "inspector.html", "live.html")
 
-#: What a page shows at first, if that is little.
+#: The fragments with which pages are opened that show little without.
 SHOWN = {
     "finder.html": "#lever%20arm",
     "builder.html": "#3dm.event_action_config",
@@ -124,7 +124,7 @@ ACTS = {
     "live": ("put('#mip-serve', 'ws://127.0.0.1:9/abc'); document.querySelector('form button').click()", "serve=ws"),
 }
 
-#: What somebody sees.
+#: What a user sees.
 SEEN = """[
     [...document.querySelectorAll("#tool :is(input, select, textarea)")].map((one) => [one.id, one.value, one.checked]),
     document.querySelector("#tool").innerText.replace(/Not connected.*/s, ""),

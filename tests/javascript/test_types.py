@@ -42,7 +42,7 @@ def project(folder: Path, modules: Path, package: Path = GENERATED) -> Path:
 
 
 def compiled(folder: Path, modules: Path) -> str:
-    """What the compiler says of all programs of a folder, the declarations of the package included."""
+    """The compiler's messages on all programs of a folder, including the declarations of the package."""
     options = {
         "strict": True, "noUncheckedIndexedAccess": True, "exactOptionalPropertyTypes": True, "skipLibCheck": False,
         "module": "nodenext", "target": "es2022", "lib": ["es2022", "dom"], "types": ["node"], "noEmit": True,
@@ -56,7 +56,7 @@ def test_right_programs_compile_and_wrong_ones_do_not(tmp_path: Path, modules: P
     folder = project(tmp_path, modules)
     for program in (*HERE.glob("types/*.mts"), ROOT / "spec/programs/typed.mts"):
         shutil.copy(program, folder)
-    assert compiled(folder, modules) == ""  # each `@ts-expect-error` is one
+    assert compiled(folder, modules) == ""  # each `@ts-expect-error` marks an error
     wrong = (folder / "wrong.mts").read_text("utf-8")
     (folder / "wrong.mts").write_text(wrong.replace("// @ts-expect-error", "//"), "utf-8")
     found = set(re.findall(r"wrong\.mts\((\d+),", compiled(folder, modules)))

@@ -97,7 +97,7 @@ def longest(text: str) -> str:
 
 
 def test_nothing_is_committed_twice() -> None:
-    """The longest line of each module and style sheet tells where it is."""
+    """The longest line of each module and style sheet shows where it is."""
     files = texts("generated", "runtime", "tests/invented/golden", "tools/workbench")
     modules = [path for path in files if path.startswith("tools/") and path.endswith((".mjs", ".css"))]
     assert len(modules) > 15

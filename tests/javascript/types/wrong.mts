@@ -1,4 +1,4 @@
-// What strict TypeScript refuses: tsc reports each line below a comment of this form, and none else.
+// What strict TypeScript rejects: tsc reports each line below a comment of this form, and no other.
 import { Command, Data, type Device, fromHex, type Packet } from "mip-protocol";
 import { PpsSource, PpsSourceControl } from "mip-protocol/3dm";
 import { CommSpeed, Ping } from "mip-protocol/base";
