@@ -16,7 +16,7 @@ NO_SETS = (0, 255)
 
 
 class Wrong(Exception):
-    """The word by which the answer names what is wrong."""
+    """An error, with the word for it in the answer."""
 
 
 class Reader:

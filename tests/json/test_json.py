@@ -34,7 +34,7 @@ DEFINITIONS: dict[type, str] = {
     guides.Shown: "guide_field", guides.Migration: "guide_migration", guides.Change: "guide_change",
 }  # fmt: skip
 
-#: What an object has in another form than as an attribute of the model.
+#: Keys that are no attributes of the model, or have another form there.
 ADDED = {
     "parameter": {"type", "cases"}, "enum": {"symbols"},
     "field": {"set", "occurrences", "symbols", "calls", "typical", "constants", "operations"},
@@ -198,7 +198,7 @@ def test_types_come_before_what_uses_them(spec: str) -> None:
 
 @specs
 def test_every_example_decodes_and_encodes(spec: str) -> None:
-    """What the document says of its own examples, by a program that reads nothing else."""
+    """The document's own examples, with a program that reads nothing else."""
     known = interpreter().Interpreter(whole(spec))
     for e in whole(spec)["examples"]:
         packet = bytes.fromhex(e["packet"])
@@ -220,7 +220,7 @@ def test_symbols_are_those_of_the_bindings() -> None:
     in_c = set(re.findall(r"^(?:struct|enum|typedef \w+|typedef struct \w+) (mip_\w+)", headers, re.M))
     in_c |= set(
         re.findall(r"^MIP_API const char \*(mip_\w+)_name\(", headers, re.M)
-    )  # of an enumeration that C has not
+    )  # of an enumeration that C does not have
     rust = {
         p.stem: set(
             re.findall(r"^\s*(?:pub (?:struct|enum|type) )?(\w+)(?:: [^{]*)?(?: \{|;| =)", p.read_text("utf-8"), re.M)
