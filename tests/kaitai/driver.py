@@ -85,7 +85,7 @@ class Walk:
 
 
 def field(found: Any) -> Tree:
-    """A field of a packet as it is answered."""
+    """A field of a packet as it is in an answer."""
     if not found.is_sound:
         return {"error": "field_length"}
     raw, answer = found.content.bytes, {"descriptor": found.descriptor}

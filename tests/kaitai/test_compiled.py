@@ -83,7 +83,7 @@ def test_every_field(language: str, spec: str) -> None:
 @languages
 @specs
 def test_mutated_packets(language: str, spec: str) -> None:
-    """Data of any length and content, lengths that cannot be right, and packets that are none."""
+    """Data of any length and content, lengths that cannot be right, and invalid packets."""
     of, chance = model(spec), random.Random(5)
     packets = []
     for f in all_fields(of):
@@ -109,7 +109,7 @@ def test_mutated_packets(language: str, spec: str) -> None:
 
 @languages
 def test_awkward_names_and_layouts(language: str, tmp_path: Path) -> None:
-    """Keywords of many languages as names, counters around each other, unions in structures in unions."""
+    """Keywords of many languages as names, interleaved counters, unions in structures in unions."""
     spec, out = tmp_path / "spec", tmp_path / "out"
     shutil.copytree(SPECS["invented"][0], spec)
     (spec / "sets/awkward.yaml").write_text(filled(COMMANDS), "utf-8")
@@ -168,7 +168,7 @@ NOISE = [b"", b"$GPGGA,123519*47\r\n", b"\x75", b"ue\x00\x01", b"noise", b"\xff"
 
 @specs
 def test_streams(spec: str) -> None:
-    """Every intact packet comes out, whatever stands between them and whatever the end is cut off."""
+    """Every intact packet is found, whatever is between them and wherever the end is cut off."""
     packets = sorted({e.packet for e in model(spec).examples})
     between = [NOISE[i % len(NOISE)] for i in range(len(packets))]
     stream = b"".join(n + p for n, p in zip(between, packets, strict=True)) + packets[0][:-1]
@@ -259,7 +259,7 @@ def locked_cpp(spec: str) -> Path:
 
 @specs
 def test_what_looks_like_a_packet_hides_what_follows(spec: str) -> None:
-    """Checksums are not verified: what the README says of this is so."""
+    """Checksums are not verified, as the README says."""
     packet = model(spec).examples[0].packet
     parts = compiled_python(spec).from_bytes(b"ue\x80" + bytes([len(packet) - 1]) + packet + b"..").parts
     assert parts[0].is_packet and not any(p.is_packet for p in parts[1:])

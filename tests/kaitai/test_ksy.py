@@ -55,7 +55,7 @@ def test_a_packet_begins_with_the_sync_bytes(spec: str) -> None:
 
 
 def test_what_a_count_must_obey() -> None:
-    """What is between the counter and its array has its own bytes, without which nothing is counted."""
+    """The array must fit, with the bytes between it and its counter; without those bytes, nothing is counted."""
     known = ksy(file("invented"))["types"]
     assert {
         (kind, a["id"]): a["valid"]["expr"]
