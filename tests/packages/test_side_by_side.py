@@ -1,4 +1,4 @@
-"""The output of an own specification has the names of its own package: it is installed, built and linked beside that of
+"""The output of a user's specification has the names of its package: it is installed, built and linked beside that of
 another. Both are made of one specification, so that nothing but the package can keep them apart."""
 
 from __future__ import annotations
@@ -184,7 +184,7 @@ def test_javascript(packages: Packages) -> None:
 
 
 def test_what_refers_to_other_languages(packages: Packages) -> None:
-    """The document and the manual call things what they are called there."""
+    """The document and the manual use the names in those languages."""
     document = json.loads((packages["my_device"] / "json/mip.json").read_text("utf-8"))
     symbols = {f["name"]: f["symbols"] for f in document["fields"]}
     assert document["package"] == "my_device" and symbols["tools.light"] == {
