@@ -1,9 +1,9 @@
 /*
  * The client: one event, in any state with up to three requests that wait. It accesses nothing outside its
  * arguments and leaves such a state again: a list of requests that wait, in their order, less those that left it.
- * Which requests wait is another branch each, so that the prover knows the list before the event.
+ * Each set of waiting requests is a branch of its own, so that the prover knows the list before the event.
  *
- * What it calls of the parser is any that its contract allows.
+ * The functions of the parser that it calls may do anything that their contracts allow.
  */
 #include "mip/client.c"
 
@@ -24,7 +24,7 @@ struct mip_exchange nondet_exchange(void);
 static struct mip_codec codec;
 static struct mip_response responses[REQUESTS][RESPONSES];
 static struct mip_exchange exchanges[REQUESTS];
-/* Objects of their own: the prover would look at an array as a whole. */
+/* Separate objects: the prover would treat an array as a whole. */
 static struct mip_request first, second, third;
 static struct mip_request *const requests[REQUESTS] = {&first, &second, &third};
 static struct mip_client client;
@@ -45,7 +45,7 @@ static size_t up_to(size_t most) {
     return any;
 }
 
-/* A barrier is the payload of its answer: none, or at least two commands. */
+/* A barrier is represented by the payload size of its reply: none, or at least two commands. */
 static bool is_barrier(uint8_t payload) {
     return payload == 0 || (payload >= FIRST_BARRIER && payload <= 252 && payload % 4 == 0);
 }
@@ -82,7 +82,7 @@ static void any_state(unsigned waiting) {
     }
 }
 
-/* Those that are left wait and keep their order. */
+/* The requests that are left wait, in their order. */
 static void check(void) {
     assert(is_barrier(client.missed) && is_barrier(client.behind));
     const struct mip_request *r = client.waiting;

@@ -13,7 +13,7 @@ uint16_t nondet_sum(void);
 _Bool nondet_bool(void);
 
 #ifdef ANY_CHECKSUM
-/* The checksum has a proof of its own: here it is any number, of bytes that may be read. */
+/* The checksum has a proof of its own: here it is any number, and its bytes must be readable. */
 static uint16_t any_sum(const uint8_t *bytes, size_t size) {
     assert(__CPROVER_r_ok(bytes, size));
     return nondet_sum();
@@ -34,7 +34,7 @@ static size_t any_size(size_t most) {
     return size;
 }
 
-/* The method that is compiled gives the sums that the protocol defines. */
+/* The method that is compiled returns the sums that the protocol defines. */
 void checksum(void) {
     const size_t size = any_size(LARGEST);
     const uint8_t *bytes = any_bytes(size);
@@ -87,7 +87,7 @@ void walk(void) {
     }
 }
 
-/* A walk through a packet begins at its first field and ends before its checksum, even if it is none. */
+/* A walk through a packet begins at its first field and ends before its checksum, even if it is no valid packet. */
 void walk_begins(void) {
     const size_t size = any_size(MIP_MAX_PACKET);
     const struct mip_packet p = {any_bytes(size), size, nondet_byte()};
@@ -96,7 +96,7 @@ void walk_begins(void) {
     assert(size < 6 ? w.at == w.end : w.at == p.bytes + 4 && w.end == p.bytes + size - 2);
 }
 
-/* From any state of a packet that is being built: a field of any size is inside it, or refused and nothing changes. */
+/* From any state of a packet that is being built: a field of any size is inside it, or it is rejected and nothing changes. */
 void builder(void) {
     const size_t capacity = any_size(300);
     uint8_t *buffer = any_bytes(capacity);

@@ -1,10 +1,10 @@
 /*
  * One layout. decode: the bytes of a field, in memory of exactly its size, are decoded without an access outside that
  * memory and the structure; what is decoded is encoded to the same bytes. encode: any structure is encoded into a
- * packet of any capacity without an access outside it, or refused and the packet is unchanged.
+ * packet of any capacity without an access outside it, or it is rejected and the packet is unchanged.
  *
- * proofs.py states the layout: HEADER, TYPE (its structure), CODEC, SET, and LARGEST, the largest field that is looked
- * at.
+ * proofs.py states the layout: HEADER, TYPE (its structure), CODEC, SET, and LARGEST, the largest field that is
+ * tried.
  */
 #include HEADER
 #include "mip/program.h"

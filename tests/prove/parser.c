@@ -5,7 +5,7 @@
  *
  * Its loops are proved by induction: when one is entered, all that it changes becomes anything that its invariant
  * allows; after one round, the invariant must hold again. The macro below puts this into the source. Copies and
- * checksums are any that their contracts allow.
+ * checksums do anything that their contracts allow.
  */
 #include "mip/checksum.h"
 
@@ -105,9 +105,9 @@ static void look_round(size_t *place) {
     __CPROVER_assume(*place >= 1 && *place < state.length);
 }
 
-static size_t at; /* what the macro names in the function that has no such variable */
+static size_t at; /* for the macro, in the function that has no such variable */
 
-/* By the name of the function that has the loop. */
+/* Chooses by the name of the function that has the loop. */
 #define for(...)      \
     for (__VA_ARGS__) \
         if (sizeof(__func__) == sizeof("mip_parser_look_behind") ? look_round(&at) : search_round(), true)
@@ -139,7 +139,7 @@ static void check(bool is_found) {
     }
 }
 
-/* The first state is one of those. */
+/* The first state satisfies the invariant. */
 void parser_init(void) {
     mip_parser_init(&state);
     assert(is_state() && state.skipped == 0);

@@ -26,7 +26,7 @@ static bool next(const struct split *splits, size_t *choice) {
     return false;
 }
 
-/* Bytes with the values of a choice; false if another choice has the same bytes, as there are fewer. */
+/* Sets bytes to the values of a choice; false if another choice has the same bytes, because the field is shorter. */
 static bool choose(uint8_t *bytes, size_t size, const struct split *splits, const size_t *choice) {
     bool first = true;
     for (; splits->count > 0; splits++, choice++) {

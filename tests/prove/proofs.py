@@ -37,10 +37,10 @@ SOURCES = ROOT / "generated/c/src"
 KEPT = ROOT / "build/prove"
 TABLE = ROOT / "docs/proofs.md"
 MEMORY = 6 << 30  # bytes
-#: Around what `make prove` writes.
+#: The marks around the tables that `make prove` writes.
 BEGIN, END = "<!-- written by make prove -->", "<!-- end -->"
 
-#: What is proved of the core: bounds, and options of the prover. All but these are of any size.
+#: What is proved of the core: bounds, and options of the prover. Everything else is of any size.
 CORE = {
     "walk": ("any payload, from any place in it", "--unwind 1"),
     "walk_begins": ("any packet", "--unwind 1"),
@@ -48,13 +48,13 @@ CORE = {
     "packet": ("up to 16 bytes", "--unwind 17"),
     "checksum": ("up to 16 bytes, byte by byte", "--unwind 17"),
 }
-#: The same of the stream parser as firmware compiles it.
+#: The same for the stream parser as firmware compiles it.
 PARSER = {
     "parser_init": ("the first state", "--unwind 1"),
     "parser_next": ("any state, any piece of up to 600 bytes", "--unwind 3"),
     "parser_flush": ("any state", "--unwind 3"),
 }
-#: The same of the client.
+#: The same for the client.
 CLIENT = {
     "client_poll": ("up to three requests, any time", "--unwind 9"),
     "client_passes": ("up to three requests, any packet", "--unwind 9 --unwindset mip_client_passes.0:65"),
@@ -64,7 +64,7 @@ CLIENT = {
 }
 #: Harnesses that include what they prove.
 WHOLE = ("core.c", "parser.c", "client.c")
-#: What the harness looks at of an array whose length varies: up to so many items.
+#: The harness tries arrays of variable length with at most this many items.
 ITEMS = 3
 
 
@@ -131,8 +131,8 @@ def layout(f: m.Field, of: m.Model) -> Iterator[Proof]:
 
 
 def deciding(f: m.Field) -> Iterator[tuple[m.Parameter, list[int]]]:
-    """The bytes that decide how others are read, with the values that are looked at: all that mean something, and
-    one that does not."""
+    """The bytes that decide how others are read, with the values to try: all that have a meaning, and one that
+    has none."""
     tags = {p.union.tag: p.union for p in f.parameters if p.union}
     for p in f.parameters:
         if p.selector:
@@ -194,7 +194,7 @@ def version(cbmc: str, known: dict[str, str] = {}) -> str:  # noqa: B006
 
 
 def prove(proof: Proof, cbmc: str, seconds: int, sources: Path = SOURCES) -> Result:
-    """Proves it, or finds what refutes it, within so many seconds of processor time."""
+    """Proves it, or finds what refutes it, within `seconds` of processor time."""
     linked = [] if proof.harness in WHOLE else [n for n in proof.sources if n.endswith(".c")]
     also = [sources / "mip" / name for name in linked]
     command = [cbmc, HERE / proof.harness, *also, "-I", sources, "--function", proof.function, "--json-ui",
@@ -240,7 +240,7 @@ def kept(proof: Proof, cbmc: str, seconds: int) -> Result:
 
 # --------------------------------------------------------------------------- planted bugs
 
-#: Where, what is changed, into what, and the proof that must refute it.
+#: File, old text, new text, and the proof that must refute the change.
 PLANTS = [
     ("core.h", "if (left == 0) {", "if (walk->error != MIP_OK) {", "walk"),
     ("core.h", "walk->at = walk->end;", "", "walk"),
@@ -303,7 +303,7 @@ PLANTS = [
 
 
 def planted(number: int, cbmc: str) -> Result:
-    """What the proof says of a copy of the sources with this bug."""
+    """The result of the proof for a copy of the sources with this bug."""
     file, old, new, name = PLANTS[number]
     proof = next(p for p in (*core(), *layouts()) if p.name == name)
     with tempfile.TemporaryDirectory() as folder:
@@ -329,7 +329,7 @@ def run(proofs: list[Proof], cbmc: str, seconds: int) -> list[tuple[Proof, Resul
 
 
 def write(cbmc: str) -> None:
-    """The tables of docs/proofs.md, from what is kept of the sources as they are."""
+    """Writes the tables of docs/proofs.md from the stored results for the current sources."""
     known = {p: result for p in (*core(), *layouts()) if (result := found(p, cbmc))}
     git = ["git", "log", "-1", "--format=revision %h of %cs", "--abbrev=8", "--", "generated/c/src/mip", "tests/prove"]
     revision = subprocess.run(git, cwd=ROOT, capture_output=True, text=True).stdout.strip()

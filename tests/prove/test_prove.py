@@ -20,7 +20,7 @@ def cbmc() -> str:
 @heavy("CBMC")
 @pytest.mark.parametrize("proof", [*proofs.core()], ids=lambda p: p.name)
 def test_the_core_is_proved(proof: proofs.Proof) -> None:
-    assert proofs.prove(proof, cbmc(), 180).outcome == "proved"  # most of it is for a slow machine
+    assert proofs.prove(proof, cbmc(), 180).outcome == "proved"  # seconds; enough for a slow machine
 
 
 @heavy("CBMC")
