@@ -18,7 +18,7 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, ru
 from mipgen import model as m
 from support import model
 
-CHANCES = st.randoms(use_true_random=False)  # hypothesis chooses and shrinks what is drawn of them
+CHANCES = st.randoms(use_true_random=False)  # hypothesis chooses and shrinks what is drawn from them
 WORDS = scenarios.Words(model("real"))
 COMMANDS = [f for f in WORDS.of.fields if f.role == m.COMMAND]
 
@@ -31,7 +31,7 @@ class Conversation(RuleBasedStateMachine):
 
     @initialize(set_=st.sampled_from(sorted({f.set for f in COMMANDS})), data=st.data())
     def begin(self, set_: int, data: st.DataObject) -> None:
-        """Few commands, so that an answer may be meant for several."""
+        """Few commands, so that a reply may fit several of them."""
         own = st.sampled_from([f for f in COMMANDS if f.set == set_])
         self.set, self.commands = set_, data.draw(st.lists(own, min_size=1, max_size=3))
 

@@ -126,7 +126,7 @@ def record(value: Structure) -> dict[str, Any]:
 
 
 def present(value: Structure, p: Parameter) -> bool:
-    """A union holds None both when it is empty and when it is absent: its case and what it needs tell."""
+    """A union is None both when it is empty and when it is absent: its tag and what is required decide."""
     if getattr(value, p.attribute) is not None:
         return True
     required = getattr(value, "REQUIRED", None)
@@ -211,7 +211,7 @@ def built(kind: Any, values: dict[str, Any]) -> Any:
 
 
 def check_presence(kind: Any, parameters: tuple[Parameter, ...], values: dict[str, Any]) -> None:
-    """An empty union is None, as an absent one is: look for gaps and missing ones here."""
+    """An empty union is None, like an absent one: gaps and missing ones are found here."""
     required = getattr(kind, "REQUIRED", None)
     for number_, p in enumerate(parameters):
         if p.kind != "switch" or p.name in values:
@@ -300,7 +300,7 @@ class Session:
             raise ValueError("neither a set nor a command")
         try:
             commands = []
-            trial = PacketBuilder(step["set"])  # of several mistakes the first one is told
+            trial = PacketBuilder(step["set"])  # of several mistakes, the first one is reported
             for f in step["fields"]:
                 commands.append(self.command(step["set"], f))
                 trial.add(commands[-1].DESCRIPTOR, commands[-1].encode())
@@ -388,7 +388,7 @@ class Live(Session):
         super().__init__()
         self.port = port
         self.start = time.monotonic()
-        self.told = False  # that the port is closed
+        self.told = False  # the closed port was reported
 
     def known(self) -> dict[str, Callable[[dict[str, Any]], None]]:
         return {"send": self.send, "answers": self.answers, "listen": self.listen, "end": self.end}

@@ -1,4 +1,4 @@
-"""A target for Atheris: Python answers as the generator's own interpreter of the model does.
+"""A target for Atheris: Python must answer as the generator's own interpreter of the model does.
 
 Inputs are those of parser.c and fields.c; `make fuzz TARGETS="python-parser python-fields"` runs it.
 """

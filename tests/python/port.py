@@ -32,7 +32,7 @@ class Port:
             self.closed = True
 
     def read(self, seconds: float) -> bytes:
-        """What has come, after at most so long; nothing if it is closed, too."""
+        """Reads what has arrived, waiting at most that long; nothing also if the port is closed."""
         ready = select.select([] if self.closed else [self.handle], [], [], seconds)[0]
         try:
             data = os.read(self.handle, 4096) if ready else b""

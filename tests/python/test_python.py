@@ -217,7 +217,7 @@ def test_a_port_may_be_a_path() -> None:
 
 
 def test_errors_can_be_pickled() -> None:
-    """A pool of processes hands them over so."""
+    """A pool of processes passes them on in this way."""
     code = """
 import pickle
 from mip_protocol import *
@@ -303,7 +303,7 @@ def test_flush_gives_up_the_pending_candidate_only() -> None:
 
 
 def test_parser_keeps_no_more_than_a_packet() -> None:
-    """Of a long stream of false beginnings, no more is kept than one packet may have."""
+    """In a long stream of false starts, it keeps no more than the size of a packet."""
     parser = mip.parser.Parser()
     fed = 0
     for _ in range(200):
@@ -354,7 +354,7 @@ def test_client_times_out_and_forgets_silent_commands() -> None:
     assert [type(e).__name__ for e in late] == ["Received"]
 
 
-def test_client_decodes_the_layout_that_the_constants_tell() -> None:
+def test_client_decodes_the_layout_that_the_constants_select() -> None:
     client = mip.top.Client()
     client.send(mip.tools.Status(2), now=0.0)
     (event,) = client.receive(reply("f1 04 00", "90 1267 02 00000001 0000000000000009"), now=0.1)
@@ -362,7 +362,7 @@ def test_client_decodes_the_layout_that_the_constants_tell() -> None:
 
 
 def test_client_leaves_what_has_another_constant(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is another layout of the descriptor, and so no answer, even if nothing else tells the layouts apart."""
+    """It is another layout of the descriptor, and thus no answer, even if nothing else distinguishes the layouts."""
     for kind in (mip.tools.StatusShort, mip.tools.StatusLong, mip.tools.StatusOld, mip.tools.StatusFull):
         monkeypatch.setattr(kind, "matches", classmethod(lambda cls, data: True))
     client, status = mip.top.Client(), mip.tools.Status(2)
@@ -397,20 +397,20 @@ def test_client_flush_finds_an_answer_behind_noise() -> None:
     assert event.accepted and client.pending == () and client.skipped == 4
 
 
-def test_client_looks_behind_noise_before_it_gives_up_a_command() -> None:
+def test_client_looks_behind_noise_before_a_command_times_out() -> None:
     client, ping = mip.top.Client(timeout=1.0), mip.tools.Ping()
     client.send(ping, now=0.0)
     stream = b"ue\x80\xff" + reply("f1 01 00") + bytes(ping.packet())
     assert client.receive(stream[:-3], now=0.5) == [] and client.poll(now=0.9) == []
     (event,) = client.poll(now=1.0)
     assert event.command is ping and event.accepted
-    (event,) = client.receive(stream[-3:], now=1.0)  # what was behind it and not complete is not given up
+    (event,) = client.receive(stream[-3:], now=1.0)  # the incomplete packet behind it is kept
     assert event.packet == ping.packet() and client.skipped == 4
     client.send(ping, now=1.0)
     assert client.receive(b"ue\x80\xff", now=2.0) == [mip.top.TimedOut(ping)]
 
 
-def test_client_takes_as_the_response_only_the_field_behind_the_acknowledge() -> None:
+def test_client_accepts_only_the_field_behind_the_acknowledge_as_the_response() -> None:
     client = mip.top.Client()
     client.send(mip.tools.Bias.read(), now=0.0)
     data = "9b 000000000000000000000000"
@@ -425,7 +425,7 @@ def test_client_gives_each_command_the_answer_that_fits_it() -> None:
     data = "9b 000000000000000000000000"
     read, save = tools.Bias.read(), tools.Bias.save()
     client.send(save, now=0.0)
-    (late,) = client.receive(reply("f1 05 00", data), now=0.1)  # to a read that was given up, say
+    (late,) = client.receive(reply("f1 05 00", data), now=0.1)  # such as the reply to a read that timed out
     assert isinstance(late, mip.top.Received) and client.pending == (save,)
     client.send(read, now=0.0)
     (event,) = client.receive(reply("f1 05 00", data), now=0.1)
@@ -547,7 +547,7 @@ def test_identify() -> None:
 
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_reflection(spec: str) -> None:
-    """The tables for tools say what the specification says."""
+    """The tables for tools agree with the specification."""
     package, of = (mip if spec == "invented" else real), model(spec)
     records = [*all_fields(of), *(t for t in of.all_types if isinstance(t, m.Struct))]
     for record in records:
@@ -746,7 +746,7 @@ def number(scalar: m.Scalar, value: Any) -> str:
 
 
 def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
-    """Copied into an empty place, installed, used from elsewhere."""
+    """Copied into an empty folder, installed, used from another one."""
     copy = tmp_path / "vendored"
     shutil.copytree(REAL, copy, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("README.md", "LICENSE", "pyproject.toml", "mip_protocol/py.typed"):
@@ -778,7 +778,7 @@ def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
 
 
 def test_runtime_is_ordinary_source() -> None:
-    """It is in the package as it is: neither rendered nor reformatted."""
+    """It is copied into the package unchanged: neither rendered nor reformatted."""
     runtime = ROOT / "runtime/python"
     found = [p.relative_to(runtime) for p in runtime.rglob("*") if p.is_file() and "__pycache__" not in p.parts]
     assert len(found) > 10
@@ -831,7 +831,7 @@ VERSIONS = pytest.mark.parametrize("version", ["3.10", "3.11", "3.12", "3.13"])
 
 
 def test_syntax_of_the_oldest_python() -> None:
-    """What it reads, newer ones read."""
+    """What it accepts, newer ones accept."""
     parse_as("3.10", REAL / "mip_protocol")
 
 

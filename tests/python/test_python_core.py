@@ -1,4 +1,4 @@
-"""The core of the Python package: the fast ways give the same as the plain ones; objects behave as data classes do."""
+"""The core of the Python package: fast code returns the same as plain code; objects behave as data classes do."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_checksums_of_all_sizes() -> None:
 
 
 class PlainParser:
-    """The rules of a parser, as short as they can be said."""
+    """The rules of a parser, as briefly as possible."""
 
     def __init__(self) -> None:
         self.stream, self.at, self.skipped = b"", 0, 0
@@ -66,7 +66,7 @@ class PlainParser:
         return found
 
     def next(self, final: bool) -> bytes | None:
-        """A packet; nothing where none begins; None if there is too little to tell."""
+        """A packet; empty where none begins; None if more bytes are needed to decide."""
         left = self.stream[self.at : self.at + 261]
         if not left:
             return None
@@ -172,7 +172,7 @@ def test_feed_takes_any_buffer(tmp_path: Path) -> None:
 
 
 def told(fields: Any) -> list[Any]:
-    """All that there is to say of decoded fields, to the bit."""
+    """Everything about decoded fields, to the bit."""
     found = []
     for f in fields:
         raw = isinstance(f, tuple)
@@ -185,7 +185,7 @@ def told(fields: Any) -> list[Any]:
 
 
 def some_packets(package: Package, of: m.Model, chance: random.Random) -> Iterator[list[bytes]]:
-    """Packets of the same layout and others that are like it."""
+    """Packets of one layout and of others that are similar."""
     types = [(s.number, t) for s in of.sets for t in all_types(package, s.number)]
     for round in range(2 * len(types)):
         set, kind = types[round % len(types)]
@@ -405,7 +405,7 @@ def test_matrices_are_indexed_by_row_and_column() -> None:
 
 
 class Array:
-    """What a NumPy array has of an array."""
+    """The parts of a NumPy array that the package uses."""
 
     def __init__(self, values: list[Any]) -> None:
         self.values = values
@@ -546,7 +546,7 @@ def test_type_checkers_see_the_modules_and_the_elements(tmp_path: Path) -> None:
 @heavy("pyright")
 @pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=nightly("pyright on the real package"))])
 def test_pyright_finds_nothing(spec: str, tmp_path: Path) -> None:
-    """What editors show to users; mypy is stricter in other things."""
+    """Editors show what it finds; mypy is stricter in other things."""
     folder = SPECS[spec][1] / "python"
     settings = {"include": [str(folder / "mip_protocol")], "typeCheckingMode": "standard", "pythonPlatform": "All"}
     (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings))

@@ -1,4 +1,4 @@
-"""What is documented where: every fact of every field, parameter, value and bit, at that very thing."""
+"""Every fact about every field, parameter, value and bit is documented, at the very item."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ say = docs.COMMENTS.say
 
 
 def plain(text: str) -> str:
-    """White space is one blank."""
+    """A text in which each white space is one blank."""
     return " ".join(text.split())
 
 

@@ -146,7 +146,7 @@ def test_what_differs_by_device_or_beside_other_values(spec: str) -> None:
 
 
 def beside(package: Package, r: m.Record, p: m.Parameter, v: m.Variant) -> Any:
-    """The parameter as it is in an object where the other value is the one of the variant."""
+    """The parameter in an object in which the other value is the one of the variant."""
     holder = object.__new__(kind(package, r))
     setattr(holder, names.member(v.by), v.value)
     return kind(package, r).INFO[p.name].of(holder)
@@ -268,7 +268,7 @@ def flag(r: m.Record, path: str, device: str | None) -> tuple[str, int] | None:
 
 
 def empty(package: Package, r: m.Record) -> Any:
-    """All its values are 0."""
+    """An object whose values are all 0."""
     found = object.__new__(kind(package, r))
     for p in kind(package, r).INFO.members:
         setattr(found, p.attribute, 0)
@@ -276,7 +276,7 @@ def empty(package: Package, r: m.Record) -> Any:
 
 
 def test_flags_suit_whole_columns() -> None:
-    """What `holds` does with a number it does with anything that has the operators, such as an array."""
+    """`holds` works with anything that has the operators of a number, such as an array."""
 
     class Column(list[int]):
         def __and__(self, mask: int) -> Column:
@@ -486,7 +486,7 @@ def test_objects_of_strange_values_have_a_text() -> None:
 
 @BOTH
 def test_values_that_cannot_be_sent_have_a_text(spec: str) -> None:
-    """The other methods refuse them as sending does."""
+    """The other methods reject them, as sending does."""
     package = PACKAGES[spec]
     chance, refused = random.Random(8), 0
     for _, kind in package.registry.all_types():
@@ -588,7 +588,7 @@ def test_names_of_the_vendor() -> None:
         ("0x0C,0x90", "may be 3dm.device_status"),
     ],
 )
-def test_unknown_names_say_the_nearest(name: str, message: str) -> None:
+def test_unknown_names_suggest_the_nearest(name: str, message: str) -> None:
     with pytest.raises(LookupError, match=message) as error:
         real.registry.by_name(name)
     assert isinstance(error.value, real.errors.UnknownName) and isinstance(error.value, real.errors.MipError)

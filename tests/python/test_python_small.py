@@ -125,7 +125,7 @@ def test_it_imports_has_right_types_and_talks(own: Path, tmp_path: Path) -> None
 
 
 def test_each_fact_decides_alone() -> None:
-    """Without sessions, only what needs a session is left out; what two facts need stays with either."""
+    """Without sessions, only what needs a session is left out; what needs one of two facts stays with either."""
     invented = load_model(SPECS["invented"][0])
     assert needs.left_out(invented) == {"streaming"} and not needs.left_out(load_model(SPECS["real"][0]))
     source = b"""\

@@ -1,4 +1,4 @@
-"""What type checkers say to users of the installed package: about its programs, and about what constructors accept."""
+"""What type checkers report to users of the installed package: on its programs, and on arguments of constructors."""
 
 from __future__ import annotations
 

@@ -79,7 +79,7 @@ class Awaited:
 
 
 class Kind:
-    """How devices of one kind are made."""
+    """Makes devices of one kind."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -95,7 +95,7 @@ class Kind:
 
 
 class Peer:
-    """The other end of a connection: takes commands, and answers what a test wants."""
+    """The other end of a connection: receives commands, and sends the replies of the test."""
 
     def __init__(self) -> None:
         self.near, self.far = socket.socketpair()
@@ -115,7 +115,7 @@ class Peer:
         self.far.sendall(b"".join(data))
 
     def answering(self, *answers: bytes | list[bytes]) -> threading.Thread:
-        """Answers each command in turn, in a thread; of a list, each part is sent on its own."""
+        """Answers each command in turn, in a thread; the parts of a list are sent one by one."""
 
         def run() -> None:
             for answer in answers:

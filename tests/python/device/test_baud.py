@@ -1,4 +1,4 @@
-"""How a baud rate is found, step by step, with a clock of its own."""
+"""The search for a baud rate, step by step, with a simulated clock."""
 
 from __future__ import annotations
 

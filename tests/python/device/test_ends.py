@@ -1,4 +1,4 @@
-"""How devices and what waits for them end: dropped, closed, opened again, cancelled, at ports that take nothing."""
+"""The end of devices and of waits for them: dropped, closed, reopened, cancelled, at ports that accept no bytes."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def url(server: socket.socket) -> str:
 
 
 class Silent:
-    """A port at which nothing arrives; it takes one byte of a packet at a time."""
+    """A port at which nothing arrives; it accepts one byte of a packet at a time."""
 
     def __init__(self, seconds: float = 0.0) -> None:
         self.sent = bytearray()
@@ -70,7 +70,7 @@ class Stuck(Silent):
 
 
 def test_a_dropped_device_closes_its_port(server: socket.socket) -> None:
-    """No thread goes on reading the port, and takes what arrives from the next device."""
+    """No thread goes on reading the port, which would take data from the next device."""
     device: Any = mip.open_port(url(server), on_skipped=lambda data: None)
     reader = device._reader
     with server.accept()[0] as connection:
@@ -96,7 +96,7 @@ def test_a_dropped_device_for_asyncio_closes_its_port(server: socket.socket) -> 
         await device.send(PING)
         with pytest.warns(ResourceWarning, match="is not closed"):
             device = None
-            gc.collect()  # the frames of the write
+            gc.collect()  # the frames of the write refer to the device
         assert silent.closed
 
     asyncio.run(asyncio.wait_for(main(), 20))
@@ -118,7 +118,7 @@ def test_the_end_of_a_program_does_not_wait_for_a_device() -> None:
 
 
 def test_a_serial_port_is_opened_once(kind: Kind) -> None:
-    """Two readers of one port would each get a part of what arrives: a cell of a notebook that runs twice, say."""
+    """Two readers of one port, such as a notebook cell that runs twice, would each get a part of what arrives."""
     master, slave = os.openpty()
     path = os.ttyname(slave)
     try:
@@ -137,13 +137,13 @@ def test_a_serial_port_is_opened_once(kind: Kind) -> None:
 # --------------------------------------------------------------------------- ports that take nothing
 
 
-def test_a_port_that_takes_nothing(kind: Kind, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_port_that_accepts_no_bytes(kind: Kind, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(port, "WRITE_TIMEOUT", 0.1)
     with kind.at(Stuck()) as device, pytest.raises(mip.PortClosed, match="cannot write: the other end takes nothing"):
         device.request(PING)
 
 
-def test_a_device_that_is_closed_while_its_port_takes_nothing(kind: Kind) -> None:
+def test_a_device_that_is_closed_while_its_port_accepts_no_bytes(kind: Kind) -> None:
     with kind.at(Stuck()) as device:
         ends: list[str] = []
 
@@ -199,7 +199,7 @@ def test_a_healthy_port_that_is_opened_again(kind: Kind, server: socket.socket) 
             server.close()
             with pytest.raises(OSError):
                 device.reopen(within=0.1)
-            threads[1].join(20)  # what waits for data does not wait for ever
+            threads[1].join(20)  # the wait for data ends
             assert device.closed and [e.kind for e in ends] == ["no_answer", "closed"]
 
 
@@ -225,7 +225,7 @@ def test_a_command_that_is_cancelled_is_written_whole() -> None:
 
 
 def test_opening_that_is_cancelled_ends() -> None:
-    """The port is closed again, and no rate is tried any more."""
+    """The port is closed again, and no further rate is tried."""
     master, slave = os.openpty()
     written: list[bytes] = []
 
@@ -243,7 +243,7 @@ def test_opening_that_is_cancelled_ends() -> None:
         opening.cancel()
         with pytest.raises(asyncio.CancelledError):
             await opening
-        # A lock fails as long as somebody else has the port.
+        # A lock fails as long as another has the port.
         with open(os.ttyname(slave), "rb") as terminal:
             fcntl.flock(terminal, fcntl.LOCK_EX | fcntl.LOCK_NB)
         await asyncio.sleep(0.7)
@@ -322,7 +322,7 @@ asyncio.run(main())
 
 
 def test_cancellations_are_not_dropped() -> None:
-    """Also in the turn of the event loop in which what a task waits for has happened."""
+    """Not even in the turn of the event loop in which the awaited event occurs."""
     assert python(CANCELLED) == "7\n7"
 
 

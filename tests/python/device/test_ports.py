@@ -1,4 +1,4 @@
-"""Real ports: the virtual device at pseudo-terminals and TCP, faults on the line, pyserial, ports of one's own."""
+"""Real ports: the virtual device at pseudo-terminals and TCP, faults on the line, pyserial, user-defined ports."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def kind(request: pytest.FixtureRequest) -> Kind:
 
 @contextmanager
 def serving(virtual: VirtualDevice, *endpoints: Endpoint, **options: Any) -> Iterator[list[str]]:
-    """Serves a device in a thread; the URLs at which it is."""
+    """Serves a device in a thread; yields its URLs."""
     places: list[str] = []
     with Server(virtual, endpoints, ready=places.append, **options) as server:
         thread = threading.Thread(target=server.run, daemon=True)
@@ -71,7 +71,7 @@ def stream(device: Any, rate: int = 100) -> None:
 
 
 def insist(device: Any, command: Any) -> Any:
-    """Asks until the device answers; faults strike commands and answers."""
+    """Repeats a command until the device answers; faults hit commands and replies."""
     for _ in range(20):
         try:
             return device.request(command)
@@ -85,7 +85,7 @@ def insist(device: Any, command: Any) -> Any:
 
 @pytest.mark.parametrize("place", ["tcp", "pty"])
 def test_nothing_intact_is_lost(kind: Kind, place: str, tmp_path: Path) -> None:
-    """All packets of data in what came are handed over in order, and all that is between them, while commands run."""
+    """All data packets that arrive are handed over in order, with all bytes between them, while commands run."""
     came, between = bytearray(), bytearray()
     virtual = VirtualDevice(DEVICE, faults=Faults(seed=3, **FAULTS))
     endpoint = tcp_at("localhost:0") if place == "tcp" else pty_at(str(tmp_path / "port"))
@@ -141,7 +141,7 @@ def test_silenced_commands_at_the_virtual_device(kind: Kind) -> None:
 
 @pytest.mark.parametrize("timeout", [None, 0, 0.01, 10.0])
 def test_serial_ports_with_any_time_out(kind: Kind, timeout: float | None, tmp_path: Path) -> None:
-    """An answer comes at once, and a missing one is noticed."""
+    """A reply is returned at once, and a missing one is noticed."""
     endpoint = pty_at(str(tmp_path / "port"))
     with (
         serving(VirtualDevice(DEVICE), endpoint) as (path,),
@@ -152,7 +152,7 @@ def test_serial_ports_with_any_time_out(kind: Kind, timeout: float | None, tmp_p
             device.request(base.GetDeviceInfo())
         assert time.monotonic() - started < 5
         with pytest.raises(mip.NoAnswer):
-            device.request(base.BuiltInTest(), timeout=0.0)  # takes two seconds, so its answer is late for sure
+            device.request(base.BuiltInTest(), timeout=0.0)  # takes two seconds, so its reply is certainly late
         stream(device)
         sets = [device.next(5).packet.set for _ in range(10)]
         assert sets == [1] + [0x80] * 9  # the answer that came too late is not lost
@@ -282,13 +282,13 @@ class Answering:
 
 
 class WithoutWaiting(Answering):
-    """As raw files that are set not to block."""
+    """Like raw files in non-blocking mode."""
 
     nothing = None
 
 
 class Slowly(Answering):
-    """Takes a byte at a time, and gives one."""
+    """Writes and reads one byte at a time."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -340,7 +340,7 @@ class Changing(Answering):
 
 
 def test_a_device_has_time_to_change_its_rate(kind: Kind) -> None:
-    """As the manuals ask: nothing is sent meanwhile."""
+    """As the manuals require, nothing is sent meanwhile."""
     port = Changing()
     with kind.at(port) as device:
         assert device.change_baud(mip_3dm.UartBaudRate.write(921600)) == 921600 == port.baudrate
@@ -403,7 +403,7 @@ def test_a_port_that_cannot_write(kind: Kind) -> None:
 
 
 def test_a_socket_beyond_the_thousandth_file() -> None:
-    """`select` takes no file whose number is 1024 or more; a program with many devices has such."""
+    """`select` accepts no file descriptor from 1024 on; a program with many devices has such."""
     peer = Peer()
     limits = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (max(limits[0], min(2048, limits[1])), limits[1]))
@@ -424,7 +424,7 @@ def test_a_socket_beyond_the_thousandth_file() -> None:
 
 @pytest.mark.parametrize("speed", [1.0, 20.0])
 def test_a_live_port(kind: Kind, speed: float) -> None:
-    """Time passes at it, at its speed; bytes are neither lost nor late."""
+    """Its time passes at its speed; bytes are neither lost nor late."""
     virtual = VirtualDevice(DEVICE)
     began, now = time.monotonic(), virtual.now
     with kind.at(LivePort(virtual, speed=speed)) as device:
@@ -465,7 +465,7 @@ def test_a_live_port_reads_no_more_than_it_is_asked_for() -> None:
 
 
 def test_the_time_of_the_device(kind: Kind) -> None:
-    """As UTC, by its clock that has a date; else since the start of the clock."""
+    """In UTC if its clock has a date; otherwise since the start of the clock."""
     start = round(
         (datetime(2024, 5, 1, tzinfo=timezone.utc) - datetime(1980, 1, 6, tzinfo=timezone.utc)).total_seconds()
     )

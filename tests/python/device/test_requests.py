@@ -1,4 +1,4 @@
-"""Devices at a port, with a peer that answers what the test wants: the same for threads and for asyncio."""
+"""Devices at a port, with a peer that sends the test's replies: the same for threads and for asyncio."""
 
 from __future__ import annotations
 
@@ -101,12 +101,12 @@ class Counted(port.SocketPort):
 
 
 LATE = packet(0x0C, "f1 0e 00", "8e 82 0007")
-#: The answer to the two pings that are sent in front of the command after one without an answer.
+#: The reply to the two pings that are sent in front of a command that follows one without a reply.
 BARRIER = packet(0x01, "f1 01 00", "f1 01 00")
 
 
 def comes_late(peer: Peer, port: Counted) -> int:
-    """The answer to one command is there now; the next is answered with another one."""
+    """Sends the late reply to one command; then answers the next one."""
     peer.command()
     reads = port.reads
     peer.send(LATE)
@@ -126,7 +126,7 @@ def test_a_late_answer_is_not_that_of_the_next_command(peer: Peer) -> None:
 
 @pytest.mark.parametrize("streams", [False, True])
 def test_a_late_answer_while_the_loop_is_busy(peer: Peer, streams: bool) -> None:
-    """What has arrived is not processed until the loop runs again, in which the next command is sent."""
+    """The reply has arrived, but is not processed until the loop runs again, which sends the next command first."""
 
     async def main() -> None:
         counted = Counted(peer.near)
@@ -158,7 +158,7 @@ def test_what_does_not_fit_is_not_sent(kind: Kind, peer: Peer) -> None:
             with pytest.raises(mip.EncodeError):
                 device.request_all(*commands)
         peer.answering(acknowledge(1, 1))
-        device.request(PING)  # the first that has come
+        device.request(PING)  # the first that has arrived
 
 
 def test_several_commands_in_one_packet(kind: Kind, peer: Peer) -> None:
@@ -183,7 +183,7 @@ def test_one_failure_of_several(kind: Kind, peer: Peer) -> None:
 
 
 def test_an_answer_keeps_the_acknowledges_beside_it(kind: Kind, peer: Peer) -> None:
-    """One packet answers one command, and holds the acknowledge of another, which is asked for later."""
+    """One packet answers one command, and contains an acknowledge of another one, which is sent later."""
     with kind.at(peer.near) as device:
         peer.answering(packet(0x01, "f1 01 00", "f1 02 00"))
         device.request(PING)
@@ -234,7 +234,7 @@ def asked(packet: mip.Packet) -> list[tuple[int, int]]:
 
 
 def test_commands_that_a_setting_silences(kind: Kind, peer: Peer) -> None:
-    """The setting is asked for once, then known, also when it is changed; no command waits in vain."""
+    """The setting is read once and then known, even after it is changed; no command waits in vain."""
     mode = aiding.AidingEchoMode
     ack = acknowledge(0x13, AIDING.DESCRIPTOR)
     with kind.at(peer.near, timeout=20.0) as device:
@@ -413,7 +413,7 @@ def test_the_end_of_a_connection(kind: Kind, peer: Peer) -> None:
     with kind.at(peer.near) as device:
         peer.send(DATA, b"ue\x80\xff", DATA)
         peer.close()
-        assert bytes(device.next(5).packet) == bytes(device.next(5).packet) == DATA  # what has come comes first
+        assert bytes(device.next(5).packet) == bytes(device.next(5).packet) == DATA  # data that arrived comes first
         for use in (lambda: device.next(5), lambda: list(device), lambda: device.request(PING)):
             with pytest.raises(mip.PortClosed, match="closed: the port is gone: the other end has closed") as caught:
                 use()
@@ -527,7 +527,7 @@ def test_two_that_open_a_port_again_at_once(kind: Kind) -> None:
         for thread in threads:
             thread.start()
         until(lambda: inside(device)._opening.locked())
-        time.sleep(0.05)  # the other one waits by then; if not, the test sees nothing
+        time.sleep(0.05)  # by then, the other one waits; if not, the test has no effect
         with socket.create_server(address) as server:
             for thread in threads:
                 thread.join(20)
@@ -597,7 +597,7 @@ def test_a_device_that_is_closed_while_its_port_is_opened(kind: Kind) -> None:
             assert connection.recv(1) == b""
 
 
-def test_a_stream_that_takes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_stream_that_accepts_no_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
     """Neither writing nor closing waits for ever."""
     monkeypatch.setattr(aio, "WRITE_TIMEOUT", 0.2)
     monkeypatch.setattr(aio, "CLOSE_TIMEOUT", 0.2)
@@ -617,7 +617,7 @@ def test_a_stream_that_takes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_command_that_could_not_be_written_is_not_sent_later(monkeypatch: pytest.MonkeyPatch) -> None:
-    """When the other end takes bytes again, those of a command that has failed do not come."""
+    """When the other end reads again, it gets no bytes of a command that has failed."""
     monkeypatch.setattr(aio, "WRITE_TIMEOUT", 0.2)
 
     async def talk() -> None:
@@ -641,7 +641,7 @@ def test_a_command_that_could_not_be_written_is_not_sent_later(monkeypatch: pyte
 
 
 def test_nothing_is_kept_of_commands_that_are_answered() -> None:
-    """Also if nobody waits for the answers."""
+    """Even if nobody waits for the replies."""
     talk = conversation.Conversation()
     for _ in range(3):
         _, (ticket,) = talk.send([PING], 0.0, None)
@@ -729,7 +729,7 @@ def test_every_name_can_be_had() -> None:
 
 
 def test_an_answer_that_comes_while_a_command_is_sent_is_data(kind: Kind) -> None:
-    """`send` waits for none, however early it comes."""
+    """`send` takes no reply, however early it arrives."""
 
     class Quick:
         def __init__(self) -> None:
@@ -743,7 +743,7 @@ def test_an_answer_that_comes_while_a_command_is_sent_is_data(kind: Kind) -> Non
 
         def write(self, data: bytes) -> int:
             self.coming.put(packet(0x01, "f1 01 00"))
-            time.sleep(0.002)  # as serial ports take until the bytes are out
+            time.sleep(0.002)  # as long as serial ports take to send the bytes
             return len(data)
 
     with kind.at(Quick()) as device:
@@ -754,7 +754,7 @@ def test_an_answer_that_comes_while_a_command_is_sent_is_data(kind: Kind) -> Non
 
 
 def test_one_command_in_two_requests(kind: Kind, peer: Peer) -> None:
-    """The time-out of one is none of the other's."""
+    """The time-out of one does not end the other."""
     with kind.at(peer.near) as device:
         ended: list[type[BaseException] | None] = []
 
@@ -786,8 +786,8 @@ def test_times_without_end(kind: Kind, peer: Peer) -> None:
 
 
 @pytest.mark.parametrize("how", ["request", "request_all", "exchange", "next", "reopen"])
-def test_times_that_are_none(kind: Kind, how: str) -> None:
-    """They neither wait for ever nor do anything else."""
+def test_times_that_are_invalid(kind: Kind, how: str) -> None:
+    """They are rejected, and nothing else happens."""
     with (
         socket.create_server(("localhost", 0)) as server,
         kind.open(f"socket://localhost:{server.getsockname()[1]}") as device,

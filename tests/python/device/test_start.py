@@ -14,7 +14,7 @@ CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
 
 
 def counted(packets: list[Any]) -> float:
-    """How often the accelerations come, by the middle of the packets."""
+    """The rate of the accelerations in Hz, without the first packets."""
     times = [a.time for a in packets if a.find(sensor.ScaledAccel)][10:]
     return (len(times) - 1) / (times[-1] - times[0])
 
@@ -66,7 +66,7 @@ def test_a_rate_that_the_device_does_not_have_changes_nothing() -> None:
         assert "scaled_mag" not in str(caught.value)
         device.clear()
         assert (arrival := device.next(5)) and arrival.find(sensor.ScaledAccel)
-        assert device.stream({sensor.ScaledGyro: nearest[sensor.ScaledGyro]})  # as it was told
+        assert device.stream({sensor.ScaledGyro: nearest[sensor.ScaledGyro]})  # the rate in the error
 
 
 def test_the_set() -> None:

@@ -1,4 +1,4 @@
-"""Helpers without I/O: the bytes between packets, NMEA sentences, packets that belong together."""
+"""Helpers without I/O: the bytes between packets, NMEA sentences, packets of one sample."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def test_sentences_keep_no_more_than_a_line() -> None:
 
 
 def data(number: int, *descriptors: int, time: int | None = None, size: int = 20) -> Packet:
-    """A data packet with these fields, behind a timestamp."""
+    """A data packet with these fields, after a timestamp."""
     fields = [f"{d:02x} {'00' * size}" for d in descriptors]
     return Packet(packet(number, *([] if time is None else [f"d5 {time:016x}"]), *fields))
 
@@ -100,7 +100,7 @@ def data(number: int, *descriptors: int, time: int | None = None, size: int = 20
 FULL = range(1, 12)  # eleven fields of 22 bytes: no room for another
 
 
-def test_continuation_packets_without_a_time_are_told_by_their_order() -> None:
+def test_continuation_packets_without_a_time_are_recognized_by_their_order() -> None:
     stream = [data(0x82, *FULL), data(0x82, 20, 21), data(0x82, *FULL), data(0x82, 20, 21)]
     assert list(samples(stream)) == [stream[:2], stream[2:]]
 
@@ -118,12 +118,12 @@ def test_a_full_packet_that_is_repeated_is_not_continued() -> None:
 def test_the_same_timestamp_tells_what_belongs_together() -> None:
     stream = [data(0x82, 1, 2, time=5), data(0x82, 3, time=5), data(0x82, 4, time=5), data(0x82, 1, 2, time=6)]
     assert list(samples(stream)) == [stream[:3], stream[3:]]
-    full = [data(0x82, *FULL[:-1], time=5), data(0x82, 20, time=6)]  # continued as if, but later
+    full = [data(0x82, *FULL[:-1], time=5), data(0x82, 20, time=6)]  # it looks like a continuation, but is later
     assert list(samples(full)) == [[p] for p in full]
 
 
 def test_a_clock_that_stands_still() -> None:
-    """Before a fix, say: samples are told by what is repeated in them."""
+    """As before a fix: samples are separated by the fields that repeat."""
     stream = [data(0x82, 1, 2, time=0), data(0x82, 3, time=0)] * 3
     assert list(samples(stream)) == [stream[:2]] * 3
     full = [data(0x82, *FULL[:-1], time=0)] * 3
@@ -145,7 +145,7 @@ def test_each_clock_tells_what_belongs_together(field: str) -> None:
 
 
 def test_a_list_goes_on_in_the_next_packet() -> None:
-    """One field for each satellite, say."""
+    """Such as one field for each satellite."""
     stream = [data(0x91, *[0x20] * 11, time=1), data(0x91, *[0x20] * 3, time=1), data(0x91, *[0x20] * 11, time=2)]
     assert list(samples(stream)) == [stream[:2], stream[2:]]
 
