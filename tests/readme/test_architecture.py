@@ -1,4 +1,4 @@
-"""docs/architecture.md is true: what it names is there, and what is there it names."""
+"""docs/architecture.md is true: what it names exists, and it names what exists."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_paths() -> None:
 
 
 def test_the_way_of_a_fact() -> None:
-    """The example is what the outputs have."""
+    """The example agrees with the outputs."""
     c = (ROOT / "generated/c/src/mip/base.h").read_text("utf-8")
     python = (ROOT / "generated/python/mip_protocol/base.py").read_text("utf-8")
     rust = (ROOT / "generated/rust/src/sets/base.rs").read_text("utf-8")

@@ -1,4 +1,4 @@
-"""docs/mip.md: its commands run as they stand, it names every command, and prints what it says."""
+"""docs/mip.md: its commands run as written and print what it shows, and it names every command."""
 
 from __future__ import annotations
 

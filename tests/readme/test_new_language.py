@@ -1,4 +1,4 @@
-"""docs/new-language.md runs as it stands, from its first block to its last."""
+"""docs/new-language.md runs as written, from its first block to its last."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ pytestmark = [] if shutil.which("node") else heavy("node")
 
 
 def test_every_block_from_the_first_to_the_last(tmp_path: Path) -> None:
-    """A block below the name of a file is that file; the others are commands with what they print."""
+    """A block below the name of a file is that file; the others are commands with their output."""
     program = tmp_path / "bin/mipgen"
     program.parent.mkdir()
     program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m mipgen "$@"\n')

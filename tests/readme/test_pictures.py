@@ -1,4 +1,4 @@
-"""The pictures of the README can be made, and show the commands that they are made of."""
+"""The pictures of the README can be made, and show the commands that are run."""
 
 from __future__ import annotations
 

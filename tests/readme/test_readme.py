@@ -1,4 +1,4 @@
-"""What the README and the page about specifications show is what runs."""
+"""The programs and commands in the README and on the page about specifications run."""
 
 from __future__ import annotations
 
@@ -58,9 +58,9 @@ def test_quickstart_in_python() -> None:
     assert printed == "75 65 01 02 02 03 e2 c8\n0.2445 g along x\n"
 
 
-@pytest.mark.xdist_group("values-real")  # where the driver is
+@pytest.mark.xdist_group("values-real")  # the process that has built the driver
 def test_quickstart_in_rust() -> None:
-    """With the library that the driver is made of: to build it takes longest of all that `make test` does."""
+    """With the library of the driver: building it takes longer than anything else in `make test`."""
     of = driver("rust", "real")
     built = Path(of.command[0]).parents[2]
     folder = BUILD / "readme"
@@ -94,7 +94,7 @@ def test_first_program_in_python() -> None:
 
 @pytest.mark.parametrize("language", ["c", "cpp", "rust"])
 def test_first_programs_are_parts_of_examples(language: str) -> None:
-    """Of the file that is linked below each, which the tests of its language run."""
+    """The examples are the files linked below each, which the tests of the language run."""
     shown, link = re.findall(rf"```{language}\n(.*?)```\n\nThe whole program: \[[^]]+\]\(([^)]+)\)", README, re.S)[0]
     lines = iter([line.strip() for line in (ROOT / link).read_text("utf-8").splitlines()])
     for line in filter(None, map(str.strip, shown.splitlines())):
@@ -137,7 +137,7 @@ def test_every_path_is_there() -> None:
 
 
 def test_the_field_that_it_shows_is_in_the_specification() -> None:
-    """Whole, as it stands there: from its descriptor to the next one."""
+    """The whole field, exactly as it is there: from its descriptor to the next one."""
     shown = block("yaml", "Correct a field")
     fields = re.split(r"^(?=  - command: )", (ROOT / "spec/sets/base.yaml").read_text("utf-8"), flags=re.M)
     assert shown.rstrip() in [f.rstrip() for f in fields]

@@ -1,4 +1,4 @@
-"""What a host of repositories reads: workflows, forms, citation."""
+"""The files that a repository host reads: workflows, forms, citation."""
 
 from __future__ import annotations
 

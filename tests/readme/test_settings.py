@@ -1,4 +1,4 @@
-"""docs/settings.md: its commands run as they stand, and its file is one that a device accepts."""
+"""docs/settings.md: its commands run as written, and a device accepts its file."""
 
 from __future__ import annotations
 

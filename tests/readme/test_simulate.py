@@ -1,4 +1,4 @@
-"""docs/simulate.md: its programs are the files, its commands run as they stand, its table of faults is whole."""
+"""docs/simulate.md: its programs are the files, its commands run as written, its table of faults is complete."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def commands(title: str) -> list[str]:
 
 @pytest.fixture
 def shell(tmp_path: Path) -> Iterator[dict[str, str]]:
-    """An environment with `mip`, `python` and `cc`; a folder that has what the page names."""
+    """An environment with `mip`, `python` and `cc`; and a folder with the files that the page names."""
     tools = tmp_path / "bin"
     tools.mkdir()
     for name, words in (("mip", [sys.executable, "-m", "mip_tools"]), ("python", [sys.executable])):
@@ -66,7 +66,7 @@ def run(command: str, folder: Path, environment: dict[str, str]) -> subprocess.C
 def device(
     command: str, folder: Path, environment: dict[str, str], ends: bool = False
 ) -> Iterator[subprocess.Popen[str]]:
-    """A command that runs until it is interrupted, or ends by itself, once it has said where the device is."""
+    """Runs a command until it is interrupted or ends by itself; returns when it has printed where the device is."""
     process = subprocess.Popen(
         ["sh", "-c", f"exec {command}"], cwd=folder, env=environment, stdout=subprocess.PIPE, text=True
     )
@@ -90,7 +90,7 @@ def test_programs_are_the_files() -> None:
 
 
 def test_the_c_program_is_exemplary() -> None:
-    """Without a warning, as strict as the binding itself, and formatted as it."""
+    """It compiles without warnings, as strictly as the binding itself, and is formatted in the same way."""
     source = ROOT / "generated/c/examples/stream.c"
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror", "-fsyntax-only"]
     folders = [f"-I{ROOT}/generated/c/{folder}" for folder in ("src", "ports")]
