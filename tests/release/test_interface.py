@@ -20,7 +20,7 @@ def interface() -> ModuleType:
     return module
 
 
-#: A file, what becomes what in it, and what is said of it.
+#: File, old text, new text, and the message.
 BREAKS = [
     ("json/mip.json", '"name":"scaled_accel","type":"vector3f"', '"name":"scaled_accel","type":"vector3d"',
      'wire: - sensor.scaled_accel[0] scaled_accel type="vector3f"'),

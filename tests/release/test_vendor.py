@@ -1,4 +1,4 @@
-"""What docs/vendor.md shows, run with a repository of this machine."""
+"""The commands in docs/vendor.md, run with a repository on this machine."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def git(*command: str, cwd: Path) -> str:
 def run(script: str, cwd: Path, **environment: str) -> str:
     given = {
         "GIT_CONFIG_COUNT": "3",
-        "GIT_CONFIG_KEY_0": "protocol.file.allow", "GIT_CONFIG_VALUE_0": "always",  # a submodule of this machine
+        "GIT_CONFIG_KEY_0": "protocol.file.allow", "GIT_CONFIG_VALUE_0": "always",  # a submodule on this machine
         "GIT_CONFIG_KEY_1": "user.name", "GIT_CONFIG_VALUE_1": "test",
         "GIT_CONFIG_KEY_2": "user.email", "GIT_CONFIG_VALUE_2": "test@example.com",
     }  # fmt: skip

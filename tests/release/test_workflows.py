@@ -1,4 +1,4 @@
-"""The workflows on GitHub: what actionlint finds, and that the release checks what it publishes."""
+"""The workflows on GitHub: actionlint accepts them, and only jobs that publish may write."""
 
 from __future__ import annotations
 
