@@ -1,4 +1,4 @@
-"""The package mip_msgs: what its files say, and, with rosbags, that they are messages."""
+"""The package mip_msgs: the content of its files, and, with rosbags, that they are messages."""
 
 from __future__ import annotations
 
