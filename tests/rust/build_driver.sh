@@ -30,7 +30,7 @@ debug-assertions = true
 overflow-checks = true
 
 [workspace]"
-# Written only when it changes, so that nothing is built again for nothing.
+# Written only when it changes, so that nothing is rebuilt needlessly.
 [ "$(cat "$build/Cargo.toml" 2>/dev/null)" = "$manifest" ] || printf '%s\n' "$manifest" >"$build/Cargo.toml"
 
 cargo build --quiet --release --offline --manifest-path "$build/Cargo.toml" --target-dir "$build/target" >&2

@@ -1,7 +1,7 @@
 """Writes a Rust test that touches every type of a specification.
 
-What the types must do is computed by the generator's reference codec; how they are used is written
-here as a user would write it. Nothing is listed by hand, so nothing can be forgotten.
+The generator's reference codec computes what the types must do; they are used here as a user would
+use them. Nothing is listed by hand, so nothing can be forgotten.
 """
 
 from __future__ import annotations
@@ -188,7 +188,7 @@ def maybe(words: str | None) -> str:
 
 
 def described(parameters: Iterable[m.Parameter]) -> str:
-    """Of each value what Rust knows at run time, and what is inside of it."""
+    """What Rust knows of each value at run time, including those inside of it."""
     found = []
     for p in parameters:
         if p.constant is None and p.counts is None:
@@ -213,7 +213,7 @@ def enumeration(t: m.Enum) -> Iterator[str]:
 
 
 def bitfield(t: m.Bitfield) -> Iterator[str]:
-    """Every accessor of every bit: on nothing, on everything, and back again."""
+    """Every accessor of every bit: from all zeros, from all ones, and back again."""
     everything = (1 << 8 * t.size) - 1
 
     def raw(number: int) -> str:
@@ -294,7 +294,7 @@ class _Writer:
                 yield from self.values_in_view(x.parameter.struct, f"{view}.{x.name}()", f"{value}.{x.name}")
 
     def is_copy(self, f: m.Field) -> bool:
-        """Small and without lists: as a user may rely on, wherever a list is."""
+        """Small and without lists, on which a user may rely."""
         lists = any("List<" in x.type or "VarText<" in x.type for x in self.members(f))
         return f.max_size <= 64 and not lists
 
@@ -350,7 +350,7 @@ class _Writer:
             if p.name in arguments:
                 written[p.name] = expression
             if p.counts is not None:
-                values[p.name] = None  # its array says
+                values[p.name] = None  # follows from its array
             counter = next((q.name for q in record.parameters if q.counts == p.name), None)
             if counter is not None:
                 values[counter] = len(values[p.name])
@@ -369,7 +369,7 @@ class _Writer:
                 continue
             x = members[p.name]
             if p.selector and isinstance(record, m.Field):
-                # The function that needs the most: an empty union that is not needed is as good as absent.
+                # The function that requires the most: an empty union that is not required counts as absent.
                 values[p.name] = max((f.value for f in record.functions), key=record.required)
                 written.append(f"{x.name}: {path(self.model.protocol.function_selector)}({values[p.name]})")
                 continue

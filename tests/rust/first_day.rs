@@ -1,4 +1,4 @@
-//! The first minutes with a device, at a port that does as one likes; with the real specification.
+//! The first minutes with a device, at a scripted port; with the real specification.
 
 use std::collections::VecDeque;
 
@@ -9,19 +9,19 @@ use mip_protocol::{
     base, checksum, filter_data, mip_3dm, sensor, shared, CommandError, Packet, RequestError,
 };
 
-/// A device, and what goes wrong.
+/// A device, and its faults.
 #[derive(Clone, Debug)]
 struct Fake {
-    /// At which rate it answers; that of the port, which has none if it is 0.
+    /// Its baud rate; and that of the port, which has none if it is 0.
     baud: u32,
     rate: u32,
     fastest: u32,
-    /// It changes its rate, when it is told to.
+    /// Whether commands change its rate.
     changes: bool,
     now: u32,
     base_rate: u16,
     older: bool,
-    /// Answers that it does not send, of this command (0: of all); a command that it refuses.
+    /// Replies that it loses, to this command (0: to all); a command that it NACKs.
     lose: usize,
     lose_of: u16,
     refuse: u16,

@@ -1,7 +1,7 @@
 """The Rust crate as its users see it: no_std, features, lints, documentation, and its own tests.
 
 What every field does is tested by `everything.py`, which writes a Rust test from the specification;
-the rest stands in `cases/`.
+the rest is in `cases/`.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def test_cases() -> None:
 
 @nightly("Miri, of Rust's nightly toolchain")
 def test_cases_in_miri() -> None:
-    """Nothing that they do is undefined, in the library of the language too, and nothing overflows."""
+    """They do nothing undefined, not even in the standard library, and nothing overflows."""
     names = sorted(p.stem for p in (HERE / "cases").glob("*.rs"))
     folder = project("invented", "cases", cargo_tests(*names))
     out = passes(folder, "+nightly", "miri", "test", "--offline", "--quiet")
@@ -74,7 +74,7 @@ def test_cases_in_miri() -> None:
 
 
 def share(spec: str) -> int:
-    """One of so many fields and devices is tested: to compile the tests of all real ones takes minutes."""
+    """One in this many fields and devices is tested: compiling the tests of all real ones takes minutes."""
     return rounds(5, 1) if spec == "real" else 1
 
 
@@ -98,7 +98,7 @@ def test_everything(spec: str) -> None:
 
 @heavy(LONG)
 def test_a_wrong_constructor_would_be_noticed() -> None:
-    """The tests above are no better than what they compare."""
+    """So the tests above can fail."""
     wrong = everything.source(specification("invented")).replace("tools::Settings::write(", "tools::Settings::apply(")
     target = '[[test]]\nname = "everything"\npath = "everything.rs"\n'
     folder = project("invented", "wrong", target, files={"everything.rs": wrong.encode()})
@@ -164,7 +164,7 @@ def test_serde_and_embedded_io() -> None:
 
 @nightly("the real Rust crate with serde")
 def test_every_field_goes_to_json_and_comes_back() -> None:
-    """Of the real specification; of the difficult one, which has every kind of field, the test above does it."""
+    """For the real specification; the test above does so for the difficult one, which has every kind of field."""
     with with_dependencies("real") as folder:
         passes(folder, "test", "--quiet", "--test", "json")
 
@@ -184,7 +184,7 @@ def test_lints_of_dependencies() -> None:
 
 @heavy(LONG)
 def test_documentation_of_all_features() -> None:
-    """As docs.rs builds it: every link leads somewhere, and what a dependency brings says so."""
+    """As docs.rs builds it: every link leads somewhere, and items that a dependency brings say so."""
     environment = {"RUSTC_BOOTSTRAP": "1", "RUSTDOCFLAGS": "--cfg docsrs -D warnings"}
     target = WORK / "target-docs"
     with with_dependencies() as folder:
@@ -244,8 +244,8 @@ def whole(spec: str) -> str:
 def panics(spec: str, source: str) -> str:
     """How functions for a microcontroller, all of the crate and of a program, reach a panic, if any does.
 
-    The compiler makes all of them, used or not, with checks for overflow; the linker keeps what they need. What formats
-    is left out, because it is in the library of the language; so are two functions of constants.
+    The compiler makes all of them, used or not, with checks for overflow; the linker keeps what they need. Formatting
+    is left out, because it is in the standard library; so are two functions of constants.
     """
     target, flags = embedded("thumbv7em-none-eabi"), "-Clink-dead-code -Coverflow-checks -Cpanic=abort"
     folder = project(spec, "whole", "", features="", files={"src/lib.rs": source.encode()})
@@ -293,7 +293,7 @@ def test_no_function_panics(spec: str) -> None:
 
 @heavy(LONG)
 def test_the_small_forms_for_microcontrollers_find_the_same_packets() -> None:
-    """They are chosen by the width of pointers, so that no other test on this machine would run them."""
+    """They are chosen by the width of pointers, so no other test on this machine runs them."""
     files = without_dependencies(rendered("invented"))
     source = files["src/packet.rs"].decode()
     small = source.replace('const HOST: bool = cfg!(target_pointer_width = "64");', "const HOST: bool = false;")
@@ -321,7 +321,7 @@ fn main() {
 
 @heavy(LONG)
 def test_reading_fields_is_part_of_the_loop() -> None:
-    """Without LTO too: as a call that returns each field in memory, decoding is half as fast."""
+    """Even without LTO: as a call that returns each field in memory, decoding is half as fast."""
     target = '[[bin]]\nname = "inlined"\npath = "inlined.rs"\ntest = false\n'
     folder = project("invented", "inlined", target, features="", files={"inlined.rs": INLINED.encode()})
     default = ("--config", "profile.release.lto=false", "--config", "profile.release.codegen-units=16")
@@ -434,7 +434,7 @@ fn test() {{
 
 @heavy(LONG)
 def test_errors_are_errors_without_std() -> None:
-    """The feature `core-error`; without it and `std` they are none, which the oldest compilers need."""
+    """The feature `core-error`; without it and `std` they are not, as the oldest compilers require."""
     code = b"""#![no_std]
 fn error<E: core::error::Error>() {}
 pub fn all() {
@@ -487,7 +487,7 @@ def test_the_front_page_lists_the_modules(spec: str) -> None:
 def test_documentation(spec: str) -> None:
     """The README and the examples in the documentation run; links lead somewhere.
 
-    Of the crate as a dependency of another test, for which it is built anyway.
+    The crate is the dependency of another test, for which it is built anyway.
     """
     folder, package = with_everything(spec), ("--quiet", "--offline", "-p", "mip-protocol")
     out = passes(folder, "test", "--doc", *package)

@@ -1,6 +1,6 @@
-"""What the crate says of each field, parameter, value and bit: every fact, at that very item.
+"""Every fact about each field, parameter, value and bit is in the documentation of the crate, at that very item.
 
-The comments are read out of the generated source, by the items that they stand at.
+The comments are read from the generated source, by item.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def said(text: describe.Text, here: str) -> str:
 
 
 class Expected:
-    """What must be said, by item."""
+    """The texts that must be there, by item."""
 
     def __init__(self, model: m.Model) -> None:
         self.model = model
@@ -113,7 +113,7 @@ class Expected:
         yield from ((item, text) for text in (f"{f.title} ({key})", *texts))
 
     def parameters(self, record: m.Record) -> Iterator[tuple[Item, str]]:
-        """What no member holds is said at the record, behind its name."""
+        """The texts about a parameter without a member are at the record, after the name of the parameter."""
         here, owner = names.home(record), names.type_name(record.name)
         for p in record.parameters:
             texts = [self.prose(p.description, here), *self.facts(p, record)]
@@ -155,7 +155,7 @@ class Expected:
 
 
 def missing(model: m.Model, files: dict[str, bytes]) -> list[str]:
-    """What is not said where it must be."""
+    """The texts that are missing where they must be."""
     there = comments(files)
     return [f"{item}: {text}" for item, text in Expected(model).all() if plain(text) not in there.get(item, "")]
 
@@ -194,6 +194,6 @@ def test_what_is_wrong_is_seen(path: str, right: str, wrong: str) -> None:
 
 
 def test_what_uses_cargo_is_in_one_process(request: pytest.FixtureRequest) -> None:
-    """Where several run tests, their groups show in the names: others would only wait for cargo."""
+    """With several processes, the names of tests end in their groups: other processes would only wait for cargo."""
     several = getattr(request.config.option, "loadgroup", False)
     assert request.node.nodeid.endswith("@cargo") == bool(several)

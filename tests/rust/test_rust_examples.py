@@ -243,7 +243,7 @@ def test_json_tells_what_is_broken(log: Path) -> None:
 
 
 def finds_nobody(name: str, argument: object) -> None:
-    """It ends as an error, in order, if nobody reads what it writes, as with `json log.bin | head`."""
+    """It ends with an error, without a panic, if nobody reads its output, as with `json log.bin | head`."""
     reader, writer = os.pipe()
     os.close(reader)
     done = subprocess.run([programs() / name, str(argument)], stdout=writer, stderr=subprocess.PIPE, timeout=PATIENCE)
@@ -259,14 +259,14 @@ def test_nobody_reads_the_json(log: Path) -> None:
 
 @heavy(EXAMPLES)
 def test_tokio_codec() -> None:
-    """Also in packets that chunks cut, and at the end, in one that is not whole."""
+    """Even if chunks split packets, and inside an incomplete packet at the end."""
     code, out, error = ran("tokio_codec", given=LOG * 20 + bytes.fromhex("756580ff") + ACCEL)
     assert (code, error) == (0, "") and out == f"Packet({ACCEL.hex()})\n" * 21
 
 
 @heavy(EXAMPLES)
 def test_stream(tmp_path: Path) -> None:
-    """At a pseudo-terminal; what it shows, test_rust_first_day.py tests."""
+    """At a pseudo-terminal; test_rust_first_day.py tests its output."""
     path = f"{tmp_path}/terminal"
     assert ran("stream")[0] == 1
     programs()
@@ -293,10 +293,10 @@ def test_setup(tmp_path: Path) -> None:
     storage.unlink()
     with simulated("--pty", path, "--storage", str(storage)):
         finds_nobody("setup", f"serial:{path}")
-    assert storage.read_bytes() == saved  # nevertheless
+    assert storage.read_bytes() == saved  # it has saved nevertheless
 
 
-#: What the firmware sends, and what it is answered.
+#: The packets that the firmware sends, and the replies.
 RATE, STREAM = packet("75650c03" + "030e80"), packet("75650c05" + "0511018001")
 RATE_IS = packet("75650c09" + "04f10e00" + "058e8003e8")
 

@@ -23,8 +23,8 @@ LINE = re.compile(r" +-?0\.0\d{3} +-?0\.0\d{3} +-(?:0\.9|1\.0)\d{3} g")
 
 
 @heavy("the Rust crate in many more builds")
-def test_connect_and_stream_at_a_port_that_does_as_one_likes() -> None:
-    """With few sets: with all of them the crate takes longer than everything else."""
+def test_connect_and_stream_at_a_scripted_port() -> None:
+    """With few sets: building the crate with all of them takes longer than everything else."""
     target = f'[[test]]\nname = "first_day"\npath = "{HERE / "first_day.rs"}"\n'
     features = '"base", "mip_3dm", "sensor", "filter_data", "shared", "std"'
     folder = project("real", "first-day", target, features, default=False)
@@ -40,7 +40,7 @@ def test_a_part_without_these_commands_has_no_such_module() -> None:
 
 
 def good(result: tuple[int, str, str], name: str = "3DM-CV7-GNSS/INS") -> None:
-    """Until the device is gone, which is an error of the port."""
+    """The program runs until the device is gone, which is an error of the port."""
     code, out, error = result
     head, *lines = out.splitlines()
     assert head.strip() == name and code == 1
@@ -51,9 +51,9 @@ def good(result: tuple[int, str, str], name: str = "3DM-CV7-GNSS/INS") -> None:
 @heavy(EXAMPLES)
 @pytest.mark.parametrize(("device", "name"), [(CV7, "3DM-CV7-GNSS/INS"), (GX5, "3DM-GX5-15")])
 def test_devices_of_two_generations(device: str, name: str, tmp_path: object) -> None:
-    """That of the fifth has other commands for it."""
+    """The one of the fifth generation has other commands for this."""
     path = f"{tmp_path}/terminal"
-    programs()  # while none is there that ends
+    programs()  # before the device starts, which ends by itself
     with simulated("--tcp", "0", "--duration", "2", device=device) as place:
         good(ran("stream", f"tcp:{place}"), name)
     with simulated("--pty", path, "--duration", "2", device=device):
@@ -75,7 +75,7 @@ def test_faults(tmp_path: object) -> None:
 
 @heavy(EXAMPLES)
 def test_the_baud_rate_is_found(tmp_path: object) -> None:
-    """The device has it from a program that changed it; a rate that is given is tried first."""
+    """Another program has changed the rate; a rate that is given is tried first."""
     path = f"{tmp_path}/terminal"
     programs()
     change = (
@@ -105,7 +105,7 @@ def test_places_that_cannot_be_opened(tmp_path: object) -> None:
         assert (code, out) == (1, "") and said in error, error
 
 
-#: What is in a log, and that it takes no commands.
+#: Prints what is in a log, and shows that a log accepts no commands.
 LOG = """
 use mip_protocol::{base::Ping, session::Rate};
 fn main() {
@@ -124,7 +124,7 @@ fn main() {
 
 @heavy(EXAMPLES)
 def test_a_log(tmp_path: object) -> None:
-    """Also with an end that is not whole, and a packet behind it; nothing is waited for."""
+    """Even with an incomplete packet at the end, and a packet behind it; nothing is waited for."""
     from test_rust_examples import ACCEL
     from test_rust_examples import LOG as log
 
@@ -146,7 +146,7 @@ def test_a_log(tmp_path: object) -> None:
 
 @heavy(EXAMPLES)
 def test_a_port_is_opened_again(tmp_path: Path) -> None:
-    """A terminal, a hundred times, under a stream."""
+    """A terminal, a hundred times during a stream."""
     example = crate() / "examples/pulled.rs"
     programs()
     example.write_text((reopen.HERE / "pulled.rs").read_text())

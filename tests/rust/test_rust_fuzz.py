@@ -1,4 +1,4 @@
-"""The fuzz targets of Rust: the seeds, the kept corpus of all languages, and inputs that are made from them by chance.
+"""The fuzz targets of Rust: the seeds, the kept corpus of all languages, and inputs made from them at random.
 
 Each target is compared with a plain one, and with what must hold whatever the input is; `make fuzz` searches.
 """
@@ -49,7 +49,7 @@ def test_all_targets_are_replayed() -> None:
 @heavy("clang")
 @pytest.mark.parametrize("name", fuzz.RUST)
 def test_libfuzzer(name: str, tmp_path: Path) -> None:
-    """What `make fuzz` builds, with the small specification, for a moment: it sees what an input reaches."""
+    """Runs briefly what `make fuzz` builds, with the small specification: it sees which code an input reaches."""
     program = fuzz.build_rust(fuzz.TARGETS[name].source, "invented", tmp_path / "program")
     kept = fuzz.write(tmp_path / "kept", fuzz.known(name))
     done = subprocess.run([str(program), "-runs=2000", str(kept)], capture_output=True, text=True)

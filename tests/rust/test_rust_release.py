@@ -19,7 +19,7 @@ from random_values import chance
 from support import ROOT, SPECS, heavy, locked, need, rounds
 from test_rust import EMBEDDED, LONG, embedded, with_dependencies
 
-#: Rust that is needed by features that bring dependencies, as locked for the tests.
+#: The Rust version that features with dependencies need, as locked for the tests.
 DEPENDENCIES = {"serde": "1.71", "defmt": "1.81", "embedded-io": "1.81", "embedded-io-async": "1.81", "open": "1.85"}
 
 #: Those whose dependencies may be of versions that demand less or more, so that the README names the version as well.
@@ -52,7 +52,7 @@ def pinned(name: str) -> str:
 
 @cache
 def toolchain(version: str) -> str:
-    """A compiler of this version; one that cannot be had is an error."""
+    """A compiler of this version; one that is not available is an error."""
     rustup = need("rustup")
     installed = subprocess.run([rustup, "toolchain", "list"], capture_output=True, text=True).stdout
     if not re.search(rf"^{re.escape(version)}-", installed, re.MULTILINE):
@@ -63,7 +63,8 @@ def toolchain(version: str) -> str:
 
 
 def user(spec: str, features: list[str], default: bool = True) -> Path:
-    """A package that depends on the crate as it is, with all that its manifest names but these features do not need."""
+    """A package that depends on the crate as it is, whose manifest also names dependencies that these features do not
+    need."""
     manifest = f"""[package]
 name = "user"
 version = "0.0.0"
@@ -131,7 +132,7 @@ def test_the_oldest_compiler_builds_the_crate_with_all_that_it_can() -> None:
 
 @heavy("other Rust compilers")
 def test_an_older_compiler_would_not_do() -> None:
-    """What is promised is no older than it has to be, so that the tests above can fail."""
+    """The promised version is really the oldest, so that the tests above can fail."""
     with pytest.raises(AssertionError, match=r"core.*error|error_in_core"):
         checked_with(OLDEST, user("invented", ["core-error"]), "--offline")
 
@@ -164,7 +165,7 @@ def test_each_combination_of_features_without_std() -> None:
 
 
 def test_documentation_of_one_set() -> None:
-    """Nothing is wrong with it but that its texts name fields of other sets."""
+    """Its only fault is that its texts name fields of other sets."""
     name = names.feature(specification("invented").families[0])
     doc = ("doc", "--quiet", "--offline", "--no-deps", "--no-default-features", "--features", name)
     passes(bare("invented"), *doc, RUSTDOCFLAGS="-D warnings")
@@ -172,12 +173,12 @@ def test_documentation_of_one_set() -> None:
 
 # --------------------------------------------------------------------------- what may grow
 
-#: Their members are all there can be: docs/versions.md.
+#: Enumerations that cannot get more members: see docs/versions.md.
 COMPLETE = {"Support", "Value"}
 
 
 def growing(files: dict[str, bytes]) -> dict[str, bool]:
-    """Public enumerations and errors of the runtime -> are they marked as such that may grow?"""
+    """Public enumerations and errors of the runtime -> whether they are marked as `non_exhaustive`."""
     found = {}
     for path, data in files.items():
         text = data.decode("utf-8") if re.fullmatch(r"src/(?!sets/|types)[\w/]+\.rs", path) else ""

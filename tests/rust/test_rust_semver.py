@@ -1,7 +1,7 @@
 """What cargo-semver-checks says about the crate.
 
-Each test makes two crates from the invented specification. To add something must be a minor version, to remove it a
-major one: docs/versions.md promises it. If there is a release, the crate as it is now is compared with that, and the
+Each test makes two crates from the invented specification. Adding something must be a minor version, removing it a
+major one, as docs/versions.md promises. If there is a release, the crate as it is now is compared with that, and the
 version must have been raised far enough.
 """
 
@@ -52,7 +52,7 @@ incomplete: [Its acknowledge codes are not known.]
 OWN = "parameters: [{name: mode, type: mode, description: Of the second sensor.}]\n"
 FIELD = (SET.partition("fields:\n")[2]).replace("0x01", "0x0B").replace("name: one", "name: another")
 
-Change = tuple[str, str, str]  #: a file, a text of it, and what comes in its place; a file that is new has no text
+Change = tuple[str, str, str]  #: file, old text, new text; a file that is new has no old text
 
 #: What can be added.
 ADDITIONS: dict[str, list[Change]] = {

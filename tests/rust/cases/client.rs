@@ -52,7 +52,7 @@ fn acknowledged() {
     let reply = Reply::new().ack(1, AckCode::OK);
     assert_eq!(only(&mut client, &reply).answer(&ticket), Some(Answer::Acknowledged(())));
     assert_eq!(client.pending(), 0);
-    // The same reply once more concerns nobody.
+    // The same reply once more answers nothing.
     assert_eq!(client.receive(&reply.0.packet()).count(), 0);
 }
 
@@ -179,10 +179,10 @@ fn commands_that_nobody_answers_are_not_waited_for() {
     assert!(quiet.is_silent());
     assert_eq!((client.pending(), client.deadline()), (0, None));
     assert_eq!(expire(&mut client, u32::MAX / 2).len(), 0);
-    // Who waits for the result of such a command has it at once.
+    // The result of such a command is available at once.
     assert_eq!(client.take(&apply), Some(Answer::Silent));
     assert_eq!(client.take(&quiet).map(Answer::into_result), Some(Ok(())));
-    // Next to others too, and even if the client is full.
+    // Beside other commands, too, and even if the client is full.
     let mut request = client.request(tools::TOOLS_SET);
     let loud = request.add(&tools::Ping).unwrap();
     let silent = request.add(&tools::Formats::new(true, 0, [])).unwrap();
@@ -254,7 +254,7 @@ fn events_that_are_not_taken_stay() {
     let _ = request.send(0);
     let response = tools::BiasVector { bias: Vector3f::from([1.0, 2.0, 3.0]) };
     let reply = Reply::new().ack(1, AckCode::OK).ack(5, AckCode::OK).field(&response);
-    // Whoever looks at the first event only, or at none, loses nothing.
+    // Reading only the first event, or none, loses nothing.
     assert_eq!(client.receive(&reply.0.packet()).next().unwrap().id, first.id());
     drop(client.receive(&Reply::new().ack(1, AckCode::INVALID_PARAMETER).0.packet()));
     assert_eq!(client.pending(), 0);
@@ -294,7 +294,7 @@ fn the_time_may_wrap_around() {
     assert_eq!((expire(&mut client, 0).len(), expire(&mut client, 898).len()), (0, 0));
     let events = expire(&mut client, 899);
     assert_eq!((events.len(), events[0].id), (1, late.id()));
-    // The earlier deadline counts, in whatever slot it is.
+    // The earlier deadline counts, whatever its slot.
     let (soon, _) = (sent_in(&mut client, u32::MAX - 100), client.cancel(&early));
     let before = sent_in(&mut client, u32::MAX - 1200);
     assert_eq!(client.deadline(), Some(u32::MAX - 200));
@@ -386,7 +386,7 @@ fn answers_go_to_the_commands_that_they_fit() {
     assert_eq!(client.receive(&reply.0.packet()).others().count(), 2);
     assert!(client.is_pending(&save));
     assert_eq!(only(&mut client, &bare()).answer(&save), Some(Answer::Acknowledged(())));
-    // Of both, each has its own.
+    // Each of both has its own answer.
     let save = sent(&mut client, &tools::Bias::save(), 0);
     let read = sent(&mut client, &tools::Bias::read(), 0);
     assert!(matches!(only(&mut client, &data()).answer(&read), Some(Answer::Acknowledged(_))));
@@ -412,7 +412,7 @@ fn an_answer_behind_noise() {
     data.push(&measurements::Accel::default()).unwrap();
     let reply = Reply::new().ack(1, AckCode::OK);
     let stream = [b"ue\x80\xFF", reply.0.bytes(), data.bytes()].concat();
-    // The last packet is not complete yet; it is not given up.
+    // The last packet is not complete yet; it is kept.
     let (mut input, mut rest) = stream.split_at(stream.len() - 3);
     assert!(parser.next(&mut input).is_none());
     assert!(client.poll(&mut parser, 999).is_none() && client.is_pending(&ticket));
@@ -499,7 +499,7 @@ fn a_full_client_or_packet_refuses() {
     assert_eq!(client.pending(), 1);
     let mut request = client.request(0x0C);
     assert_eq!(refused(request.add(&tools::Ping)), EncodeErrorKind::Set);
-    // What is not sent is forgotten.
+    // A request that is not sent is forgotten.
     let mut request = client.request(tools::TOOLS_SET);
     request.add(&tools::Ping).unwrap();
     drop(request);

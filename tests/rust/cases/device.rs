@@ -1,4 +1,4 @@
-//! A device at a port that is played.
+//! A device at a scripted port.
 
 use std::collections::VecDeque;
 use std::error::Error as _;
@@ -21,11 +21,11 @@ struct Played {
     replies: VecDeque<Vec<Vec<u8>>>,
     coming: VecDeque<Vec<u8>>,
     now: u32,
-    /// The program is stopped for so long before the next read.
+    /// How long the program is stopped before the next read.
     stopped: u32,
     /// The same during the next read, which then returns nothing.
     stopped_inside: u32,
-    /// Reading what comes takes so long.
+    /// How long reading takes if there are bytes.
     pace: u32,
 }
 
@@ -158,7 +158,7 @@ fn what_can_become_of_a_command() {
     let missing = DeviceError::Command(CommandError::MissingResponse);
     assert_eq!(device.request(&tools::Bias::read()), Err(missing));
     assert!(matches!(device.request(&tools::Status::new(1)), Err(e) if e == late));
-    assert_eq!(device.port().now, 3500); // this one may take 2.5 s
+    assert_eq!(device.port().now, 3500); // the second command may take 2.5 s
     assert_eq!(device.port().barriers, 1);
     assert_eq!(device.request(&tools::Ping), Err(DeviceError::Port(Gone)));
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
@@ -212,7 +212,7 @@ fn several_commands_in_one_packet_and_their_answers_in_several() {
     assert_eq!(device.answer(&second), Answer::Acknowledged(BIAS));
     assert_eq!(device.answer(&third).into_result(), Err(CommandError::TimedOut));
     assert_eq!(next(&mut device), Some(data(1.0)));
-    // An answer that nobody asked for takes no place from the next.
+    // An unsolicited answer takes no room from the next.
     for _ in 0..2 {
         assert_eq!(device.request(&tools::Ping), Ok(()));
     }
@@ -234,7 +234,7 @@ fn noise_hides_no_answer_and_no_data() {
     let noise = b"ue\x80\xFF".to_vec();
     let mut device = device([vec![noise.clone(), answered(5, &BIAS), data(1.0)]]);
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
-    assert_eq!(device.port().now, 1000); // only then it is known to be noise
+    assert_eq!(device.port().now, 1000); // only then is it known to be noise
     device.port_mut().coming.extend([noise, data(2.0)]);
     assert_eq!(next(&mut device), Some(data(1.0)));
     assert_eq!(next(&mut device), Some(data(2.0)));
@@ -300,7 +300,7 @@ fn a_program_that_was_stopped_finds_what_came_in_time() {
     device.port_mut().stopped_inside = 5000;
     device.port_mut().replies.push_back(vec![answered(5, &BIAS)]);
     assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
-    // If nothing is missing any more, it is over; and at last if there is no end.
+    // Reading stops when nothing is missing any more, and finally even if bytes never end.
     let late = Err(DeviceError::Command(CommandError::TimedOut));
     assert_eq!(stopped(vec![before]).request(&tools::Bias::read()), late);
     let mut device = stopped(vec![vec![0]; 100]);
@@ -317,7 +317,7 @@ fn bytes_that_keep_coming_hold_nothing_up() {
         device.port_mut().coming.extend(vec![vec![0]; 1000]);
         device
     };
-    // Between the deadline and the end is what the first reading behind it leaves of 100 ms.
+    // After the deadline, reading goes on for what the first read after it leaves of 100 ms.
     for (pace, end) in [(1, 64), (10, 110), (99, 297), (100, 200), (900, 1800)] {
         let mut device = talking(pace);
         assert!(device.next_packet(0).unwrap().is_none());
@@ -341,7 +341,7 @@ fn bytes_that_keep_coming_hold_nothing_up() {
     assert!(matches!(device.answer(&status), Answer::Acknowledged(_)));
 }
 
-/// A stream whose reads find nothing in one of the ways that there are.
+/// A stream whose reads report that there is nothing, in one of the possible ways.
 struct Stream {
     nothing: fn() -> io::Result<usize>,
     coming: VecDeque<u8>,
@@ -350,7 +350,7 @@ struct Stream {
 
 impl Read for Stream {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        // After each byte comes nothing for once.
+        // After each byte, one read finds nothing.
         match self.coming.pop_front() {
             Some(0xFF) | None => (self.nothing)(),
             Some(byte) => {
@@ -402,7 +402,7 @@ fn ports_of_the_standard_library() {
     assert!(matches!(&error, DeviceError::Port(e) if e.kind() == ErrorKind::BrokenPipe));
     let error: Box<dyn std::error::Error> = error.into();
     assert!(error.to_string().starts_with("port: "));
-    // A time-out takes the time of the clock.
+    // A time-out takes real time.
     let nothing = || Ok(0);
     let stream = Stream { nothing, coming: VecDeque::new(), sent: vec![0; 9] };
     let client = Client::with_timeout(20);
@@ -457,7 +457,7 @@ fn a_late_answer_is_not_that_of_the_next_command() {
     // It is there as data.
     assert_eq!(next(&mut device), Some(data(1.0)));
     assert_eq!(next(&mut device), Some(answered(5, &other)));
-    // A ping that nobody has answered, and a device that talks without end.
+    // A ping that is not answered, and a device that sends without end.
     assert_eq!(device.request(&tools::Ping), Err(late));
     assert_eq!(next(&mut device), None);
     device.port_mut().coming.push_back(ack(1, AckCode::OK));
@@ -479,7 +479,7 @@ fn only_after_a_missing_answer_is_there_a_barrier() {
     let late = DeviceError::Command(CommandError::TimedOut);
     assert_eq!(device.request(&tools::Ping), Err(late));
     assert_eq!((answered(&mut device), answered(&mut device)), (1, 0));
-    // A failed port is such a case, too, also with data in between.
+    // A failed port is such a case, too, even with data in between.
     device.port_mut().replies = [vec![vec![], ack(1, AckCode::OK)]].into();
     assert_eq!(device.request(&tools::Ping), Err(DeviceError::Port(Gone)));
     assert_eq!(next(&mut device), Some(ack(1, AckCode::OK)));

@@ -1,4 +1,4 @@
-//! What the types of fields promise: presence, constructors, unions, open values, links.
+//! The types of fields: presence, constructors, unions, open values, links.
 
 #![allow(deprecated)] // of the fields that are tested here
 
@@ -154,7 +154,7 @@ fn an_unknown_tag_survives_and_what_follows_is_left_over() {
     assert_eq!(command.parameters, Some(tools::ChoiceParameters::Other(tools::Shape(77))));
     assert_eq!(trailing, 2);
     assert_eq!(bytes(&command), [1, 1, 77]);
-    // Where the union is not needed, one that takes no bytes is as good as absent.
+    // Where the union is not required, one that takes no bytes counts as absent.
     let (command, trailing) = tools::Choice::decode_with_trailing(&[2, 1, 77, 5]).unwrap();
     assert_eq!((command.parameters, trailing), (None, 1));
 }
@@ -312,7 +312,7 @@ fn a_bitfield_in_a_loop_is_its_bits() {
     assert!(found.len() > 1 && found.into_iter().collect::<StateFlags>() == flags);
 }
 
-/// What a program does with some fields, written with its own arms.
+/// A program that handles some fields, with arms of its own.
 fn first_number(field: &RawField<'_>) -> Result<f64, DecodeErrorKind> {
     let number = dispatch!(field, {
         measurements::Accel(accel) => { accel.scaled_accel.x.into() }
@@ -427,7 +427,7 @@ fn commands_tell_what_to_expect() {
     assert_eq!((tools::Ping::TIMEOUT_MS, tools::Status::TIMEOUT_MS), (None, Some(2500)));
 }
 
-/// What a request returns is known when it is compiled.
+/// The result of a request is known at compile time.
 fn returns<R>(_: &impl Command<Response = R>) {}
 
 #[test]
@@ -438,10 +438,10 @@ fn the_type_of_a_command_states_its_answer() {
     returns::<tools::SetTimeResponses>(&tools::SetTime::read(Mode::FAST));
     returns::<()>(&tools::Settings::write(1, Mode::FAST, 1).with_limit(2));
     returns::<()>(&tools::Settings::apply(1, Mode::FAST, 1));
-    // Of a function that is known only at run time, there may be one.
+    // A function that is known only at run time may have a response.
     let read: tools::Settings = tools::Settings::read(1, Mode::FAST).into();
     returns::<Option<tools::SettingsResponse>>(&read);
-    // Its response never answers another function.
+    // The response never answers another function.
     assert_eq!(tools::Settings::save(1).function, FunctionSelector::SAVE);
     assert_eq!(<Save<tools::Settings> as Command>::RESPONSES, [0x82]);
 }
@@ -491,7 +491,7 @@ fn a_layout_is_one_type_in_all_its_sets() {
     let other = RawField { set: 0x82, descriptor: Accel::DESCRIPTOR, data: &data };
     assert!(!other.is::<Accel>() && other.get::<Accel>().is_none());
     assert!(AnyField::decode_with_trailing(&other).is_none());
-    // One descriptor, another layout in one of the sets.
+    // The same descriptor has another layout in one of the sets.
     assert_eq!(
         (Own::DESCRIPTOR, Own::SET, Own::SETS),
         (Radio::DESCRIPTOR, MORE_SET, &[MORE_SET][..])
@@ -541,7 +541,7 @@ fn the_registry_describes_values() {
         (flags.name, flags.elements, flags.units, flags.frame),
         ("valid_flags", &[][..], &[][..], None)
     );
-    // Of structures and unions, what is inside; nothing that follows from the rest.
+    // The members of structures and unions are listed, but nothing that follows from the rest.
     let names = |all: &[registry::ParameterInfo]| all.iter().map(|p| p.name).collect::<Vec<_>>();
     assert_eq!(
         names(of("measurements.gust")),

@@ -177,7 +177,7 @@ fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
     // A field of another set.
     assert_eq!(packet.push(&own()).map_err(kind), Err(EncodeErrorKind::Set));
     assert_eq!(packet.bytes(), before);
-    // What just fits.
+    // A field that just fits.
     packet.push_raw(0x71, &[0; 51]).unwrap();
     assert_eq!(packet.bytes().len(), MAX_PAYLOAD + 6);
     assert_eq!(packet.push(&tools::Ping).map_err(kind), Err(EncodeErrorKind::Length));
@@ -264,7 +264,7 @@ fn every_chunking_gives_the_same_packets() {
         accel.bytes(),
         b"ue\x00",
         &PING,
-        &[0x75, 0x65, 0x80, 0x20], // begins a packet that swallows the next ones
+        &[0x75, 0x65, 0x80, 0x20], // begins a packet that would contain the next ones
         &PING,
         accel.bytes(),
         b"ueu",
@@ -293,7 +293,7 @@ fn flush_loses_no_packet_inside_of_what_it_gives_up() {
     assert_eq!(parser.flush().unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!((parser.pending(), parser.skipped()), (0, 6));
-    // It goes on as if nothing had been.
+    // Parsing continues as if nothing had happened.
     assert_eq!(parser.next(&mut &PING[..]).unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!(parser.skipped(), 6);
@@ -415,7 +415,7 @@ fn the_packets_of_a_slice_borrow_it() {
     assert_eq!((noise.next(), noise.skipped(), noise.remainder()), (None, 3, &b"u"[..]));
 }
 
-/// Gives little at a time, with interruptions and a time-out.
+/// Returns few bytes at a time, with interruptions and a time-out.
 struct Line<'a>(&'a [u8], usize);
 
 impl std::io::Read for Line<'_> {
@@ -449,7 +449,7 @@ fn packets_of_a_source() {
     assert_eq!(packets.parser().skipped(), NMEA.len() as u64 + 4);
 }
 
-/// A port that gives nothing now and then: one piece of the list for each read.
+/// A port that returns one piece of the list for each read; some are empty.
 struct Pieces(Vec<std::io::Result<&'static [u8]>>);
 
 impl std::io::Read for Pieces {

@@ -1,4 +1,4 @@
-//! What people expect of lists, bitfields, errors and the registry.
+//! What users expect of lists, bitfields, errors and the registry.
 
 use std::collections::hash_map::DefaultHasher;
 use std::collections::HashSet;
@@ -68,7 +68,7 @@ fn a_list_that_overflowed_is_never_encoded() {
     five.extend([6]);
     assert_eq!((five.clone().into_iter().count(), five.pop(), five.pop()), (1, Some(1), None));
     assert!(five.overflowed() && five.is_empty());
-    // Now it holds none, but it was given five.
+    // It holds none now, but was given five.
     let error = five.push(6).unwrap_err();
     assert_eq!(error.to_string(), "5 items were given, the list can hold 4");
     five.clear();
@@ -132,7 +132,7 @@ fn bitfields_are_sets_of_bits() {
 fn bitfields_name_their_bits() {
     let flags = StateFlags(0x8051);
     let names: Vec<_> = flags.iter_names().map(|(name, bits)| (name, bits.0)).collect();
-    assert_eq!(names, [("ready", 0x0001), ("level", 0x0050)]); // `any` has no bit that is left
+    assert_eq!(names, [("ready", 0x0001), ("level", 0x0050)]); // no bit is left for `any`
     assert_eq!(flags.iter().map(|bits| bits.0).collect::<Vec<_>>(), [1, 0x50, 0x8000]);
     assert_eq!(flags.into_iter().fold(StateFlags::empty(), |a, b| a | b), flags);
     assert_eq!(format!("{:?}", StateFlags(0x8000)), "StateFlags(0x8000)");
@@ -290,7 +290,7 @@ fn an_absent_field_is_no_broken_one() {
 fn a_field_that_the_packet_cuts_is_no_absent_one() {
     let payload = [&[2, 7, 0x10, measurements::Accel::DESCRIPTOR][..], &[0; 14]].concat();
     for have in 0..=14 {
-        // It has all values that it needs, and yet not the bytes that its length announces.
+        // It may have all the values that it needs, but not all the bytes that its length announces.
         let bytes = sealed(measurements::MEASUREMENTS_SET, &payload[..have + 4]);
         let packet = Packet::new(&bytes).unwrap();
         let expected = (measurements::Accel::NAME, DecodeErrorKind::Truncated, 14, have);
@@ -303,7 +303,7 @@ fn a_field_that_the_packet_cuts_is_no_absent_one() {
         let other = sealed(0x82, &payload[..have + 4]);
         assert_eq!(Packet::new(&other).unwrap().find::<measurements::Accel>(), None);
     }
-    // Values that are all there do not help: 12 bytes are announced, and 10 follow.
+    // It is an error even if all values are there: 12 bytes are announced, and 10 follow.
     let bytes = sealed(0x9F, &[[14, 0xD3].as_slice(), &[0; 10]].concat());
     let error = Packet::new(&bytes).unwrap().find::<shared::Timestamp>().unwrap().unwrap_err();
     assert_eq!((error.need, error.got), (12, 10));
@@ -313,7 +313,7 @@ fn a_field_that_the_packet_cuts_is_no_absent_one() {
     assert!(matches!(packet.find::<tools::Status>(), Some(Err(e)) if e.got == 1));
     let bytes = sealed(tools::TOOLS_SET, &[6, tools::Status::DESCRIPTOR, 0x13]);
     assert_eq!(Packet::new(&bytes).unwrap().find::<tools::Status>(), None);
-    // Nobody can tell what a field without a descriptor is.
+    // A field without a descriptor cannot be identified.
     for length in 0..2 {
         let bytes =
             sealed(measurements::MEASUREMENTS_SET, &[length, measurements::Accel::DESCRIPTOR]);

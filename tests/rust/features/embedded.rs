@@ -17,16 +17,16 @@ use mip_protocol::{
     measurements, tools, Answer, AnyField, Client, CommandError, OneSet, Outcome, PacketBuilder,
 };
 
-/// A line on which each packet is answered, byte by byte; while nothing comes, time goes on.
+/// A line on which each packet is answered, byte by byte; while nothing arrives, time goes on.
 #[derive(Default)]
 struct Line {
     replies: VecDeque<Vec<u8>>,
     coming: VecDeque<u8>,
     now: u32,
     closed: bool,
-    /// Noise comes without end.
+    /// Noise arrives without end.
     flooded: bool,
-    /// The program is stopped for so long before the next read.
+    /// How long the program is stopped before the next read.
     stopped: u32,
 }
 
@@ -129,7 +129,7 @@ impl Wake for Nobody {
     fn wake(self: Arc<Self>) {}
 }
 
-/// The least executor: while something waits, time goes on.
+/// A minimal executor: while something waits, time goes on.
 fn block_on<T>(line: &Uart, future: impl Future<Output = T>) -> T {
     let waker = Waker::from(Arc::new(Nobody));
     let mut future = pin!(future);
@@ -228,7 +228,7 @@ fn a_device_that_is_awaited() {
         let before = uart.now();
         assert_eq!(device.request(&tools::Settings::apply(1, Mode::FAST, 1)).await, Ok(()));
         assert_eq!(uart.now(), before);
-        // Commands that may take different times.
+        // Commands with different time-outs.
         let slow = tools::Status::new(1);
         let (ping, _) = device
             .send_all(tools::TOOLS_SET, |request| {
@@ -261,7 +261,7 @@ fn a_future_that_is_dropped() {
         assert!(request.as_mut().poll(&mut Context::from_waker(&waker)).is_pending());
     }
     assert_eq!(block_on(&uart, device.request(&tools::Bias::read())), Ok(BIAS));
-    // Its answer comes late: it is nobody's.
+    // Its answer arrives late: it answers nothing.
     uart.0.borrow_mut().coming.extend(answer.bytes());
     let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
     assert_eq!(packet.as_deref(), Some(answer.bytes()));
@@ -342,7 +342,7 @@ fn time_goes_on_while_noise_comes_without_end() {
     let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
     let late = DeviceError::Command(CommandError::TimedOut);
     assert_eq!(block_on(&uart, device.request(&tools::Ping)), Err(late));
-    assert_eq!(uart.now(), 1000 + 64); // and what could have come in time
+    assert_eq!(uart.now(), 1000 + 64); // and the time to read what could have arrived in time
     assert!(block_on(&uart, device.next_packet(50)).unwrap().is_none());
     assert_eq!(uart.now(), 1115 + 63);
 }
@@ -363,8 +363,8 @@ fn packets_behind_noise_are_found_before_a_port_is_closed() {
     assert_eq!(block_on(&uart, device.next_packet(50)).unwrap_err(), DeviceError::Closed);
 }
 
-/// A UART of which each fourth operation, starting with the first, fails with an error of this
-/// kind, and which accepts at most so many bytes.
+/// A UART on which every fourth operation, starting with the first, fails with an error of this
+/// kind, and which accepts at most `accepts` bytes.
 #[derive(Clone)]
 struct Shaky {
     uart: Uart,
@@ -516,7 +516,7 @@ fn a_port_that_accepts_no_bytes() {
     assert_eq!(awaited(&port), Err(DeviceError::Closed));
 }
 
-/// The port did not take a ping; now it takes bytes, and the answer arrives after an interruption.
+/// The port did not accept a ping; now it accepts bytes, and the answer arrives after an interruption.
 fn late(port: &mut Shaky) {
     (port.accepts, port.operations) = (usize::MAX, 0);
     port.uart.0.borrow_mut().coming.extend(ack(1, AckCode(3)).bytes());

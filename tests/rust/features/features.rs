@@ -1,11 +1,11 @@
-//! What the feature `serde` brings.
+//! The feature `serde`.
 
 use mip_protocol::dynamic::ToValue;
 use mip_protocol::types::{Mode, StateFlags, Vector3f};
 use mip_protocol::{measurements, mip_3d, mip_9_lives, tools, AnyField, Text, VarText};
 use serde::{de::DeserializeOwned, Serialize};
 
-/// There and back again, and what it looks like.
+/// The JSON text of a value, after a round trip.
 fn json<T: Serialize + DeserializeOwned + PartialEq + std::fmt::Debug>(value: &T) -> String {
     let text = serde_json::to_string(value).unwrap();
     assert_eq!(&serde_json::from_str::<T>(&text).unwrap(), value);

@@ -59,6 +59,6 @@ fn every_field_goes_to_json_and_comes_back() {
         }
     }
     assert!(special > 100, "{special}");
-    // What begins with a constant is seldom met by chance.
+    // Random bytes seldom match a layout that begins with a constant.
     assert!(missed.len() * 4 < FIELDS.len(), "{missed:?}");
 }

@@ -1,4 +1,4 @@
-//! The inputs of a file, one per line in hexadecimal, and others that are made from them by chance:
+//! The inputs of a file, one per line in hexadecimal, and others made from them at random:
 //! INPUTS=FILE TARGET=NAME COUNT=NUMBER.
 
 mod targets;

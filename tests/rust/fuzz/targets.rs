@@ -19,14 +19,14 @@ impl<'a> Input<'a> {
         self.bytes(1).first().copied().unwrap_or_default()
     }
 
-    /// As many bytes as there are, at most.
+    /// The next bytes, at most `count`.
     fn bytes(&mut self, count: usize) -> &'a [u8] {
         let (head, tail) = self.0.split_at(count.min(self.0.len()));
         self.0 = tail;
         head
     }
 
-    /// A number of bytes, and then these.
+    /// A count, and then that many bytes.
     fn counted(&mut self, most: usize) -> &'a [u8] {
         let count = usize::from(self.byte()) % (most + 1);
         self.bytes(count)
@@ -38,13 +38,13 @@ impl<'a> Input<'a> {
 /// A parser that keeps the whole stream and tries every place in order.
 struct Plain<'a> {
     stream: &'a [u8],
-    /// Bytes that are done with.
+    /// Bytes processed.
     at: usize,
     skipped: u64,
 }
 
 impl<'a> Plain<'a> {
-    /// What is at a place: a packet of that many bytes, nothing (0), or what may become one.
+    /// What is at a position: a packet (its size), nothing (0), or the start of a possible packet.
     fn size_at(&self, at: usize) -> Option<usize> {
         let rest = &self.stream[at..];
         match *rest {
@@ -103,7 +103,7 @@ impl<'a> Plain<'a> {
     }
 }
 
-/// Both find the same; tells whether they find anything.
+/// Checks that both find the same; true if that is a packet.
 fn same(found: Option<Packet<'_>>, plain: Option<&[u8]>) -> bool {
     assert_eq!(found.map(|packet| packet.bytes()), plain);
     if let Some(packet) = found {
@@ -141,7 +141,7 @@ pub fn parser(data: &[u8]) {
         let between = if events > 0 { random >> 16 & 0xFF } else { 0xFF };
         while between < 16 && same(parser.flush(), plain.flush()) {}
         while between < 32 && same(parser.look_behind(), plain.look_behind()) {}
-        // It judges the first bytes of a candidate when there are four.
+        // The parser checks the header of a candidate once all four bytes are there.
         let late = parser.skipped() as usize + parser.pending();
         assert_eq!(late, plain.skipped as usize + plain.stream.len() - plain.at);
     }
@@ -193,7 +193,7 @@ impl Visitor for Codec {
             assert_eq!(encode(again, &mut buffer), Ok(known.len()));
             assert_eq!(&buffer[..known.len()], known);
         }
-        // With too little room, nothing is there.
+        // With too little room, it cannot be encoded.
         if let Some(room) = known.len().checked_sub(1 + self.lack) {
             assert!(value.encode(&mut buffer[..room]).is_err());
         }
@@ -363,7 +363,7 @@ fn ended(waiting: &mut Vec<Ticket<()>>, event: &Event) {
     );
 }
 
-/// What is not an answer is given as it is, in its order.
+/// What is not an answer is returned unchanged, in order.
 fn take(client: &mut Client<SLOTS>, waiting: &mut Vec<Ticket<()>>, packet: &Packet<'_>) {
     let events = client.receive(packet);
     let mut all = packet.fields();

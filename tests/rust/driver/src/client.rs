@@ -20,7 +20,7 @@ struct Session {
     now: u32,
     sent: Vec<Ticket<()>>,
     events: Vec<Json>,
-    /// Of a `live` request, and whether it was said that it is closed.
+    /// The port of a `live` request, and whether its end was reported.
     port: Option<Port>,
     told: bool,
 }
@@ -68,7 +68,7 @@ fn play_steps(request: &Json, port: Option<Port>) -> Answer {
     Ok(object([("events", Json::Array(session.events))]))
 }
 
-/// How long to wait for bytes before the time is looked at.
+/// How long to wait for bytes before the time is checked.
 const LOOK: Duration = Duration::from_millis(100);
 
 fn milliseconds(step: &Json) -> Result<u32, &'static str> {
@@ -150,7 +150,7 @@ impl Session {
         self.poll(parser);
     }
 
-    /// The time of a clock, if there is a port.
+    /// Takes the time from a clock, if there is a port.
     fn tick(&mut self) {
         self.now = self.port.as_ref().map_or(self.now, Port::milliseconds);
     }
@@ -200,7 +200,7 @@ impl Session {
         for event in &events {
             self.answer(event);
         }
-        let empty = packet.payload().is_empty(); // else, without anything in it, it answers a barrier
+        let empty = packet.payload().is_empty(); // otherwise, a packet without fields left answers a barrier
         if events.is_empty() && empty || !others.is_empty() {
             let set = Json::Integer(packet.set().into());
             self.happens("received", [("set", set), ("fields", Json::Array(others))]);

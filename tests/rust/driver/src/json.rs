@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 pub enum Json {
     Null,
     Bool(bool),
-    /// A whole number, exactly; what is too large even for this becomes the largest.
+    /// A whole number, exactly; one that is too large even for this becomes the largest.
     Integer(i128),
     /// A number with a point or an exponent.
     Other(f64),

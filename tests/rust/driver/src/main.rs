@@ -30,7 +30,7 @@ fn main() -> io::Result<()> {
         writeln!(output, "{text}")?;
         line.clear();
         if input.buffer().is_empty() {
-            output.flush()?; // whoever waits for an answer gets it
+            output.flush()?; // the other end may wait for the answer
         }
     }
     output.flush()
@@ -116,7 +116,7 @@ fn from_value(value: &Value) -> Json {
 
 fn encode(request: &Json) -> Answer {
     let set = request.get("set").and_then(Json::integer).ok_or("request")?;
-    // A builder of a set that no packet has accepts no field; of several mistakes the first one is told.
+    // A builder of a set that no packet has accepts no field; of several mistakes, the first one is reported.
     PacketBuilder::new(set).push_raw(0, &[]).map_err(encode_error)?;
     let mut packet = PacketBuilder::new(set);
     for field in request.get("fields").and_then(Json::array).ok_or("request")? {
@@ -146,7 +146,7 @@ fn encode(request: &Json) -> Answer {
     Ok(object([("packet", hex(packet.bytes()))]))
 }
 
-/// Numbers that are not whole stand nowhere in the protocol: floats are texts of their bits.
+/// Numbers that are not whole do not occur in requests: floats are texts of their bits.
 fn to_value(json: &Json) -> Result<Value, &'static str> {
     Ok(match json {
         Json::Null | Json::Other(_) => return Err("range"),

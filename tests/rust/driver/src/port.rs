@@ -42,7 +42,7 @@ impl Port {
         self.closed |= self.writer.write_all(data).is_err();
     }
 
-    /// What has come, after at most so long; nothing if it is closed, too.
+    /// Reads what has arrived, waiting at most that long; nothing also if the port is closed.
     pub fn read(&mut self, longest: Duration) -> Vec<u8> {
         match self.pieces.recv_timeout(longest) {
             Ok(data) => data,
