@@ -77,7 +77,7 @@ def way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def leaves(package: Any, parameters: Any, value: Any, prefix: str = "") -> Iterator[tuple[str, Any]]:
-    """What a column has in a row: by the object, and by the parameters."""
+    """The cells of a row: the names of columns, and the values of the object."""
     structure = package.field.Structure
     for p in parameters:
         if p.kind == "counter" or p.constant is not None:
@@ -305,7 +305,7 @@ def test_objects_while_other_columns_are_requested(monkeypatch: pytest.MonkeyPat
 
 
 def nested() -> bytes:
-    """Packets in packets, so that where one begins decides which ones there are."""
+    """Packets in packets, so that the start of one decides which ones are found."""
     small = packet(0x80, (0x04, bytes(12)))
     chain = b""
     for i in range(40):
@@ -507,7 +507,7 @@ def test_the_time_of_a_row_is_that_of_its_packet_or_the_last_one_of_the_set() ->
 
 
 def test_a_device_says_which_flags_count() -> None:
-    """The 3DM-GX5-15 has no flags for time of week and week, but one that the time is set."""
+    """The 3DM-GX5-15 has no flags for time of week and week, but one that says that the time is set."""
     stamp = struct.pack(">dHH", 100, 2300, 1 << 2)
     stream = packet(0x80, (0x12, stamp), ACCEL)
     for device, known in ((None, False), ("3dm-gx5-15", True), ("3DM-CV7-GNSS/INS", False)):
@@ -763,7 +763,7 @@ def test_a_package_in_a_zip_file(tmp_path: Path) -> None:
 
 
 def installed(folder: Path, pure: bool) -> tuple[str, str]:
-    """The name of a wheel, and what its `mip --version` says, installed where nobody may write."""
+    """The name of a wheel, and what its `mip --version` prints, installed where nobody may write."""
     source = folder / "source"
     names = ("README.md", "LICENSE", "pyproject.toml", "setup.py", "mip_tools")
     for name in names:

@@ -1,4 +1,4 @@
-"""A package made of a `mip.json` when the tools start: the same as the one that is generated."""
+"""A package made from a `mip.json` when the tools start: the same as the one that is generated."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ GENERATED = {"invented": mip, "real": real}
 
 
 def made(spec: str) -> Package:
-    """The package that is made of the definitions of a specification."""
+    """The package that is made from the definitions of a specification."""
     name = f"{spec}_definitions"
     if name not in sys.modules:
         generated = GENERATED[spec]
@@ -51,7 +51,7 @@ ATTRIBUTES = """SET SETS DESCRIPTOR NAME ROLE RESPONSES REQUIRED TIMEOUT SILENCE
 
 
 def signatures(kind: Any) -> dict[str, Any]:
-    """How it is made: by itself, and for each function."""
+    """The signatures of the constructor, and of that for each function."""
     ways = {"": kind, **{f: getattr(kind, f) for f in ("write", "read", "save", "load", "default") if hasattr(kind, f)}}
     return {
         name: [(p.name, p.kind, plain(p.default)) for p in inspect.signature(way).parameters.values()]
@@ -207,7 +207,7 @@ def test_files_that_are_no_definitions(text: str | None, said: str, tmp_path: Pa
 
 
 def test_a_name_cannot_be_a_program(tmp_path: Path) -> None:
-    """What stands in the file becomes part of functions only if it is a name."""
+    """Text from the file becomes part of functions only if it is a name."""
     text = (SPECS["invented"][1] / "json/mip.json").read_text("utf-8")
     evil = text.replace('"name":"temperature","type":', '"name":"x=print(1)","type":')
     document = json.loads(evil if evil != text else text)

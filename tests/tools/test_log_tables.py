@@ -247,7 +247,7 @@ def test_frames_of_all_libraries_and_all_files_have_one_schema(tmp_path: Path) -
 
 
 def read_number(value: Any, single: bool) -> Any:
-    """A number that was written with as few digits as it needs with four bytes."""
+    """A number that was written with as few digits as a float of four bytes needs."""
     return float(np.float32(value)) if single and isinstance(value, (int, float)) else value
 
 
@@ -343,7 +343,7 @@ def test_quaternions_stay_of_length_one() -> None:
         10.0: (1, 0, 0, 0),
         10.2: (-half, 0, 0, -half),
         10.4: (0, 0, 0, 1),
-    }  # a quarter turn; the signs say nothing
+    }  # a quarter turn; the signs are arbitrary
     stream = moving([*values], lambda t: (0x03, struct.pack(">4fH", *values[t], 1)), 0x82)
     frame = sampled(stream, 10, "filter_data.attitude_quaternion")
     parts = frame[[c for c in frame if c.endswith((".w", ".x", ".y", ".z"))]].to_numpy()

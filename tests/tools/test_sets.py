@@ -1,4 +1,4 @@
-"""What two receivers send has the same class, and is never mixed: columns, tables, reports and the simulator."""
+"""The data of two receivers has the same class, and is never mixed: columns, tables, reports and the simulator."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def dop(set: int, value: float) -> bytes:
 
 
 def stream(*sets: int) -> bytes:
-    """Three fields of each set; the value is the set and the number of the turn."""
+    """Three fields of each set; the value is the set plus a quarter of the turn."""
     return b"".join(dop(set, set + turn / 4) for turn in range(3) for set in sets)
 
 

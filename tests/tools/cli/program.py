@@ -63,7 +63,7 @@ def mip(*arguments: object, data: bytes = b"", extras: bool = True) -> tuple[int
 
 
 def started(*arguments: object, data: bytes = b"", extras: bool = True) -> tuple[int, str, str]:
-    """The same of a process of its own, as users start it."""
+    """The same in a process of its own, as users start it."""
     done = subprocess.run(command(*arguments, extras=extras), input=data, capture_output=True, env=ENVIRONMENT)
     out, error = done.stdout.decode("utf-8", "surrogateescape"), done.stderr.decode()
     assert "Traceback" not in error, error

@@ -1,4 +1,4 @@
-"""`mip info`, `dump` and `cut` do the same by columns as packet by packet; parts of what they use."""
+"""`mip info`, `dump` and `cut` do the same by columns as packet by packet; and parts of their code."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def stream(request: pytest.FixtureRequest) -> bytes:
 
 
 def held(found: intervals.Intervals) -> dict[str, Any]:
-    """All that is known of intervals; the longest in no order."""
+    """All attributes of intervals; the longest ones are sorted."""
     return {**vars(found), "_longest": sorted(found._longest)}
 
 

@@ -216,7 +216,7 @@ def test_refused_settings_are_named_with_why(at: At, tmp_path: Path) -> None:
         ("      sensor:", "      sensors:", "did you mean 'sensor'"),
         ("model: 3dm-cv7-gnss-ins", "model: 3dm-cv7-gnss-inz", "'3dm-cv7-gnss-inz' is not a device; did you mean"),
         ("settings:", "settngs:", "a file of settings has no 'settngs'; did you mean 'settings'?"),
-        # What the specification allows, and this device does not have.
+        # Valid in the specification, but not on this device.
         ("1: {type: none}", "99: {type: none}", "this device has no 3dm.event_trigger_config 99; remove it"),
         ("sensor: {descriptors: []}", "sensor: {descriptors: [{descriptor: raw_accel, decimation: 10}]}",
          "this device does not have the field 'raw_accel'; remove it"),

@@ -79,7 +79,7 @@ def of_sensor() -> list[int]:
 
 
 def stepped(packet: bytes, seconds: float) -> bytes:
-    """With another GPS time."""
+    """The packet with another GPS time."""
     (parsed,) = Parser().feed(packet)
     builder = PacketBuilder(parsed.set)
     for raw in parsed:
@@ -189,7 +189,7 @@ def test_several_causes_in_one_log() -> None:
 
 
 def test_events_that_meet_are_merged() -> None:
-    """As if each were compared with all: first what explains it, in the order of causes, then the stream's."""
+    """The result is the same as comparing each event with all others, those that explain others first."""
     dice = random.Random(SEED)
     order = ["reset", "clock step", "line damage", "changed format", "pause", "overload"]
     seen: set[tuple[str, str]] = set()

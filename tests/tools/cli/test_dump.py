@@ -131,7 +131,7 @@ def test_a_port() -> None:
 
 
 def test_any_bytes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Every command that reads logs ends with 0 or 1, and says at most one line."""
+    """Every command that reads logs ends with 0 or 1, and prints at most one line of errors."""
     rng = random.Random(7)
     base = log(0.3)
     path = tmp_path / "log"

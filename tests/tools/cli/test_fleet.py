@@ -28,7 +28,7 @@ GROUP = 10_000  # bytes: small enough for several groups in these logs
 
 
 def logs(folder: Path, count: int = 5) -> Path:
-    """Logs of different length, and two that are none."""
+    """Logs of different length, and two files that are not logs."""
     for i in range(count):
         path = folder / f"car {i % 2}" / f"drive{i}.bin"
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -51,7 +51,7 @@ def here(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def rows(out: Path) -> dict[tuple[str, str, str], Any]:
-    """(clock, field, log) -> its rows; only of files that count. Each file is read as it is."""
+    """(clock, field, log) -> its rows, only from files in the manifest. Each file is read as it is."""
     found: dict[tuple[str, str, str], list[Any]] = {}
     for one in fleet.open(out).manifest.files:
         table = parquet.read_table(out / one.path, partitioning=None)
@@ -106,7 +106,7 @@ def test_a_data_set_has_the_rows_of_its_logs(tmp_path: Path, here: None, capsys:
     assert set(table["device"].to_pylist()) == {"car 0", "car 1"}
     with pytest.raises(LookupError, match="no such rows"):
         fleet.open(out).files("sensor.scaled_gyrox")
-    # Again: nothing is added. A log under another name is known, another one under the same name is not taken.
+    # A second run adds nothing: a log under another name is known, and another log under a known name is rejected.
     before = rows(out)
     shutil.copy(folder / "car 0/drive0.bin", folder / "copy.bin")
     (folder / "car 0/drive2.bin").write_bytes(log(0.5))
@@ -159,7 +159,7 @@ def test_a_run_that_fails_anywhere_goes_on(tmp_path: Path, here: None, monkeypat
         try:
             fleet.build(folder, trial, group=GROUP)
         except Failure:
-            assert rows(trial).keys() == before.keys()  # what counts is what was there
+            assert rows(trial).keys() == before.keys()  # the manifest still has what was there
         monkeypatch.setattr(dataset.os, "replace", replace)
         if places == 0:
             fleet.build(folder, trial, group=GROUP)
@@ -239,7 +239,7 @@ def test_a_scheduler_elsewhere_by_its_address(tmp_path: Path) -> None:
             env=ENVIRONMENT, capture_output=True, text=True,
         )  # fmt: skip
         assert done.returncode == 1 and "2 logs added, 0 known, 2 failed" in done.stdout, done.stderr
-        assert started[0].poll() is None  # it is not ours to end
+        assert started[0].poll() is None  # it belongs to others
     finally:
         for process in started:
             process.kill()

@@ -525,7 +525,7 @@ def test_a_recording_that_has_appeared_meanwhile_is_kept(tmp_path: Path) -> None
 
 @pytest.mark.parametrize("keep", [True, False])
 def test_an_interrupt_at_any_moment(keep: bool, tmp_path: Path) -> None:
-    """Each time in another line of what opens, closes and names the file: it is whole or not there, and no part is."""
+    """Each time in another line of the code that opens, closes and names the file: it is complete or absent."""
     path = tmp_path / "log.bin"
     left = at = 0
 
@@ -578,7 +578,7 @@ def test_names_of_any_length(path: Path, capsys: pytest.CaptureFixture[str]) -> 
 
 
 def test_an_output_that_is_a_link_or_has_permissions(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """What it leads to is written, though it is not there yet; the permissions of an older file stay."""
+    """The target of a link is written, even if it does not exist yet; an older file keeps its permissions."""
     (path.parent / "folder").mkdir()
     target, link = path.parent / "folder/real.csv", path.with_name("link.csv")
     link.symlink_to("folder/real.csv")
@@ -621,7 +621,7 @@ def test_a_full_disk(path: Path, tmp_path: Path) -> None:
         assert done.stderr.count(b"\n") == 1 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]
 
 
-def test_an_output_that_takes_nothing(path: Path, tmp_path: Path) -> None:
+def test_an_output_that_accepts_nothing(path: Path, tmp_path: Path) -> None:
     """One line, and no traceback."""
     for words in (["fields"], ["info", path], ["cut", path, "-o", "-"]):
         with open("/dev/full", "wb") as full:
@@ -649,7 +649,7 @@ def test_a_pipe_that_gives_one_byte_first(first: bytes, path: Path) -> None:
     assert process.stdin is not None
     process.stdin.write(first)
     process.stdin.flush()
-    time.sleep(0.3)  # it has been read then; if not, the test sees nothing
+    time.sleep(0.3)  # by then, it has been read; if not, the test has no effect
     out, error = process.communicate(path.read_bytes(), timeout=PATIENCE)
     assert (process.returncode, error) == (0, b"") and b"packets" in out
 

@@ -92,7 +92,7 @@ def test_a_serial_port_needs_an_extra() -> None:
             mip_3dm.MessageFormat.write(0x80, (types.DescriptorRate(4, 10),)),
         ),
         (
-            ["3dm.message_format", "write", "filter_data", "gps_timestamp:10,ned_velocity:10"],  # not of aiding
+            ["3dm.message_format", "write", "filter_data", "gps_timestamp:10,ned_velocity:10"],  # not that of aiding
             mip_3dm.MessageFormat.write(0x82, (types.DescriptorRate(0xD3, 10), types.DescriptorRate(0x02, 10))),
         ),
         (
@@ -113,7 +113,7 @@ def test_bytes_without_a_device(words: list[str], made: Command, capsys: pytest.
 
 
 def test_every_command_and_function_can_be_typed() -> None:
-    """What `fields` says a command takes is what `send` takes, for values that a decoded one has."""
+    """`send` accepts what `fields` lists for a command, with the values of a decoded one."""
     count = 0
     for _, kind in registry.all_types():
         if not issubclass(kind, Command):
@@ -289,7 +289,7 @@ def test_a_port_that_closes(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["dump", "monitor"])
 def test_what_came_before_a_port_was_closed_is_shown(name: str) -> None:
-    """With the packet that only the end of the bytes completes: a longer one seemed to have begun."""
+    """Including a packet that is recognized only at the end of the bytes, as a longer one seemed to have begun."""
     packet = bytes(base.Ping().packet())
     with socket.create_server(("127.0.0.1", 0)) as server:
         where = f"127.0.0.1:{server.getsockname()[1]}"
@@ -464,7 +464,7 @@ def test_progress_only_where_a_line_can_be_replaced(term: str, place: str, tmp_p
 
 
 def test_a_duration_begins_when_the_port_is_open(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A serial port takes its time, above all with `--baud auto`."""
+    """Opening a serial port takes time, above all with `--baud auto`."""
     now = 0.0
 
     class Device:

@@ -1,4 +1,4 @@
-"""What the README of the package begins with: its commands and programs run unchanged, at a simulated device."""
+"""The first part of the package's README: its commands and programs run unchanged, at a simulated device."""
 
 from __future__ import annotations
 

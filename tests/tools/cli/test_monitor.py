@@ -19,7 +19,7 @@ from support import heavy
 
 
 def view(events: list[Any], end: Failure | None = None) -> Any:
-    """The view of what the events are: bytes that arrive, texts of notices, and waiting until one is set."""
+    """The view with these events: bytes that arrive, texts of notices, and waiting until one is set."""
     from mip_tools.cli.monitor_screen import MonitorScreen
 
     def pieces(options: argparse.Namespace, say: Callable[[str], object]) -> Iterator[Piece | None]:

@@ -1,4 +1,4 @@
-"""`mip profile`: data from a device as a file that mipgen accepts, also added to a file that was edited by hand."""
+"""`mip profile`: data from a device as a file that mipgen accepts, or added to a file that was edited by hand."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ def test_the_file_of_a_model_that_is_not_known(tmp_path: Path) -> None:
     assert {(s.set, s.field.descriptor) for s in made.certain} == devices.DEVICES["3dm-gq7"].fields
     assert not made.probable and made.incomplete and made.model_number == 6999
     assert [e.undefined for e in made.evidence] == [((0x3F, 0x01), (0x3F, 0x02), (0x80, 0x7E))]
-    assert made.ports == ()  # it has no command that tells the protocols
+    assert made.ports == ()  # it has no command that reads the protocols
     assert made.evidence[0].note == "Main was set to 115200 Bd."
 
 
@@ -116,7 +116,7 @@ def test_ports_of_a_model_that_is_not_known(tmp_path: Path) -> None:
     (first,) = (p for p in made.ports if p.name == "UART 1")
     assert first.baud_rates == (115200,) and {*first.receives} >= {"MIP"} and {*first.sends} >= {"MIP"}
     (closed,) = (p for p in made.ports if p.name == "UART 2")
-    assert (closed.receives, closed.sends) == ((), ())  # as it was
+    assert (closed.receives, closed.sends) == ((), ())  # as they were set
     assert {r.set.number: r.hertz for r in made.base_rates} == {**of.base_rates, 0x93: 0, 0x94: 0}
     assert "UART 2 is given with the settings that it had." in made.certain[0].evidence.note
 
@@ -319,7 +319,7 @@ def test_ports(tmp_path: Path) -> None:
     assert re.findall(r"^  - \{name: ([^,]*),", text, re.M) == ["UART 1", "Main", "UART 3", "USB 1", "USB 2"]
 
 
-#: What may have become more: lists and mappings in brackets, rates that were not known.
+#: What may have grown: lists and mappings in brackets, rates that were not known.
 MORE = {"]": r".*\]", "}": r".*\}", "~": r"(~|\d+)"}
 
 
@@ -329,7 +329,7 @@ def wholes() -> Iterable[str]:
 
 
 def test_profiles_of_the_specification(tmp_path: Path) -> None:
-    """A list goes into every profile that people wrote: nothing is removed, and mipgen takes all of it."""
+    """A list is added to every profile that people wrote: nothing is removed, and mipgen accepts the result."""
     spec = tmp_path / "spec"
     shutil.copytree(SPEC, spec)
     lines, found = 0, list(wholes())
@@ -398,7 +398,7 @@ def streaming(profile: profiles.Device | str = "3dm-cv7-gnss-ins") -> VirtualDev
 
 
 def test_the_streams_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    """After all has been asked, after an interrupt, and after an error."""
+    """After all questions, after an interrupt, and after an error."""
     device = streaming()
     idle = []
     asked = listing._Questions.listing
@@ -429,7 +429,7 @@ def test_the_streams_go_on(monkeypatch: pytest.MonkeyPatch) -> None:
     assert caught.value.status == 3 and not device.idle and device.busy
 
 
-def test_an_answer_that_is_missing_is_said() -> None:
+def test_an_answer_that_is_missing_is_reported() -> None:
     device = VirtualDevice("3dm-gx5-15", faults=Faults(plans=parse_faults("lose_answer@6")))
     said: list[str] = []
     with Device(LivePort(device, speed=50), timeout=0.2) as link:
@@ -481,7 +481,7 @@ def test_a_terminal(tmp_path: Path) -> None:
     assert (code, error) == (0, "") and out.startswith("extend: 3dm-mv5-ar\n") and out.endswith(BLOCK[-32:])
 
 
-def test_contradictions_are_said(place: str, tmp_path: Path) -> None:
+def test_contradictions_are_reported(place: str, tmp_path: Path) -> None:
     path = put(tmp_path, "3dm-gq7", "extend: 3dm-gq7\nbase_rates: {sensor: 5}\n")
     code, _, error = mip("profile", place, "--spec", tmp_path)
     said = f"{path}:2:22: the device says 1000 Hz for sensor, not 5; the file is kept"

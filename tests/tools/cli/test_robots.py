@@ -162,14 +162,14 @@ def test_attitudes_of_rep_103() -> None:
         length = math.hypot(*numbers)
         w, x, y, z = (v / length for v in numbers)
         v = (generator.gauss(0, 1), generator.gauss(0, 1), generator.gauss(0, 1))
-        # The vector of the body in the world, there and here.
+        # A vector of the body, turned into the world in both conventions.
         ned = rotated((w, x, y, z), v)
         assert rotated(axes.attitude((w, x, y, z)), axes.body(v)) == pytest.approx(axes.world(ned), abs=1e-9)
         assert axes.into_body(axes.attitude((w, x, y, z)), axes.world(ned)) == pytest.approx(axes.body(v), abs=1e-9)
 
 
 def test_odometry_while_it_moves() -> None:
-    """East by north: positions, velocities in the body, and covariances turned with it."""
+    """Heading east: positions, velocities in the body, and covariances turned with it."""
     kinds = {n: registry.by_name(f"filter_data.{n}") for n in ("llh_position", "attitude_quaternion", "ned_velocity")}
     spread = registry.by_name("filter_data.ned_velocity_uncertainty")
     converter = Converter()

@@ -29,7 +29,7 @@ def kept(virtual: VirtualDevice) -> dict[Any, Any]:
     return {place: value for place, value in virtual.settings.items() if place[0] not in LEFT_OUT}
 
 
-#: What `make test` samples: of each generation, with few settings and with many.
+#: The devices that `make test` samples: of each generation, with few settings and with many.
 SAMPLE = (
     "3dm-cv7-gnss-ins",
     "3dm-gq7",
@@ -70,7 +70,7 @@ def test_what_acts_only_once_is_no_setting() -> None:
 
 
 def in_browser(requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """What the workbench makes of them."""
+    """The answers of the workbench."""
     command = [need("node"), Path(__file__).parent / "settings_files.mjs", workbench("real")]
     asked = "".join(f"{json.dumps(x)}\n" for x in requests)
     done = subprocess.run(command, input=asked, capture_output=True, text=True, check=False)
@@ -101,7 +101,7 @@ def test_the_browser_reads_and_writes_the_same_files(tmp_path: Path, ids: Iterab
     assert in_browser([{"device": id, "text": x["text"]} for (id, _), x in zip(held, answers[1::2])]) == answers[::2]
 
 
-#: Parts of a file that are wrong: both say the same, but for the name of the file.
+#: Parts of files with mistakes.
 WRONG = (
     "settings: {3dm: {pps_source_control: {source: receiver_9}}}",
     "settings: {3dm: {pps_source_control: {sauce: gpio}}}",
@@ -124,7 +124,7 @@ WRONG = (
 
 @with_node
 def test_the_browser_refuses_the_same(tmp_path: Path) -> None:
-    """In the same place, about the same name; the words may differ."""
+    """With the same messages, except for the name of the file."""
     texts = [f"model: 3dm-cv7-gnss-ins\n{part}\n" for part in WRONG]
     answers = in_browser([{"device": "3dm-cv7-gnss-ins", "text": text} for text in texts])
     path = tmp_path / "s.yaml"

@@ -35,7 +35,7 @@ def test_fields_at_rates(place: str) -> None:
     assert (code, error) == (0, "")
     found = lines(out)
     assert all({"sensor.scaled_accel.x", "shared.reference_timestamp.nanoseconds"} <= one.keys() for one in found)
-    # In device time: each row 10 ms after the last, and the gyroscope in each second one.
+    # In device time: each row 10 ms after the last, and the gyroscope in every second one.
     times = [float(one["time"]) for one in found]
     assert len(found) == 20 and [round(b - a, 6) for a, b in pairwise(times)] == [0.01] * 19
     assert sum("sensor.scaled_gyro.x" in one for one in found) == 10
@@ -134,7 +134,7 @@ def test_a_pipe_is_not_held_back(words: tuple[str, ...]) -> None:
         for part in (data[:2000], data[2000:4000]):
             process.stdin.write(part)
             process.stdin.flush()
-            time.sleep(0.7)  # longer than the preview in all
+            time.sleep(0.7)  # in total, longer than the preview
         process.stdin.write(data[4000:5000])
         process.stdin.flush()
         assert json.loads(process.stdout.readline())
@@ -165,7 +165,7 @@ def test_packets_as_json(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("words", [("stream",), ("dump",), ("monitor",), ("record", "-o", "-")])
 def test_a_silent_port(words: tuple[str, ...]) -> None:
-    """It is said once what may be the matter, and it ends if it shall."""
+    """The possible cause is reported once, and the command ends if `--timeout` says so."""
     with socket.create_server(("127.0.0.1", 0)) as silent:
         where = f"127.0.0.1:{silent.getsockname()[1]}"
         code, _, error = mip(words[0], where, *words[1:], "--timeout", "2.5")

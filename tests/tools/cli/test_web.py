@@ -31,7 +31,7 @@ def masked(kind: int, data: bytes = b"", final: bool = True, mask: bytes = b"\1\
 
 
 class Page:
-    """What a browser does."""
+    """The connection of a page in a browser."""
 
     def __init__(self, server: Any, path: str, host: str = "", key: str = "dGhlIHNhbXBsZSBub25jZQ==") -> None:
         self.socket = socket.create_connection(("127.0.0.1", server.number), PATIENCE)
@@ -165,7 +165,7 @@ def test_one_page_at_a_time() -> None:
         third.close()
 
 
-def test_a_port_that_is_lost_or_cannot_be_opened_is_said_to_the_page() -> None:
+def test_a_port_that_is_lost_or_cannot_be_opened_is_reported_to_the_page() -> None:
     device = VirtualDevice(DEVICE)
     ports: list[LivePort] = []
 
@@ -192,7 +192,7 @@ def test_a_port_that_is_lost_or_cannot_be_opened_is_said_to_the_page() -> None:
 
 @pytest.mark.parametrize("ending", ["the server", "the port"])
 def test_a_page_that_is_sending_reads_why_it_ends(ending: str) -> None:
-    """What it sends meanwhile would reset a connection that is closed, and the reason would be lost."""
+    """Its data would reset a connection that is closed at once, and the reason would be lost."""
     ports: list[LivePort] = []
 
     def open_port() -> LivePort:

@@ -29,7 +29,7 @@ TIME = aiding.MeasurementTime(timebase=aiding.Timebase(3), nanoseconds=0)
 
 GLONASS_OFF = mip_3dm.ConstellationSettings.decode(bytes((1, 0, 32, 1, 6, 0, 0, 0, 0, 0)))
 
-#: A device, a command, and how much noise there must be to see it.
+#: A device, a command, and the noise with which its effect shows.
 COMMANDS: list[tuple[str, Any, float]] = [
     (CV7, mip_3dm.AccelBias.write((0.1, 0.2, 0.3)), 0),
     (CV7, mip_3dm.GyroBias.write((0.1, 0.2, 0.3)), 0),
@@ -111,7 +111,7 @@ def after(name: str, command: Any, noise: float) -> dict[str, list[bytes]]:
     return found
 
 
-#: Commands with such effects that need a state of their own; other tests have them.
+#: Commands whose effects need a special state; other tests have them.
 ELSEWHERE = {
     "3dm.sensor_range": "test_filter.py",
     "filter.run": "test_filter.py",
@@ -124,7 +124,7 @@ ELSEWHERE = {
 
 
 def row(device: str, command: Any, noise: float) -> str:
-    """The line of the table: of the fields that this device sends."""
+    """The row of the table, with the fields that this device sends."""
     virtual = VirtualDevice(device)
     found: dict[str, list[str]] = {}
     for x in changed(device, command, noise):

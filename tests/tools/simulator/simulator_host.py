@@ -9,7 +9,7 @@ from mip_tools.simulator import VirtualDevice
 
 
 class Host:
-    """Asks a device, and keeps the data that come in between."""
+    """Sends commands to a device, and keeps the data that arrive in between."""
 
     def __init__(self, device: VirtualDevice, port: str | None = None) -> None:
         self.device = device
@@ -33,7 +33,7 @@ class Host:
             self.device.advance(0.05)
 
     def ok(self, command: Command) -> Any:
-        """The response of a command that must be carried out."""
+        """The response to a command that must succeed."""
         (answer,) = self.ask(command)
         assert isinstance(answer, Answer) and answer.accepted and answer.error is None, answer
         return answer.response

@@ -1,4 +1,4 @@
-"""A long stream in real time: what a program gets of it, and what the simulator says of what it could not keep.
+"""A long stream in real time: the data that a program receives, and the simulator's report if it cannot keep up.
 
 python tests/tools/simulator/soak.py 600    # seconds; with others busy, as by `yes >/dev/null &`
 """

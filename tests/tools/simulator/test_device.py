@@ -655,7 +655,7 @@ def test_the_bytes_do_not_depend_on_how_time_is_cut() -> None:
 
 
 def test_a_stream_that_starts_anew_at_a_tick_does_not_repeat_it() -> None:
-    """At 3 Hz, no tick is at a whole nanosecond."""
+    """At 3 Hz, most ticks are not at a whole nanosecond."""
     for tick in range(1, 100):
         stream = Stream(3, [(1, None)], lambda items: None, 0, 0)
         for _ in range(tick - 1):

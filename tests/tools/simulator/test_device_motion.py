@@ -1,4 +1,4 @@
-"""The world inside the virtual device: what its settings and its streams make of it."""
+"""The world inside the virtual device: how settings change what its streams show of it."""
 
 from __future__ import annotations
 

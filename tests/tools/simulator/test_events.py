@@ -259,7 +259,7 @@ def test_a_square_wave_at_a_pin(host: Host) -> None:
 
 
 def test_only_so_many_triggers_and_actions_of_each_type(host: Host) -> None:
-    """As the device says in its answer to the question what it supports."""
+    """As many as the device lists in its reply about supported events."""
 
     def most(query: mip_3dm.EventSupportQuery) -> dict[int, int]:
         return {entry.type: entry.count for entry in host.ok(mip_3dm.GetEventSupport(query)).entries}

@@ -1,4 +1,4 @@
-"""Faults: each kind happens, is logged, comes again with its seed, and damages what the log says and nothing else."""
+"""Faults: each kind happens, is logged, repeats with its seed, and damages what the log says and nothing else."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def stream(count: int, seed: int = 0) -> list[bytes]:
 
 
 class Run:
-    """What becomes of a stream on its way through faults."""
+    """A stream that passes through faults."""
 
     def __init__(self, sent: list[bytes], seed: int = 0, **options: Any) -> None:
         self.log: list[Injected] = []
@@ -114,7 +114,7 @@ def test_all_intact_packets_are_found() -> None:
 
 
 def test_a_false_start_is_never_complete_by_accident() -> None:
-    """So many false headers that one is met: the log then says which bytes were put in between."""
+    """So many false headers that one would be completed: the log then states which bytes were put in between."""
     run = Run(stream(3000), 9, false_header=0.5, cut=0.2)
     run.check()
     assert any("by accident" in entry.detail for entry in run.log)
@@ -169,7 +169,7 @@ def test_sentences_of_the_device_pass_unharmed() -> None:
 
 
 def test_lines_do_not_disturb_each_other() -> None:
-    """What hangs on one line holds nothing back on another, and a line that was cut leaves nothing."""
+    """A delay on one line holds nothing back on another, and a line that was cut leaves nothing behind."""
     packet = stream(1)[0]
     faults = Faults(script=["delay_packet@1"])
     (late,) = faults.transmit(0, packet, "one")
@@ -264,7 +264,7 @@ def _decodes(raw: RawField) -> bool:
         return False
 
 
-#: What each does to an answer with a response.
+#: The effect of each on a reply with a response.
 ANSWERS: dict[str, Callable[[int, list[RawField]], bool]] = {
     "late_answer": lambda delay, fields: 0 < delay <= 2e9 and fields == [ACK, RESPONSE],
     "lose_answer": lambda delay, fields: not fields,

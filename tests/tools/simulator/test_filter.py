@@ -114,7 +114,7 @@ def test_a_given_heading_and_the_command_to_run() -> None:
 
 
 def test_a_heading_that_is_not_aided_is_relative() -> None:
-    """A 3DM-GX5-15 has no reference of its own: it begins at 0, and has reached all that it can."""
+    """A 3DM-GX5-15 has no reference for its heading: it begins at 0, and its solution is valid."""
     device = VirtualDevice("3dm-gx5-15", motion=Standing(heading=90))
     assert abs(show(device, "filter_data.euler_angles").yaw) < 0.2
     assert int(show(device, "filter_data.status").filter_state) == 2, "a valid solution"
@@ -128,7 +128,7 @@ DEVICES = 40
 
 
 def errors(device: VirtualDevice) -> tuple[list[float], list[float]]:
-    """What is estimated minus what is true, and the uncertainties: angles, velocity, position."""
+    """Estimates minus true values, and the uncertainties: angles, velocity, position."""
     s, world = device.world.state, device.world
     e, u = show(device, "filter_data.euler_angles"), show(device, "filter_data.euler_angles_uncertainty")
     v, uv = show(device, "filter_data.ned_velocity"), show(device, "filter_data.ned_velocity_uncertainty")
@@ -142,7 +142,7 @@ def errors(device: VirtualDevice) -> tuple[list[float], list[float]]:
 
 
 def bounds(degrees: int) -> tuple[float, float]:
-    """Between which 95 % of the values of a chi-squared distribution are, by Wilson and Hilferty."""
+    """The bounds of the middle 95 % of a chi-squared distribution, by Wilson and Hilferty."""
     part = 2 / (9 * degrees)
     return degrees * (1 - part - 1.96 * part**0.5) ** 3, degrees * (1 - part + 1.96 * part**0.5) ** 3
 
@@ -153,8 +153,8 @@ def test_errors_are_as_large_as_the_uncertainties(gnss: bool) -> None:
     """Attitude, velocity and position at the end of each of ten minutes: the sum over forty devices of the squares of
     errors by uncertainties has a chi-squared distribution, and 95 % of these thirty sums are within its 95 % bounds.
 
-    The errors of devices do not depend on each other. Those of one device at different times do, so a sum may stay
-    outside for a while: of thirty that do not, more than four were outside in 2 % of such tests.
+    The errors of different devices are independent. Those of one device at different times are not, so a sum may stay
+    outside for a while; of thirty independent sums, more than four would be outside in 2 % of such tests.
     """
     sums = [[0.0] * 3 for _ in range(10)]
     for seed in range(DEVICES):

@@ -1,4 +1,4 @@
-"""GNSS data: satellites, ephemerides and raw measurements give the position that the receiver shows."""
+"""GNSS data: satellites, ephemerides and raw measurements lead to the position that the receiver shows."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ EPHEMERIDES = {1: "gps_ephemeris", 3: "galileo_ephemeris", 4: "beidou_ephemeris"
 
 
 def position(e: Any, tow: float) -> tuple[float, float, float]:
-    """The position of a satellite from its broadcast ephemeris, as the interface specification of GPS has it."""
+    """The position of a satellite from its broadcast ephemeris, by the interface specification of GPS."""
     t = tow - e.t_oe
     t += WEEK if t < -WEEK / 2 else -WEEK if t > WEEK / 2 else 0
     mean = e.mean_anomaly + (sqrt(GM / e.a**3) + e.delta_mean_motion) * t
@@ -34,7 +34,7 @@ def position(e: Any, tow: float) -> tuple[float, float, float]:
 
 
 def arriving(e: Any, tow: float, delay: float) -> tuple[float, float, float]:
-    """Where a satellite was when it sent, in the axes of the time of arrival."""
+    """The position of a satellite at transmission, in the axes at the time of arrival."""
     x, y, z = position(e, tow - delay)
     turn = OMEGA * delay
     return x * cos(turn) + y * sin(turn), y * cos(turn) - x * sin(turn), z
@@ -59,7 +59,7 @@ def solved(columns: list[list[float]], right: list[float]) -> list[float]:
 @pytest.mark.parametrize("receiver", [1, 2])
 @pytest.mark.parametrize("seconds", [10.0, 604_790.5])
 def test_raw_measurements_and_ephemerides_give_the_position(place: Any, receiver: int, seconds: float) -> None:
-    """To 5 cm, though only what the device sends is used; with the clock bias, to 0.1 ns."""
+    """To 5 cm, from the data of the device alone; and the clock bias to 0.1 ns."""
     shown = Shown(Circle(50, 10, *place)).at(seconds)
     broadcast = {
         (number, e.satellite_id): e for number, name in EPHEMERIDES.items() for e in shown.all(f"gnss_1.{name}")
@@ -205,7 +205,7 @@ def test_the_base_station_is_near() -> None:
 
 
 def test_orbits_do_not_age() -> None:
-    """After twenty years of GPS time the angles are still those of a circle."""
+    """After twenty years of GPS time, the angles are still within one turn."""
     for seconds in (0.0, 20 * 365.25 * 86_400):
         for e in Shown(Standing()).at(seconds).all("gnss_1.gps_ephemeris"):
             assert abs(e.mean_anomaly) <= pi and abs(e.omega) <= pi and 0 <= e.t_oe < WEEK

@@ -23,7 +23,7 @@ FORMATS = {
     0x91: (0x03, 0x07, 0x0B, 0x20),
 }
 
-#: Objects that come and go.
+#: How many objects may come and go.
 SOME = 500
 
 
@@ -84,7 +84,7 @@ def test_two_sets_of_thirteen_fields_arrive_whole() -> None:
 
 @nightly("ten minutes of 1 kHz in real time")
 def test_what_cannot_be_kept_is_told() -> None:
-    """On a machine with other work, too."""
+    """Even on a busy machine."""
     found = soak(600)
     assert found.packets > 0 and found.missing <= found.reported
     assert found.behind < found.late + 1.5

@@ -35,7 +35,7 @@ LIMIT = 2.0
 
 
 def trajectory(head: str, *rows: Sequence[float], **options: Any) -> Trajectory:
-    """A motion of a file with these rows."""
+    """A motion from a file with these rows."""
     with NamedTemporaryFile("w+", suffix=".csv") as file:
         file.write("\n".join((head, *(",".join(map(str, row)) for row in rows))))
         file.flush()
@@ -190,7 +190,7 @@ def places(motion: Motion, end: float) -> list[State]:
 
 
 def test_tracks_pass_their_waypoints() -> None:
-    """At a corner by not more than what the arc cuts off; exactly at the ends, where they stop and stay."""
+    """At a corner to within what the arc cuts off; exactly at the ends, where they stop and stay."""
     track = made("track")
     assert isinstance(track, Track) and track.duration is not None
     states = places(track, track.duration)

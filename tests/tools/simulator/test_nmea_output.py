@@ -18,7 +18,7 @@ KNOT = 0.514444
 
 
 def said(shown: Shown, name: str, source: int = GNSS_1, talker: int = NmeaTalkerId.GNSS) -> list[list[str]]:
-    """The fields of the sentences, whose framing is right."""
+    """The fields of the sentences; their framing is checked."""
     entry = NmeaMessage(NmeaMessageId[name], NmeaTalkerId(talker), source, 1)
     text = nmea.sentences([entry], shown.world).decode("ascii")
     assert text.endswith("\r\n")
@@ -140,7 +140,7 @@ def test_talkers(shown: Shown, talker: str, letters: str) -> None:
 
 
 def test_what_there_is() -> None:
-    """Which sentence comes from which source, as the manual lists them."""
+    """The sentences of each source, as the manual lists them."""
     sources = {
         SENSOR: {"MSRR"},
         FILTER: FREE | {"MSRA"},

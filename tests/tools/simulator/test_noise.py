@@ -1,4 +1,4 @@
-"""The noise of the sensors is one: in rates and deltas, at every rate, and as large as the specification says."""
+"""Sensor noise is the same in rates and deltas, at every rate, and as large as the specification says."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def allan(integrals: list[float], step: float, steps: int) -> float:
 
 
 def test_white_noise_has_its_allan_deviation() -> None:
-    """Density by the square root of the time, whatever the steps are."""
+    """The density divided by the square root of the time, whatever the steps are."""
     figures = NOISE[GYRO]
     for step in (0.001, 0.1):
         noise = Noise(3, Random(5), **figures)
@@ -86,7 +86,7 @@ def low_pass(enable: bool, manual: bool, frequency: float) -> Any:
     ],
 )  # fmt: skip
 def test_noise_follows_the_bandwidth(command: Any, decimation: int, bandwidth: float) -> None:
-    """Half the rate of the field, or the cutoff of its filter; without a filter, that of the sensor."""
+    """Bandwidth: half the rate of the field, or the cutoff of its filter; without a filter, that of the sensor."""
     found = spread(VirtualDevice("3dm-cv7-gnss-ins", seed=2), command, decimation)
     assert found == pytest.approx(NOISE[GYRO]["density"] * sqrt(2 * bandwidth), rel=0.12)
 

@@ -44,7 +44,7 @@ for number, descriptor in sorted(x for x in device.known if x[0] < 0x80 and x[1]
 
 @pytest.mark.parametrize("device", ["3dm-gx5-15", "3dm-gx5-45"])
 def test_it_does_what_it_does_in_the_whole_package(device: str, tmp_path: Path) -> None:
-    """Settings, too, that are kept by a command which this device does not have."""
+    """Even for settings that are stored by a command which this device does not have."""
     part = ["generate", "--spec", str(ROOT / "spec"), "--out", str(tmp_path), "--target", "python", "--device", device]
     assert cli.main(part) == 0
     whole, alone = (

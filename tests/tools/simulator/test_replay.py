@@ -20,7 +20,7 @@ MOTION = ["filter_data.llh_position", "filter_data.ned_velocity", "filter_data.a
 def record(
     path: Path, motion: Motion, formats: dict[str, list[str]], seconds: float = 10, rate: int = 20, noise: str = ""
 ) -> Shown:
-    """A log of packets, each of these names of sets -> fields, at a rate."""
+    """Writes a log at a rate; each value of `formats` lists the fields of a packet."""
     shown = Shown(motion)
     log = bytearray()
     for i in range(round(seconds * rate)):
@@ -42,7 +42,7 @@ def log(tmp_path: Path) -> Path:
 
 
 def test_recorded_values_come_back(log: Path) -> None:
-    """Byte for byte at their times, and until the next one; with what is not a packet between them."""
+    """Byte for byte at their times, and until the next one; other bytes between the packets do not matter."""
     recorded = record(
         log,
         Circle(),
@@ -59,7 +59,7 @@ def test_recorded_values_come_back(log: Path) -> None:
 
 
 def test_other_fields_follow_from_the_recorded_motion(log: Path) -> None:
-    """Accelerations and rates are those between two records, so they agree to what changes within one of them."""
+    """Accelerations and rates are those between two records, so they agree up to the change between the two."""
     circle = Circle(40, 6)
     record(log, circle, {"f": ["shared.gps_timestamp", *MOTION]})
     replay = Replay(log)
@@ -120,7 +120,7 @@ def test_the_end_of_a_log(log: Path) -> None:
 
 
 def test_times_are_those_of_the_simulation(log: Path) -> None:
-    """Which begins when the log does; the clocks of the log are not replayed."""
+    """The simulation begins when the log does; the clocks of the log are not replayed."""
     record(log, Circle(), {"f": ["shared.gps_timestamp", "filter_data.timestamp", *MOTION]})
     shown = Shown(Replay(log)).at(500)
     assert shown("filter_data.timestamp").tow == 500 == shown("shared.gps_timestamp").tow
@@ -143,7 +143,7 @@ def test_fields_of_one_epoch_come_together(log: Path) -> None:
 
 
 def test_packets_without_a_time_are_spread(log: Path) -> None:
-    """Between those with one, in equal steps; a clock that is set makes no gap."""
+    """Between those with a time, in equal steps; setting the clock makes no gap."""
     shown = Shown(Standing())
     builder = bytearray()
     for i in range(20):

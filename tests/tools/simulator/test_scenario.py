@@ -69,7 +69,7 @@ def test_a_file_of_events_only(tmp_path: Path) -> None:
     assert scenario.devices == () and scenario.events == (ScriptedEvent("restart", 1),)
 
 
-#: A file, its first mistake, and whether it is one that the schema of editors finds too.
+#: A file, its first mistake, and whether the schema for editors finds it, too.
 MISTAKES = [
     ("devices: [{device: 3dm-cv7-gnss-ins, port: []}]", "1:38: a device has no 'port'; did you mean 'ports'?", True),
     ("devices: [{ports: ['tcp:0']}]", "1:11: 'device' is missing; `mip simulate --list` names the devices", True),
@@ -225,7 +225,7 @@ def test_unplugging_ends_links_and_takes_power() -> None:
     device.advance(2)
     assert again.closed and device.plugged and device.booted == 4 * 10**9
     last = device.connect()
-    assert not fields(device, last, sensor.ScaledMag, 1)  # it has forgotten
+    assert not fields(device, last, sensor.ScaledMag, 1)  # it has lost its settings
     last.write(PING)
     assert last.read() == ACKNOWLEDGE
 
@@ -234,7 +234,7 @@ def test_unplugging_ends_links_and_takes_power() -> None:
 
 
 def test_the_ports_of_an_unplugged_device_are_gone(tmp_path: Path) -> None:
-    """And come back at the same places."""
+    """They come back at the same places."""
     path = tmp_path / "mip"
     device = VirtualDevice(DEVICE, events=(ScriptedEvent("unplug", 0.5, 0.5),))
     with serving(device, pty_at(str(path)), tcp_at("0"), udp_at("0")) as server:
@@ -298,7 +298,7 @@ def test_udp() -> None:
             parser = Parser()
             assert parser.feed(datagram) and not parser.pending and not parser.skipped
             assert len(datagram) <= 1400
-        second.socket.close()  # a port that nobody has any more
+        second.socket.close()  # a port that is no longer in use
         until(lambda: (first.socket.send(PING), ACKNOWLEDGE in first.receive())[1])
         first.socket.close()
 

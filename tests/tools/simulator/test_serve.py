@@ -58,7 +58,7 @@ def stream(rate: int = 100) -> bytes:
 
 @contextmanager
 def serving(device: Any, *endpoints: Endpoint, speed: float = 1.0, **options: Any) -> Iterator[Any]:
-    """A server in a thread. Its `places` are where clients find it, its `complaints` what it says."""
+    """A server in a thread. Its `places` are where clients find it, its `complaints` are its messages."""
     places: list[str] = []
     complaints: list[str] = []
     failures: list[BaseException] = []
@@ -88,7 +88,7 @@ class Client:
     """A program at a terminal or a connection."""
 
     def __init__(self, place: str, room: int = 0) -> None:
-        """`room`: bytes that the system shall keep for it; 0: as many as it likes."""
+        """`room`: how many bytes the system should buffer for it; 0: its default."""
         self.socket = None
         if place.startswith("/"):
             self.file = os.open(place, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
@@ -117,7 +117,7 @@ class Client:
         assert os.write(self.file, data) == len(data)
 
     def read(self) -> bytes | None:
-        """What has come; None at the end."""
+        """What has arrived; None at the end."""
         if not select.select([self.file], [], [], 0.05)[0]:
             return b""
         try:
@@ -164,7 +164,7 @@ def test_a_terminal_without_a_link() -> None:
 
 
 class Echo:
-    """A device that sends back what it gets, for what the bytes go through."""
+    """A device that sends back what it receives, to test the path of the bytes."""
 
     def __init__(self, baud: int | None = None) -> None:
         self.now = 0
@@ -242,7 +242,7 @@ def test_several_clients_of_several_ports() -> None:
             for client in (a, b, c, d):
                 client.ask(PING)
             assert sorted(link.port for link in device.links) == ["Main", "Main", "Main", "USB 1"]
-            assert [x.packets for x in (a, b, c, d)] == [[ACKNOWLEDGE]] * 4  # answers go to who has asked
+            assert [x.packets for x in (a, b, c, d)] == [[ACKNOWLEDGE]] * 4  # replies go to the client that has asked
             a.send(stream())
             for client in (a, b, c, d):  # data go to all
                 client.wait(lambda client=client: len(client.packets) > 5)
@@ -260,7 +260,7 @@ def test_too_many_clients_are_turned_away(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def test_a_link_that_a_killed_simulator_has_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The system may give the same terminal again, to which the link leads then."""
+    """The system may assign the same terminal again, to which the old link then leads."""
     files = os.openpty()
     path = tmp_path / "mip"
     path.symlink_to(os.ttyname(files[1]))
@@ -277,7 +277,7 @@ def test_a_link_that_a_killed_simulator_has_left(tmp_path: Path, monkeypatch: py
 
 
 def test_a_client_that_never_reads(tmp_path: Path) -> None:
-    """It costs no more than its bound, is reported, and takes nothing from others; what it reads is whole."""
+    """Its queue is bounded, it is reported, and others lose nothing; the packets that it reads are whole."""
     device = VirtualDevice(DEVICE)
     with serving(device, tcp_at("0"), pty_at(""), speed=50) as server:  # noqa: SIM117
         with Client(server.places[0]) as reader, Client(server.places[0]) as idle, Client(server.places[1]) as terminal:
@@ -293,7 +293,7 @@ def test_a_client_that_never_reads(tmp_path: Path) -> None:
 
 
 def test_a_terminal_that_nobody_has_open() -> None:
-    """Old data stays in it, and nobody is said to be slow."""
+    """Old data stays in it, and no client is reported as slow."""
     with serving(VirtualDevice(DEVICE), pty_at(""), speed=50) as server:
         with Client(server.places[0]) as client:
             client.send(stream(1000))
@@ -304,7 +304,7 @@ def test_a_terminal_that_nobody_has_open() -> None:
 
 
 class Peer:
-    """A client that takes as much as it is told to."""
+    """A client that accepts as much as the test allows."""
 
     speed: int | None = None
     unread = 0
@@ -346,7 +346,7 @@ def test_what_came_while_nobody_had_a_terminal_open_is_discarded() -> None:
         channel.collect()
         channel.send(0.0)
 
-    for number in range(1300):  # more than the system may take
+    for number in range(1300):  # more than the system may buffer
         turn(number % 255)
     turn(255)
     assert channel.size > 5_000
@@ -358,7 +358,7 @@ def test_what_came_while_nobody_had_a_terminal_open_is_discarded() -> None:
         turn(77)
         assert channel.size < 5_000
         turn(78)
-        # Behind what the system had already taken, perhaps, but not behind the queue.
+        # Perhaps after what the system had already buffered, but not after the queue.
         client.wait(lambda: client.received.endswith(numbered(78)))
         assert numbered(255) not in client.received
         client.send(b"to the device")
@@ -484,7 +484,7 @@ def test_time_that_cannot_be_caught_up_is_given_up() -> None:
             now = device.now
             until(lambda: device.now > now + 3e8)
             assert device.now < 60e9  # it goes on from where it was, at its own pace
-    # Said once; the client does not read meanwhile, which may be said, too.
+    # Reported once; the client does not read meanwhile, which may be reported, too.
     assert server.complaints.count("the machine cannot keep up; simulated time is late from here on") == 1
     (ended,) = (x for x in server.complaints if "ends" in x)
     assert re.fullmatch(r"simulated time ends 86\d{3}\.\d s late", ended)
@@ -495,7 +495,7 @@ def test_time_that_cannot_be_caught_up_is_given_up() -> None:
 
 @pytest.mark.parametrize("endpoint", [tcp_at("0"), pty_at("")])
 def test_the_device_disconnects_and_comes_back(endpoint: Endpoint) -> None:
-    """All that was sent before is there to read."""
+    """Everything that was sent before can be read."""
     log: list[Any] = []
     faults = Faults(log=log.append, every_packet=True, script=["disconnect@3"])
     device = VirtualDevice(DEVICE, faults=faults)
@@ -615,7 +615,7 @@ def run(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> tuple[int
 
 
 def counts(device: Device) -> str:
-    """How many commands and data fields a device may have, as they are said to a person."""
+    """The numbers of commands and data fields that a device may have, in words."""
     listed = device.fields
     roles = {(number, t.DESCRIPTOR): t for number, t in registry.all_types() if not issubclass(t, Response)}
     commands = sum(issubclass(roles[key], Command) for key in listed)

@@ -16,7 +16,7 @@ from support import model
 
 
 def stated(command: str) -> set[str]:
-    """What the specification says that a command changes, for certain or perhaps."""
+    """The data that a command changes or may change, by the specification."""
     of = model("real")
     f = of.field(command)
     assert f is not None
@@ -30,8 +30,8 @@ def stated(command: str) -> set[str]:
 
 @pytest.mark.parametrize(("device", "command", "noise"), COMMANDS, ids=[c.NAME for _, c, _ in COMMANDS])
 def test_it_acts(device: str, command: Any, noise: float) -> None:
-    """On something that the specification says, and on no other set: what a filter estimates depends on all, and so
-    does what a receiver shows."""
+    """On something that the specification names, and on no other set, except for those of filters and receivers, which
+    depend on everything."""
     found, known = set(changed(device, command, noise)), stated(command.NAME)
     assert found & known if known else found
     assert {x.partition(".")[0] for x in found} <= {x.partition(".")[0] for x in known} | {"filter_data"}

@@ -22,7 +22,7 @@ from support import model, rounds
 
 PROFILES = list(devices.DEVICES.values())
 
-#: Parameters without a value, as the comment of spec/simulation/values.yaml says; reserved ones and flags apart.
+#: Parameters without a value, as the comment of spec/simulation/values.yaml says; except reserved ones and flags.
 WITHOUT = {
     "system_data.built_in_test.result",
     "sensor.pps_timestamp_with_flags.flags",
@@ -63,7 +63,7 @@ def test_every_parameter_shows_something() -> None:
 
 
 def sent(device: Device) -> Iterator[tuple[int, Any]]:
-    """Sets and types of the data fields that the device has, those that it may have included."""
+    """Sets and types of the data fields that the device has, including those that it may have."""
     sets = sorted({s for s, _ in device.fields if 0x80 <= s < 0xFF})
     for name, kind in TYPES.items():
         if (SETS[name], kind.DESCRIPTOR) in device.fields:
@@ -102,7 +102,7 @@ def check_names(name: str, value: Any, kind: Any) -> None:
 
 
 def check_flags(name: str, source: facts.FieldValues, field: Any, device: Device) -> None:
-    """Set for what has a value, and for nothing else; as far as the device has the flags."""
+    """Flags are set exactly for what has a value, as far as the device has the flags."""
     for p in reflection.info(type(field)).parameters:
         for said in p.valid:
             flags, _, bit = said.partition(".")
@@ -146,7 +146,7 @@ def test_every_data_field_of_every_device(device: Device, motion: Motion) -> Non
 
 
 def test_the_profiles_with_manuals_send_data() -> None:
-    """So that the test above does not run over nothing."""
+    """So that the test above does not pass for lack of data."""
     counts = {d.id: sum(1 for _ in sent(d)) for d in PROFILES}
     for name in ("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45", "3dm-gq7", "3dm-cv7-ins"):
         assert counts[name] >= 3, name
@@ -239,7 +239,7 @@ def test_encoders_of_one_set_do_not_disturb_another() -> None:
 
 
 def test_memory_does_not_grow() -> None:
-    """What is kept between two moments does not depend on how many there were."""
+    """What is kept between two moments does not grow with their number."""
     shown = Shown(Circle(), exact=False)
     kept = []
     for i in range(300):

@@ -1,4 +1,4 @@
-"""What data fields show agrees: attitude, motion, surroundings, time, and with the motion that they come from."""
+"""Data fields agree with each other and with the motion: attitude, motion, surroundings, time."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from mip_tools.simulator.world import START
 from simulated_world import Shown
 
 G = 9.80665
-FLOAT = 1.2e-7  # relative error of a float of four bytes, twice what rounding makes of it
+FLOAT = 1.2e-7  # relative error of a float of four bytes, twice the error of rounding
 TURNED = (0.0, 1.0, 0.0, -0.6, 0.0, 0.8, 0.8, 0.0, 0.6)  # a rotation of the sensor frame into the vehicle frame
 
 MOTIONS: dict[str, Motion] = {
@@ -59,7 +59,7 @@ def close(a: Any, b: Any, scale: float) -> bool:
 
 
 def of_euler(roll: float, pitch: float, yaw: float) -> tuple[float, ...]:
-    """NED to vehicle, as rotations about one axis after the other."""
+    """The matrix from NED to the vehicle, as rotations about one axis after the other."""
     cr, sr, cp, sp, cy, sy = cos(roll), sin(roll), cos(pitch), sin(pitch), cos(yaw), sin(yaw)
     about_x = (1, 0, 0, 0, cr, sr, 0, -sr, cr)
     about_y = (cp, 0, -sp, 0, 1, 0, sp, 0, cp)
@@ -176,7 +176,7 @@ def test_biases_are_in_the_sensors_until_their_setting_removes_them() -> None:
 
 
 def test_noise_is_small_and_has_no_mean() -> None:
-    tilted = Standing(heading=30, pitch=20, roll=40)  # no axis measures nothing
+    tilted = Standing(heading=30, pitch=20, roll=40)  # no axis measures zero
     noisy, exact = Shown(tilted, exact=False, seed=5), Shown(tilted)
     noisy.world.accel_bias, noisy.world.gyro_bias = noisy.world.accel_bias_left, noisy.world.gyro_bias_left
     for name, attribute, sigma in (
@@ -232,7 +232,7 @@ def test_gnss_speed_and_course(shown: Shown) -> None:
 
 
 def test_two_antennas_stand_along_the_heading() -> None:
-    """From the second to the first one it is a metre, in the direction that the dual antenna status shows."""
+    """The first one is a metre from the second, in the direction that the dual antenna status shows."""
     for motion in MOTIONS.values():
         shown = Shown(motion).at(13.0)
         p = shown("gnss_1.llh_position")
@@ -304,7 +304,7 @@ def test_magnetic_field(shown: Shown) -> None:
 
 
 #: Year, height in km, latitude, longitude -> X, Y, Z in nT. Those of the model of 2020 are test values that NOAA
-#: publishes with it, those of 2025 are of another program, pygeomag 1.1.0.
+#: publishes with it, those of 2025 come from another program, pygeomag 1.1.0.
 KNOWN_FIELDS = [
     (2020.0, 0, 80, 0, 6570.4, -146.3, 54606.0),
     (2020.0, 0, 0, 120, 39624.3, 109.9, -10932.5),
