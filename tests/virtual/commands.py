@@ -1,4 +1,4 @@
-"""Commands to try on a device: each with every function, with right values and some wrong ones."""
+"""Commands to try on a device: each with every function, with valid values and some invalid ones."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from support import model, sent
 
 Values = dict[str, Any]
 
-#: Values of one parameter that are tried beside the first.
+#: How many values of one parameter are tried beside the first.
 MOST = 12
 
-#: Plain numbers of which a device has a few, by the name of the parameter.
+#: Plain numbers of which a device defines a few, by the name of the parameter.
 KNOWN: dict[str, Callable[[m.Device], Iterable[int]]] = {
     "descriptor_set": lambda device: data_fields(device),
     "port": lambda device: (p.id for p in device.ports if p.id is not None),
@@ -37,7 +37,7 @@ def filtered(device: m.Device) -> Iterable[int]:
 
 @dataclass(frozen=True)
 class Trial:
-    """A command with values. `good`: nothing in the specification speaks against them."""
+    """A command with values. `good`: the specification permits them."""
 
     command: m.Field
     values: Values
@@ -89,7 +89,7 @@ def trials(support: m.Support, device: m.Device) -> Iterator[Trial]:
 
 
 def unsupported(support: m.Support) -> Iterator[Trial]:
-    """Functions that the device does not take, one that nobody knows among them."""
+    """Functions that the device does not support, including an unknown one."""
     command = support.field
     if command.functions:
         known = {f.value for f in support.functions}
@@ -99,11 +99,11 @@ def unsupported(support: m.Support) -> Iterator[Trial]:
 
 
 def settled(parameters: tuple[m.Parameter, ...], given: Values, device: m.Device | None) -> Values:
-    """The plain value of each parameter, but for those that are given."""
+    """The plain value of each parameter, except for those that are given."""
     values: Values = {}
     for p in parameters:
         if p.constant is not None or p.counts:
-            values.update({p.name: None} if p.counts else {})  # its place; its array says how many
+            values.update({p.name: None} if p.counts else {})  # keeps its place; its array determines it
         else:
             values[p.name] = given[p.name] if p.name in given else choices(p, values | given, device)[0][0]
     for p in parameters:
@@ -199,7 +199,7 @@ def vectors(p: m.Parameter, kind: m.Vector) -> tuple[list[Any], list[Any]]:
 
 
 def numbers(p: m.Parameter, scalar: m.Scalar) -> tuple[list[float | int], list[float | int]]:
-    """What the range of a parameter says."""
+    """Numbers within the range of a parameter, and some outside of it."""
     if scalar.kind == "bool":
         return [0, 1], []
     step: float | int = 0.25 if scalar.kind == "float" else 1
@@ -219,7 +219,7 @@ def numbers(p: m.Parameter, scalar: m.Scalar) -> tuple[list[float | int], list[f
 
 
 def put(scalar: m.Scalar, number: float | int) -> Any:
-    """In the form of the conformance protocol."""
+    """A number in the form of the conformance protocol."""
     if scalar.kind == "float":
         return "0x" + struct.pack(">f" if scalar.size == 4 else ">d", number).hex()
     return int(number)

@@ -1,4 +1,4 @@
-"""Holds what a client reported against what the device did."""
+"""Compares what a client reported with what the device did."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def check(session: Session) -> None:
 
 
 def arrived(session: Session) -> list[bytes]:
-    """The packets in what the client received: what the device sent but for what is logged as spoiled."""
+    """The packets in what the client received: what the device sent, except for what is logged as spoiled."""
     witness = session.witness
     packets = [bytes.fromhex(p) for p in expected_parse(bytes(session.stream))["packets"]]
     late = expected_parse(bytes(session.stream) + session.link.on_the_way)["packets"]
@@ -57,7 +57,7 @@ def data_are_whole(events: list[Event], packets: list[bytes]) -> None:
 
 
 def fields_are_conserved(session: Session, packets: list[bytes]) -> None:
-    """Each field of a reply is part of an answer, of that of a barrier, or reported as one of none; but once."""
+    """Each field of a reply is part of one answer, or of the reply to a barrier, or reported as received; only once."""
     events = session.client.events
     came = Counter(len(list(walk(p))) for p in packets if p[2] < 0x80)
     fields = sum(count * packets_ for count, packets_ in came.items())
@@ -77,7 +77,7 @@ def replies(packets: list[bytes]) -> Iterator[tuple[int, int, int, int | None, b
 
 
 def answers_were_sent(session: Session, packets: list[bytes]) -> None:
-    """No answer that the device did not give, and none given twice that came once."""
+    """No answer that the device did not send, and none reported twice that arrived once."""
     left = Counter(replies(packets))
     for e in session.client.events:
         if e["event"] not in ANSWERS:
@@ -90,7 +90,7 @@ def answers_were_sent(session: Session, packets: list[bytes]) -> None:
 
 
 def holds(event: Event, command: m.Field, descriptor: int | None, data: bytes) -> bool:
-    """Is this what an event reports as behind the acknowledge: these bytes of a response, or none?"""
+    """Does the event report these bytes, or none, as the response behind the acknowledge?"""
     response = event.get("response")
     if response is None:
         return event["event"] == "refused" or descriptor not in descriptors(model("real"), command)
@@ -108,7 +108,7 @@ def holds(event: Event, command: m.Field, descriptor: int | None, data: bytes) -
 
 
 def nobody_waits_in_vain(session: Session) -> None:
-    """An acknowledge that answers nothing came for no command that waited for it."""
+    """No acknowledge is reported as answering nothing while a command waits for it."""
     of = model("real")
     acknowledge = of.protocol.acknowledge.full_name
     waiting: dict[int, Trial] = {}
@@ -126,7 +126,7 @@ def nobody_waits_in_vain(session: Session) -> None:
                 if opened.get(n, number + 1) > number:
                     continue  # its barrier is not answered yet
                 if (trial.command.set, trial.command.descriptor) == (e["set"], f["values"]["command"]):
-                    # The response of another command with this descriptor, which was given up or sent later.
+                    # The response of another command with this descriptor, which timed out or was sent later.
                     assert f["values"]["code"] == 0 and behind, (trial, e)
                     assert not asks_for(of, trial, behind), (trial, e)
 
@@ -136,8 +136,8 @@ def asks_for(of: m.Model, trial: Trial, response: Event) -> bool:
 
 
 def failures_have_a_reason(session: Session) -> None:
-    """A command without a right answer: a fault struck while it waited, or since the device last answered, for a
-    damaged command keeps those behind it until it is complete; or the device was about to start."""
+    """A command without a right answer has a reason: a fault struck while it waited, or since the device last answered,
+    as a damaged command holds back those behind it until it is complete; or the device was about to start."""
     faults = [i.now for i in session.witness.injected]
     sent: dict[int, int] = {}
     since = 0

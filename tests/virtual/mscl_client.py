@@ -31,7 +31,7 @@ def connect(place):
 
 
 def reads(node):
-    """What was read, was refused by MSCL itself, or failed."""
+    """The values that were read, or why not: rejected by MSCL itself, or failed."""
     found = {}
     for name in READS:
         try:
@@ -43,7 +43,7 @@ def reads(node):
 
 
 def stream(node):
-    """Asks for some fields of each class that has a rate; how many were set, and how many are said to be."""
+    """Requests some fields of each class that has a rate; returns how many were set, and how many MSCL reports."""
     features, found = node.features(), {}
     for name in (n for n in dir(mscl.MipTypes) if n.startswith("CLASS_")):
         kind = getattr(mscl.MipTypes, name)
@@ -79,7 +79,7 @@ def main():
     found["classes"] = stream(node)
     node.resume()
     found["data"] = data(node, 3)
-    found["reads again"] = reads(node)  # while data come
+    found["reads again"] = reads(node)  # while data arrive
     node.setToIdle()
     print(json.dumps(found))
 

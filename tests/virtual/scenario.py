@@ -1,4 +1,4 @@
-"""What is tried on a device, while it streams all data that it has."""
+"""Sequences of commands for a device that streams all data that it has."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def write(support: m.Support, **values: object) -> Trial:
 
 
 def formats(device: m.Device, rate: float) -> Iterator[Trial]:
-    """Asks for all data, so often in Hz; they take several packets each time."""
+    """Requests all data at a rate in Hz; they take several packets each time."""
     known = {s.field.full_name: s for s in commands(device)}
     fields = data_fields(device)
     rates = assumed_rates(device_named(device.id)) | {r.set.number: r.hertz for r in device.base_rates}
@@ -45,7 +45,7 @@ def formats(device: m.Device, rate: float) -> Iterator[Trial]:
 
 
 def outputs(device: m.Device) -> Iterator[Trial]:
-    """A pin that can be set is an output first."""
+    """Makes a pin an output, if the device has pins that can be set."""
     known = {s.field.full_name: s for s in commands(device)}
     if {"3dm.gpio_config", "3dm.gpio_state"} <= known.keys():
         yield write(known["3dm.gpio_config"], pin=1, feature=1, behavior=2, pin_mode=0)
@@ -62,7 +62,7 @@ def prepare(session: Session, rate: float = 1, attempts: int = 1) -> None:
 
 
 def insist(session: Session, trial: Trial, attempts: int) -> None:
-    """Asks again, if no answer comes."""
+    """Repeats a command if no reply arrives."""
     for _ in range(attempts):
         if all(e["event"] != "timed_out" for e in session.ask(trial)):
             break
@@ -128,7 +128,7 @@ def few(device: m.Device, count: int) -> list[Trial]:
 
 
 def faulty(device: m.Device, seed: int, attempts: int = 1, **rates: float | tuple[float, float]) -> Session:
-    """Each function of each command once, while faults strike; again, if no answer comes."""
+    """Each function of each command once, while faults strike; repeated if no reply arrives."""
     session = Session(device, Witness(seed=seed, **rates), seed=seed)
     for number, trial in enumerate(few(device, 1)):
         if number % 20 == 0:

@@ -29,8 +29,8 @@ __all__ = ["KINDS", "START", "Event", "Session", "Witness", "assumed_rates", "de
 
 Event = dict[str, Any]
 
-#: Milliseconds between two looks at the line. No time-out is a multiple of it, so that no command is given up at the
-#: very instant at which it may be: seconds as floats are not exact.
+#: Milliseconds between two looks at the line. No time-out is a multiple of it, so that no command times out at the very
+#: instant of a look: seconds as floats are not exact.
 TICK = 11
 
 #: Milliseconds that a device needs to start.
@@ -70,7 +70,7 @@ class Session:
         self.link = self.virtual.connect()
 
     def step(self, step: Step) -> list[Event]:
-        """What happens at one step."""
+        """The events of one step."""
         self.steps.append(step)
         before = len(self.client.events)
         {"send": self.client.send, "receive": self.client.receive, "time": self.client.time, "end": self.client.end}[
@@ -81,7 +81,7 @@ class Session:
         return happened
 
     def send(self, *trials: Trial) -> None:
-        """One packet."""
+        """Sends one packet."""
         entries = [t.entry for t in trials]
         events = self.step({"step": "send", "set": trials[0].command.set, "fields": entries})
         assert events[0]["event"] == "sent", events
@@ -91,7 +91,7 @@ class Session:
         self.read()
 
     def connect(self) -> None:
-        """Again, if the device has closed the line."""
+        """Connects again if the device has closed the line."""
         if self.link.closed:
             self.link = self.virtual.connect()
 
@@ -109,7 +109,7 @@ class Session:
             self.step(time(TICK))
 
     def settle(self) -> None:
-        """Until no command waits; time-outs bound it."""
+        """Waits until no command is pending; time-outs bound it."""
         while self.client.waiting:
             self.wait(TICK)
 

@@ -22,7 +22,7 @@ DEVICES = ("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45", "3dm-gq7")
 
 MANY_SEEDS = "the clients against all devices, with many seeds"
 
-#: How often a fault strikes, by what it may happen to.
+#: How often a fault strikes, by what it affects.
 RATES = {"packet": 0.1, "data": 0.2, "answer": 0.1, "response": 0.15, "byte": 0.005, "tick": 0.03}
 
 
@@ -72,7 +72,7 @@ def test_every_command(name: str) -> None:
 
 
 def test_what_is_not_acknowledged_times_out() -> None:
-    """A device that was told so answers some commands no longer; the client says that it has heard nothing."""
+    """With echo disabled, a device does not answer some commands; the client reports time-outs."""
     session = silenced(device("3dm-cv7-gnss-ins"))
     silent = {
         session.trials[e["command"]].command.full_name for e in session.client.events if e["event"] == "timed_out"
@@ -82,7 +82,7 @@ def test_what_is_not_acknowledged_times_out() -> None:
     repeat([session])
 
 
-#: One fault of each kind of thing that it may happen to, drawn by the seed; all of them together are tested below.
+#: One fault for each kind of thing that faults affect, drawn by the seed; all of them together are tested below.
 DRAWN = {chance("fault", of).choice([kind for kind, known in KINDS.items() if known.of == of]) for of in RATES}
 
 
@@ -108,7 +108,7 @@ def test_all_faults_together() -> None:
 
 
 def test_who_asks_again_gets_an_answer() -> None:
-    """Of what changes bytes, nothing keeps a command from being carried out in a few attempts."""
+    """Faults that change bytes do not keep a command from succeeding in a few attempts."""
     rates = {kind: 0.02 for kind, known in KINDS.items() if known.of == "packet"} | {"command_lose": 0.002}
     session = faulty(device("3dm-gx5-15"), 3, attempts=6, **rates)
     check(session)

@@ -28,7 +28,7 @@ path = "lib.rs"
 [dependencies]
 microstrain-inertial = "={VERSION}"
 """
-#: The examples list ports with it nowhere, and by default it needs the header files of udev.
+#: The examples never list ports with it, and its default features need the header files of udev.
 SERIALPORT = '[dev-dependencies.serialport]\nversion = "4.8.1"\n'
 
 

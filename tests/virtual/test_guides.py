@@ -105,7 +105,7 @@ def check_answer(step: Step, answer: bytes) -> None:
 
 
 def once(descriptors: Iterable[int]) -> list[int]:
-    """A field that tells of several things comes once for each of them."""
+    """Drops repetitions: a field about several things occurs once for each of them."""
     return [d for d, _ in itertools.groupby(descriptors)]
 
 

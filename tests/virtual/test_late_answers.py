@@ -1,4 +1,4 @@
-"""Late answers: what is written and read back is never the value of a command before, in any language."""
+"""Late answers: what is written and read back is never the value of an earlier command, in any language."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from virtual.commands import Trial, commands
 from virtual.session import Session, Witness
 from virtual.test_clients import device, repeat
 
-#: As 0.6 s are to a time-out of 0.25 s.
+#: In seconds: up to 2.4 times the time-out, as 0.6 s are to 0.25 s.
 LATE = (0.15, 2.4 * TIMEOUT / 1000)
 
 NAME = "3dm-cv7-gnss-ins"

@@ -27,7 +27,7 @@ FAULTS = "change=0.01,lose=0.01,noise=0.05,nmea=0.05,false_header=0.02,double_pa
 
 @contextmanager
 def simulated(*arguments: str, device: str = DEVICE) -> Iterator[str]:
-    """Runs a device, and says where it is."""
+    """Runs a device; yields its address."""
     command = [sys.executable, "-m", "mip_tools", "simulate", device, *arguments]
     environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

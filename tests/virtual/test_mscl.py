@@ -47,7 +47,7 @@ MODELS = [d.id for d in model("real").devices if d.model_number]
 
 
 def used(at: str) -> subprocess.CompletedProcess[str]:
-    """It waits for an answer for less than half a second, which a busy machine may take."""
+    """Tries several times: MSCL waits for an answer for less than half a second, which a busy machine may take."""
     command = [str(python_with_mscl()), str(HERE / "mscl_client.py"), at]
     for _ in range(4):
         done = subprocess.run(command, capture_output=True, text=True, timeout=100, cwd=ROOT)

@@ -40,8 +40,8 @@ def pulled(path: Path, ports: list[str]) -> Iterator[list[str]]:
 
 
 def checked(count: Mapping[str, Any]) -> None:
-    """Each pull was told once, and nothing else failed. The stream went on, but where a busy machine let the next pull
-    come first."""
+    """Each pull was reported once, and nothing else failed. The stream went on, except where the next pull came first
+    on a busy machine."""
     assert count["reopened"] == PULLS and count["wrong"] == count["other"] == 0
     assert 0.5 * PULLS <= count["streamed"] <= PULLS and 0 < count["lost"] <= PULLS < count["answered"], count
 

@@ -1,4 +1,4 @@
-//! Reads base rates while data streams; opens the port again whenever it is pulled away, so many times.
+//! Reads base rates while data streams; reopens the port each time it is pulled, a given number of times.
 
 use std::time::Duration;
 
