@@ -51,7 +51,7 @@ def tcp(segments: Sequence[tuple[bool, bytes]], port: int, interval: float = 0.0
 
 
 def connection(segments: Sequence[tuple[bool, bytes]], port: int) -> list[bytes]:
-    """Its handshake, then segments, each from the device (True) or from the host."""
+    """The handshake of a connection, then segments, each from the device (True) or from the host."""
     numbers = {True: 5000, False: 1000}
     frames = []
 

@@ -28,7 +28,7 @@ def trees(tmp_path: Path, capture: bytes, *arguments: str, spec: str = "real") -
 
 
 def copied(tree: Element) -> Element:
-    """The parser empties a tree when it goes on."""
+    """A copy, as the parser empties a tree when it goes on."""
     return ElementTree.fromstring(ElementTree.tostring(tree))
 
 

@@ -19,7 +19,7 @@ from shark import Shark
 PORT = 6565
 Element = ElementTree.Element
 
-#: What stands beside the parameters of a field.
+#: What is shown beside the parameters of a field.
 _NOT_VALUES = ("mip.field.", "mip.request_in", "mip.answer_", "_ws.expert")
 _PROBLEMS = ("truncated", "count", "constant")
 
@@ -128,7 +128,7 @@ def values(of: Element) -> list[Element]:
 
 
 def label(of: Element) -> str:
-    """The name of a parameter: the last part of the filter, or what stands before the colon."""
+    """The name of a parameter: the last part of the filter, or the text before the colon."""
     if is_container(of):
         return of.get("showname", "").partition(":")[0]
     return of.get("name", "").rpartition(".")[2]

@@ -28,7 +28,7 @@ class Shark:
         return [need_tshark(), *arguments, "-X", f"lua_script:{self.plugin}"]
 
     def run(self, *arguments: str) -> str:
-        """What tshark prints."""
+        """The output of tshark."""
         with tempfile.TemporaryDirectory() as home:
             done = subprocess.run(
                 self.command(*arguments), capture_output=True, text=True, encoding="utf-8", env=environment(home)

@@ -56,7 +56,7 @@ def test_collisions_are_reported(name: str, collides: bool, tmp_path: Path) -> N
 
 
 def test_the_parts_are_plain_lua() -> None:
-    """They are templates too, and must not hold what a template would read."""
+    """They are templates too, and must not contain template syntax."""
     assert {p.stem for p in PARTS} == set(wireshark.names.LANGUAGE["parts"])
     for part in PARTS:
         text = part.read_text("utf-8")

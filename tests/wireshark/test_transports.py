@@ -54,7 +54,7 @@ def checksums(data: bytes) -> list[str]:
 
 
 def found(frames: list[Element]) -> list[str]:
-    """The same of the packets that are shown with a right checksum."""
+    """The same for the packets that are shown with a right checksum."""
     return [
         sum_.get("value", "")
         for frame in frames

@@ -137,7 +137,7 @@ def check_names(p: m.Parameter, value: Any, name: str, parts: list[Element], fra
 
 
 def readings(spec: str) -> list[tuple[m.Device, m.Field, m.Parameter, m.Variant]]:
-    """What devices with a manual read in their own way."""
+    """The parameters that devices with a manual read in their own way."""
     devices = [d for d in model(spec).devices if d.manual]
     return [(d, v.field, v.parameter, v.variant) for d in devices for v in d.variants if v.variant.type]
 
