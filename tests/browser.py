@@ -1,4 +1,4 @@
-"""Chromium without a window, driven over its pipe of the DevTools protocol: pages from disk, scripts, screenshots."""
+"""Headless Chromium, driven with the DevTools protocol over a pipe: pages from disk, scripts, screenshots."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ FLAGS = (
     "--disable-background-networking", "--disable-component-update", "--disable-extensions", "--remote-debugging-pipe",
 )  # fmt: skip
 
-#: Seconds; a test that waits for an event that was already there fails, and does not hang.
+#: Seconds: a test that waits for an event that has already occurred fails instead of hanging.
 PATIENCE = 120
 
 
 class Page:
-    """A tab. `complaints` are errors of its scripts and of the browser, `asked` the addresses of what it has loaded."""
+    """A tab. `complaints` are errors of its scripts and of the browser, `asked` the addresses that it has requested."""
 
     def __init__(self, browser: Browser, session: str) -> None:
         self.browser, self.session = browser, session
@@ -43,7 +43,7 @@ class Page:
         self.browser.wait_for("Page.loadEventFired")
 
     def run(self, script: str) -> Any:
-        """The value of an expression; a promise is waited for."""
+        """The value of an expression; a promise is awaited."""
         done = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
         assert "exceptionDetails" not in done, done["exceptionDetails"]
         return done["result"].get("value")
@@ -137,7 +137,7 @@ def page() -> Iterator[Page]:
 
 
 def axe() -> str:
-    """The script of axe-core, which looks for what keeps people from reading a page; npm installs it in `build/`."""
+    """The script of axe-core, which looks for barriers to accessibility; npm installs it in `build/`."""
     folder = BUILD / "axe"
     lock = (ROOT / "tests/docs/axe/package-lock.json").read_bytes()
     with locked(folder):

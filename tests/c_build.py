@@ -12,14 +12,14 @@ from support import BUILD, SPECS, locked, need
 
 HERE = Path(__file__).parent / "c"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
-#: What further gcc can say of the library; programs of tests need not be so clean.
+#: Further warnings of gcc, for the library only: test programs need not be so clean.
 PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat-equal", "-Wlogical-op",
             "-Wmissing-prototypes", "-Wnull-dereference", "-Wredundant-decls", "-Wsign-conversion",
             "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
 #: Programs of unit/ that run with the library of the invented specification.
 UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "garbage", "stream")
 SANITIZE = ["-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
-#: How the library of unit programs is built, which other programs that run under the sanitizers link with.
+#: The flags of the unit programs' library, with which other programs under the sanitizers are linked, too.
 SANITIZED = ["-std=c99", "-O1", *SANITIZE]
 
 
@@ -78,7 +78,7 @@ def compiled(
     also: Sequence[Path] = (),
     library: Path | None = None,
 ) -> Path:
-    """A program with what it needs of the library; `library`: one that was compiled in another way."""
+    """Builds a program with the library; `library`: one that was compiled in another way."""
     library = library or archive(spec, compiler, *flags)
     run(need(compiler), *WARNINGS, *flags, include(spec), f"-I{HERE}/unit", source, *also, library, "-o", out)
     return out

@@ -1,4 +1,4 @@
-"""For all tests: where the generator keeps things, and the last line, which says what was run and what was left out."""
+"""For all tests: the generator's cache, and the last line, which says what was run and what was left out."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ import pytest
 from mipgen import model as m
 from support import BUILD, NIGHTLY, SEED, generate_invented
 
-# What the generator keeps between runs is kept here: tests neither see nor change the cache of the user.
+# The generator's cache is here: tests neither see nor change that of the user.
 os.environ["MIPGEN_CACHE"] = str(BUILD / "cache")
 # A shell without job control makes background programs ignore Ctrl-C, and so do the programs that they start.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
-# What is collected stays until the end: looking for garbage among it would take a sixth of the time.
+# The collected tests stay until the end: looking for garbage among them would take a sixth of the time.
 gc.disable()
 
-# A test that fails shows its values; a whole model in words would take half a minute.
+# A test that fails shows its values; printing a whole model would take half a minute.
 m.Model.__repr__ = m.Device.__repr__ = lambda self: f"<{type(self).__name__}>"  # type: ignore[method-assign]
 
 #: The targets of make that run the tests that were left out, and what those need, as `support.heavy` names it.
@@ -46,8 +46,8 @@ def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
 
 @pytest.hookimpl(tryfirst=True)  # xdist reads the groups in this hook, too
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """What waits for cargo anyway, as it uses one target folder, waits in one process and not in all; it takes longest,
-    so it begins first. What needs random values of all fields of a specification is where they have been drawn."""
+    """Tests that use cargo, which has one target folder, wait for it in one process and not in all; they take longest,
+    so they begin first. Tests that need random values of all fields run in the process where these have been drawn."""
     for item in items:
         spec = getattr(item, "callspec", None) and item.callspec.params.get("spec")
         if item.path.name == "test_c_print.py":
@@ -81,7 +81,7 @@ def pytest_testnodedown(node: Any) -> None:
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
-    """The last line: how many tests of what were run, and what was not."""
+    """The last line: how many tests of each subject were run, and what was left out."""
     reporter: Any = config.pluginmanager.get_plugin("terminalreporter")
     if reporter is None or hasattr(config, "workeroutput"):
         return

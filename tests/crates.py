@@ -22,12 +22,12 @@ from support import BUILD, SPECS, generated, locked, model, need
 WORK = BUILD / "rust"
 #: Tests in one process, because cargo keeps others waiting; all of tests/rust are.
 group = pytest.mark.xdist_group("cargo")
-#: Nothing here is debugged, or built again after a small change: that would cost a third of the time.
+#: No debug information and no incremental builds: they would take a third of the time.
 PROFILE = {"CARGO_INCREMENTAL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TERM_COLOR": "never"}
 
 
 def write(files: dict[str, bytes], folder: Path) -> None:
-    """Writes what differs, so that cargo builds nothing again for nothing."""
+    """Writes only what differs, so that cargo builds nothing needlessly."""
     for name, data in files.items():
         path = folder / name
         if not path.is_file() or path.read_bytes() != data:
@@ -72,7 +72,7 @@ def bare(spec: str) -> Path:
 
 
 def without_dependencies(files: dict[str, bytes]) -> dict[str, bytes]:
-    """Cargo wants to know optional dependencies even where it does not use them."""
+    """Cargo resolves optional dependencies even where it does not use them."""
     manifest = files["Cargo.toml"].decode("utf-8")
     manifest = re.sub(r"\[(?:.*\.dev-)?dependencies\]\n(?:.+\n)+", "", manifest)
     manifest = re.sub(r'"dep:[\w-]+"(, )?', "", manifest)

@@ -121,8 +121,8 @@ fields:
 
 
 def lengths(longest: int = 33) -> str:
-    """Types and fields with names of every length, so that every line that is written may be too long. Where names of C
-    would be too long, the types and the fields are shorter the longer the names are that follow theirs."""
+    """Types and fields with names of every length, so that any generated line may become too long. As names of C must
+    not, types and fields have the shorter names in C, the longer those are that follow them."""
     types, fields = [], []
     for number, size in enumerate(range(4, longest + 1), 1):
         w = "w" * size

@@ -120,7 +120,7 @@ def next_number(match: re.Match[str]) -> str:
     return f"{int(digits) + 1:{wide}}" if digits == match[0] else f"0x{int(digits, 16) + 1:{wide}X}"
 
 
-#: What is looked for in code, and what it becomes.
+#: Patterns in code, and their replacements.
 CODE: list[tuple[str, object]] = [
     (r"(?<= )<(?= )", "<="), (r"(?<= )>(?= )", ">="), (r"<=", "<"), (r">=", ">"), (r"==", "!="), (r"!=", "=="),
     (r" and ", " or "), (r" or ", " and "), (r"&&", "||"), (r"\|\|", "&&"),
@@ -139,7 +139,7 @@ FACTS: list[tuple[str, object]] = [
     (r"GX5-15", "GX5-25"), (r"CV7-GNSS/INS", "CV7-AHRS"), (r"\b(tow|week_number)\b", "reserved"),
 ]  # fmt: skip
 FACT_LINE = re.compile(r"(?i)range|unit|frame|valid|default|support|at least|at most|≤|≥|\[[\w/%°²,. ]+\]")
-#: Comments, imports; and what forbids something that nothing does.
+#: Comments, imports, and `@dataclass`, whose options only forbid what no code does.
 NO_CODE = re.compile(r"\s*(//|/\*|\*|#|\{#|import |from |use |@dataclass|$)")
 
 
@@ -169,7 +169,7 @@ def mutants(path: Path, docs: bool) -> Iterator[Mutant]:
 
 
 def without(line: str, suffix: str) -> str | None:
-    """A line that is one statement, dropped."""
+    """Drops a line that is one statement."""
     indent = line[: len(line) - len(line.lstrip())]
     if suffix == ".py":
         statement = re.match(r"\s+[a-z_][\w.\[\]]*( [+|-]?= |\().*[^,({\[\\:]$", line) and line.count(
@@ -205,7 +205,7 @@ def restore(places: tuple[str, ...] = ("",)) -> None:
 
 
 def run(limit: float, *command: str) -> tuple[bool, str]:
-    """Runs a command in the copy for so many seconds at most; is it well, and what did it print?"""
+    """Runs a command in the copy for at most `limit` seconds; returns whether it succeeded, and its output."""
     own = {"PYTHONPATH": COPY / "generator", "MIPGEN_CACHE": COPY / "build/cache", "PYTHONDONTWRITEBYTECODE": "1"}
     environment = os.environ | {name: str(value) for name, value in own.items()}
     environment.pop("SEED", None)  # of `make mutate SEED=2`, which chooses mutants; the tests keep theirs

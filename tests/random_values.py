@@ -1,4 +1,4 @@
-"""Random values of fields, for any layout: what a sender may give, with the limits of types and named values often."""
+"""Random values of fields, for any layout: any that may be sent; limits of types and named values are frequent."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def add(chance: random.Random, p: m.Parameter, values: Values, room: int) -> Non
     if p.constant is not None:
         return
     if p.counts:
-        values[p.name] = None  # its array says
+        values[p.name] = None  # follows from its array
     elif p.union:
         values[p.name] = inner = Values()
         for q in (c.parameter for c in p.cases if c.parameter and c.tag.value == values[p.union.tag]):
@@ -74,7 +74,7 @@ def add(chance: random.Random, p: m.Parameter, values: Values, room: int) -> Non
 
 
 def field_values(chance: random.Random, field: m.Field) -> Values:
-    """Values of a field as a sender may give them: what is required, and perhaps more."""
+    """Values of a field as they may be sent: those required, and perhaps more."""
     sized = (p for p in field.always if p.kind not in ("struct", "switch") and not p.open)
     least = sum(extent.size(p)[1] for p in sized)
     values = record(chance, field.parameters, max(0, 253 - max(least, field.min_size) - 60))

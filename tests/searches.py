@@ -100,7 +100,7 @@ PAGES = {
 _TROUBLE = "guides/troubleshooting.html#troubleshooting.question_"
 _AXES = "guides/axes_and_signs.html#axes_and_signs.question_"
 
-#: What people type of what they see or want, with slips of the pen and other people's words, and the pages of which one
+#: What people type about what they see or want, with typing errors and other people's words, and the pages of which one
 #: is the first result; a page without `#` is meant with all its sections.
 WORDS = {
     # what users asked in public, in their words
@@ -244,7 +244,7 @@ WORDS = {
     "GQ7": ["devices/3dm-gq7.html"],
     "gx5-25": ["devices/3dm-gx5-25.html"],
     "3dm gx5 45": ["devices/3dm-gx5-45.html"],
-    # slips of the pen
+    # typing errors
     "acelerometer": ["fields/sensor/scaled_accel.html", "fields/sensor/raw_accel.html"],
     "accelerometr": ["fields/sensor/scaled_accel.html", "fields/sensor/raw_accel.html"],
     "gyrscope": ["fields/sensor/scaled_gyro.html", "fields/sensor/raw_gyro.html"],

@@ -55,7 +55,7 @@ SPECS = {
 def generate_invented() -> str:
     """Brings the output of the invented specification up to date, once before all tests; returns what prevents it.
 
-    It runs in a process of its own: what it imports would be kept by the process of the tests.
+    It runs in a process of its own: otherwise, the process of the tests would keep what it imports.
     """
     spec, out = SPECS["invented"]
     command = [sys.executable, "-m", "mipgen", "generate", "--spec", str(spec), "--out", str(out)]
@@ -86,7 +86,7 @@ def offering(*operations: str) -> list[Any]:
 
 
 def needed(target: str) -> str:
-    """What `make test` leaves the driver of a target out for: tools of `make test-all`, or a missing program."""
+    """Why `make test` leaves out the driver of a target: tools of `make test-all`, or a missing program."""
     if target == "cpp":
         return "" if shutil.which("g++") else "g++"
     of = SOURCES[target].load()
@@ -105,7 +105,7 @@ def each(*operations: str) -> Any:
 
 @cache
 def model(spec: str) -> m.Model:
-    """The model of a specification. It is kept between runs: to resolve it takes longer than most tests."""
+    """The model of a specification. It is kept between runs: resolving it takes longer than most tests."""
     folder = SPECS[spec][0]
     key = stamp.key([folder], "model")
     assert key is not None
@@ -155,7 +155,7 @@ def heavy(what: str) -> pytest.MarkDecorator:
 
 
 def nightly(what: str) -> pytest.MarkDecorator:
-    """Marks a test that takes minutes and finds what hardly any change brings about; only `make nightly` runs it."""
+    """Marks a test that takes minutes and that hardly any change can break; only `make nightly` runs it."""
     return pytest.mark.nightly(what)
 
 
@@ -175,7 +175,7 @@ def another_python(version: str) -> str:
 
 
 def parse_as(version: str, folder: Path) -> None:
-    """All files of a folder are the language of that version; a SyntaxError says where one is not."""
+    """Parses all files of a folder as that version of the language; a SyntaxError says where one is not."""
     minor = int(version.partition(".")[2])
     paths = sorted(folder.rglob("*.py"))
     assert paths
@@ -184,7 +184,7 @@ def parse_as(version: str, folder: Path) -> None:
 
 
 def sent(p: m.Parameter) -> Any:
-    """What stands in place of a reserved parameter, in the form of the conformance protocol."""
+    """The value that is sent for a reserved parameter, in the form of the conformance protocol."""
     value = p.reserved if p.length is None else [p.reserved] * int(p.length)
     return codec.canonical(p, value, p.name)
 
@@ -246,7 +246,7 @@ def driver(language: str, spec: str) -> Driver:
         environment |= {"MIP_SANITIZE": "1", "ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "halt_on_error=1"}
         if SOURCES["c"].ours:
             environment["MIP_LIBRARY"] = str(c_build.archive(spec, "cc", *c_build.SANITIZED))
-    if (language, spec) == ("cpp", "real") and not NIGHTLY:  # to compare them for all takes as long as all of C
+    if (language, spec) == ("cpp", "real") and not NIGHTLY:  # comparing them for all takes as long as all of C
         environment |= {"MIP_EVERY": "16", "MIP_SEED": str(SEED)}
     if language == "rust":  # optimizing takes longer than all tests
         environment |= {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "0"}
@@ -347,7 +347,7 @@ def expected_encode(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
             if field is None:
                 raise codec.CodecError("unknown", f["name"])
             parts.append((field.descriptor, codec.encode(field, f["values"])))
-            codec.build(of, request["set"], parts)  # of several mistakes the first one is told
+            codec.build(of, request["set"], parts)  # of several mistakes, the first one is reported
         return {"packet": codec.build(of, request["set"], parts).hex()}
     except codec.CodecError as error:
         return {"error": error.kind}
@@ -363,7 +363,7 @@ def differences(requests: list[Any], wanted: list[Any], answers: list[Any]) -> s
 
 
 def set_of(field: m.Field, of: m.Model) -> int:
-    """A descriptor set in whose packets the field can stand."""
+    """A descriptor set in whose packets the field can occur."""
     if field.set == 0:
         return next(s.number for s in of.sets if s.kind == "command")
     if field.set == 0xFF:
@@ -385,20 +385,20 @@ def encode_request(number: int, field: m.Field, values: dict[str, Any]) -> dict[
 
 
 def tree(folder: Path) -> dict[str, bytes]:
-    """All files below a folder, but for what Python leaves beside modules that a test has imported."""
+    """All files below a folder, except what Python leaves beside modules that a test has imported."""
     files = [p for p in sorted(folder.rglob("*")) if p.is_file() and p.parent.name != "__pycache__"]
     return {p.relative_to(folder).as_posix(): p.read_bytes() for p in files}
 
 
 # --------------------------------------------------------------------------- the virtual device
 
-#: Seconds that a program may take that talks to it.
+#: Seconds that a program at a virtual device may take.
 PATIENCE = 60
 
 
 @contextmanager
 def simulated(*arguments: str, device: str = "3dm-cv7-gnss-ins") -> Iterator[str]:
-    """Runs a virtual device, and says where it is."""
+    """Runs a virtual device; yields its address."""
     command = [sys.executable, "-m", "mip_tools", "simulate", device, *arguments]
     environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
     process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)

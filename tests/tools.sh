@@ -1,6 +1,6 @@
 #!/bin/sh
-# tools.sh check|test|all|cross|fuzz|miri|prove|semver|workflows: brings what can be brought, and names what is missing with its
-# remedy, all of it at once.
+# tools.sh check|test|all|cross|fuzz|miri|prove|semver|workflows: installs what it can, and names everything else that
+# is missing, with its remedy.
 set -u
 missing=0
 
@@ -13,7 +13,7 @@ command_or() {
     command -v "$1" >/dev/null 2>&1 || lacks "$1" "$2"
 }
 
-# Of rustup, which has commands for components that are not installed.
+# A component of rustup, which has commands even for components that are not installed.
 component() {
     "$2" --version >/dev/null 2>&1 && return
     echo "installing $1"
@@ -114,7 +114,7 @@ fi
 
 # Compiled without optimization, which would take four times as long for a tool that has little to do.
 semver_checks() {
-    version=0.51.0 # for Rust 1.93 and some later versions: it reads what the compiler writes, which changes
+    version=0.51.0 # for Rust 1.93 and some later versions: it reads the compiler's output, whose form changes
     tools=${TOOLS:-build/tools}
     [ "$("$tools/bin/cargo-semver-checks" --version 2>/dev/null)" = "cargo-semver-checks $version" ] && return
     echo "installing cargo-semver-checks, for some minutes"

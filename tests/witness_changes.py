@@ -92,7 +92,7 @@ def _number(value: Node) -> int:
 
 
 def _another(taken: set[int]) -> Callable[[random.Random], object]:
-    """The next number that none has: as if one had been left out."""
+    """The next unused number: as if one had been left out."""
     return lambda choice: next(n for n in itertools.count(choice.choice(sorted(taken))) if n not in taken)
 
 

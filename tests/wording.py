@@ -2,7 +2,7 @@
 
     python tests/wording.py [FOLDER]
 
-What it names is style and no error of a specification, so that `mipgen validate` does not; `make check` runs it.
+It reports style, not errors of a specification, so `make check` runs it, and `mipgen validate` does not.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from pathlib import Path
 
 import yaml
 
-#: What quotes a source.
+#: Keys of texts that quote a source.
 QUOTED = {"section", "sections", "printed", "right", "string", "document"}
-#: What a field of a set has.
+#: Keys that mark a field of a set.
 FIELDS = {"command", "data", "descriptor"}
 QUESTION = re.compile(r"(?:What|Where|Which|Whether|How|Why)\b")
 #: Verbs that nearly always replace a better one: return, accept, require, state, contain.
@@ -27,7 +27,7 @@ BETTER = "return, accept, require, state, contain"
 
 
 def texts(node: yaml.Node, key: str = "", owner: tuple[str, ...] = ()) -> Iterator[tuple[int, str, str, set[str]]]:
-    """Line, key and text of what people read, with the keys that stand beside it."""
+    """Line, key and text of what people read, with the keys beside it."""
     match node:
         case yaml.MappingNode():
             keys = {k.value for k, _ in node.value}
