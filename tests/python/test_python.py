@@ -15,8 +15,9 @@ import pytest
 from mipgen import model as m
 from mipgen.emit import output, render
 from mipgen.facts import describe
+from mipgen.lower import calls
 from mipgen.resolve.load import load_model
-from mipgen.targets.python import members, names
+from mipgen.targets.python import names
 from packages import REAL, Package, mip, real
 from spec_defaults import filled
 from support import ROOT, SPECS, all_fields, another_python, heavy, model, mypy, parse_as, small
@@ -688,7 +689,7 @@ def test_examples_built_by_hand(spec: str) -> None:
 
 def written(record: m.Field | m.Struct, values: dict[str, Any]) -> str:
     """A record as Python source: by the constructor of its function, where it has one."""
-    given = [p for p in members.members(record) if p.name in values]
+    given = [p for p in calls.members(record) if p.name in values]
     home = names.qualified(record) if isinstance(record, m.Struct) else _home(record)
     words = {names.member(p.name): literal(p, values[p.name], values) for p in given}
     if isinstance(record, m.Field) and record.functions:

@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 from mipgen import model as m
 from mipgen.facts import comments, describe
-from mipgen.targets.python import docs, members, names
+from mipgen.lower import calls
+from mipgen.targets.python import docs, names
 from support import SPECS, all_fields, model
 
 say = docs.COMMENTS.say
@@ -156,7 +157,8 @@ def test_prose_names_fields_and_types() -> None:
 def test_the_text_of_a_set() -> None:
     of = model("invented")
     x = replace(of.families[0], description="As `tools.ping`.", uncertain=("How `mode` is.",))
-    assert ast.literal_eval(docs.of_family(x, of)) == "Tools (0x01).\n\nAs `Ping`.\n\nUncertain: How `types.Mode` is.\n"
+    docstring = docs.filters(of)["family_doc"](x)
+    assert ast.literal_eval(docstring) == "Tools (0x01).\n\nAs `Ping`.\n\nUncertain: How `types.Mode` is.\n"
 
 
 def test_layout_of_docstrings() -> None:
@@ -176,5 +178,5 @@ def test_every_member_says_something(spec: str) -> None:
     package = SPECS[spec][1] / "python/mip_protocol"
     for f in all_fields(model(spec)):
         found = documentation(package / f"{names.home(f)}.py")
-        for p in members.members(f):
+        for p in calls.members(f):
             assert found[f"{names.class_name(f)}.{names.member(p.name)}"], f"{f.full_name}.{p.name}"

@@ -1,8 +1,13 @@
-"""Ways to make a structure or a command, and what may answer it."""
+"""What structures and commands hold, the ways to make them, and what may answer a command."""
 
 from __future__ import annotations
 
 from mipgen import model as m
+
+
+def members(record: m.Record) -> list[m.Parameter]:
+    """The parameters that an object holds: the others follow from these."""
+    return [p for p in record.parameters if not p.derived]
 
 
 def constructors(record: m.Record) -> tuple[m.Call, ...]:
@@ -15,3 +20,8 @@ def constructors(record: m.Record) -> tuple[m.Call, ...]:
 def replies(f: m.Field, function: m.Function | None, model: m.Model) -> list[m.Reply]:
     """The possible responses to a command with this function."""
     return [r for r in model.replies(f) if function is None or function in r.functions]
+
+
+def answers(f: m.Field, function: m.Function | None, model: m.Model) -> list[m.Field]:
+    """The same with each layout of its own."""
+    return [layout for r in replies(f, function, model) for layout in r.layouts]

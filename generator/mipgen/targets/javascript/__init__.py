@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json as text
 from collections.abc import Callable, Iterator, Mapping
-from functools import partial
 from typing import Any
 
 from mipgen import model as m
@@ -80,18 +79,12 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hint": members.hint,
         "may_be_absent": members.may_be_absent,
         "member_key": members.key,
-        "members": members.members,
+        "members": calls.members,
         "number": members.number,
         "quoted": text.dumps,
         "unneeded": members.unneeded,
         # comments
-        "bits_doc": partial(docs.of_bits, model=model),
-        "family_doc": partial(docs.of_family, model=model),
-        "field_doc": partial(docs.of_field, model=model),
-        "function_doc": docs.of_function,
-        "member_doc": partial(docs.of_member, model=model),
-        "type_doc": partial(docs.of_type, model=model),
-        "value_doc": partial(docs.of_value, model=model),
+        **docs.filters(model),
     }
 
 
@@ -102,16 +95,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     yield from json.identifiers(model)  # fields and types are also found by the names that they have in JSON
     for x in model.families:
         yield Identifier("package", names.module(x.name), f"set {x.name}", x.position, word=False)
-        yield from _classes(x.name, [*x.types, *x.fields])
-    yield from _classes("types", model.types)
-
-
-def _classes(scope: str, things: list[m.Type | m.Field] | tuple[m.Type, ...]) -> Iterator[Identifier]:
-    for t in things:
-        place = getattr(t, "position", None)
-        yield Identifier(f"module {scope}", names.class_name(t), f"{scope}.{t.name}", place)
-        for name, words, position in _attributes(t):
-            yield Identifier(f"class {scope}.{t.name}", name, words, position or place)
+    yield from names.identifiers(model, _attributes)
 
 
 def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
@@ -123,7 +107,7 @@ def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | No
         for b in t.bits:
             yield names.constant(b.name), b.name, b.position
     elif isinstance(t, (m.Field, m.Struct)):
-        for p in members.members(t):
+        for p in calls.members(t):
             yield names.member(p.name), p.name, p.position
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.emit.naming import upper
-from mipgen.emit.symbols import Symbols, constants, others, things
+from mipgen.emit.symbols import Symbols, constants, others, parts, things
 
 from . import names
 from .snippets import Programs
@@ -27,7 +27,7 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
         if isinstance(x, m.Field):
             others = [names.member(f.name) for f in x.functions]
         else:
-            others = [names.constant(part.name) for part in (x.values if isinstance(x, m.Enum) else x.bits)]
+            others = [names.constant(part.name) for part in parts(x)]
         of = names.class_name(x)
         yield Symbols(x, symbol(x), tuple(f"{of}.{name}" for name in others))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from mipgen import model as m
 from mipgen.emit.wrapping import wrapped
@@ -21,32 +21,21 @@ def _alternative(p: m.Parameter | None, record: m.Record) -> str:
 COMMENTS = Comments(names, _alternative)
 
 
-def of_family(x: m.Family, model: m.Model) -> str:
-    return comment(COMMENTS.family(x, model), 0)
+def filters(model: m.Model) -> dict[str, Callable[..., str]]:
+    """The comment of each kind of thing."""
 
+    def documented(paragraphs: Callable[..., list[str]], indent: int) -> Callable[..., str]:
+        return lambda *thing: comment(paragraphs(*thing, model), indent)
 
-def of_field(f: m.Field, model: m.Model) -> str:
-    return comment(COMMENTS.field(f, model), 0)
-
-
-def of_type(t: m.Type, model: m.Model) -> str:
-    return comment(COMMENTS.type(t, model), 0)
-
-
-def of_function(f: m.Function) -> str:
-    return comment([f.description], 4)
-
-
-def of_value(v: m.EnumValue, t: m.Enum, model: m.Model) -> str:
-    return comment(COMMENTS.value(v, t, model), 4)
-
-
-def of_bits(b: m.Bits, t: m.Bitfield, model: m.Model) -> str:
-    return comment(COMMENTS.bits(b, t, model), 4)
-
-
-def of_member(p: m.Parameter, record: m.Record, model: m.Model) -> str:
-    return comment(COMMENTS.member(p, record, model), 4)
+    return {
+        "family_doc": documented(COMMENTS.family, 0),
+        "field_doc": documented(COMMENTS.field, 0),
+        "type_doc": documented(COMMENTS.type, 0),
+        "value_doc": documented(COMMENTS.value, 4),
+        "bits_doc": documented(COMMENTS.bits, 4),
+        "member_doc": documented(COMMENTS.member, 4),
+        "function_doc": lambda f: comment([f.description], 4),
+    }
 
 
 def comment(paragraphs: Iterable[str], indent: int) -> str:

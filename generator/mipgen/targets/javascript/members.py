@@ -5,14 +5,10 @@ from __future__ import annotations
 import json
 
 from mipgen import model as m
-from mipgen.lower.calls import constructors, replies
+from mipgen.lower import calls
+from mipgen.lower.calls import constructors, members
 
 from .names import SCALARS, home, member, reference
-
-
-def members(record: m.Record) -> list[m.Parameter]:
-    """The parameters that an object holds: the others follow from these."""
-    return [p for p in record.parameters if not p.derived]
 
 
 def key(p: m.Parameter) -> str:
@@ -21,8 +17,8 @@ def key(p: m.Parameter) -> str:
 
 
 def may_be_absent(p: m.Parameter, record: m.Record) -> bool:
-    """Can it be missing in what was received? An unknown function requires nothing."""
-    return not p.selector if record.selector else p.optional
+    """Can it be missing in what was received?"""
+    return p.name in record.present_with
 
 
 def hint(p: m.Parameter, record: m.Record) -> str:
@@ -67,7 +63,7 @@ def given(way: m.Call, record: m.Field) -> str:
 
 def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
     """The type of what a client gets for a command sent in this way."""
-    layouts = [layout for r in replies(f, function, model) for layout in r.layouts]
+    layouts = calls.answers(f, function, model)
     return " | ".join(dict.fromkeys(reference(layout, home(f)) for layout in layouts)) or "undefined"
 
 

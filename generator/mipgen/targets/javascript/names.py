@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from mipgen import model as m
-from mipgen.emit.naming import Escape, Grammar, pascal, upper
+from mipgen.emit.classes import Classes
+from mipgen.emit.naming import Escape, Grammar, upper
 from mipgen.emit.render import language
 
 _LANGUAGE = language("javascript")
@@ -17,11 +17,13 @@ GRAMMAR = Grammar(r"[A-Za-z_$][\w$]*", _KEYWORDS)
 SCALARS: dict[str, str] = _LANGUAGE["scalars"]
 
 _constant = Escape(frozenset(), digit_prefix="N")
-_class = Escape(frozenset(_LANGUAGE["classes"]), digit_prefix="Mip")
 _member = Escape(frozenset(_LANGUAGE["members"]))
 
 #: A family -> the name of its module, after which its file is called.
 module = Escape(frozenset(_LANGUAGE["modules"]), digit_prefix="")
+
+_classes = Classes(module, Escape(frozenset(_LANGUAGE["classes"]), digit_prefix="Mip"))
+class_name, home, reference, identifiers = _classes.name, _classes.home, _classes.reference, _classes.identifiers
 
 #: A family -> what a program that imports its module as a whole calls it.
 namespace = Escape(_KEYWORDS | frozenset(_LANGUAGE["modules"]), digit_prefix="mip")
@@ -48,22 +50,3 @@ def member(words: str) -> str:
 def constant(words: str) -> str:
     """A value or a bit."""
     return _constant(upper(words))
-
-
-def class_name(thing: m.Type | m.Field) -> str:
-    name = pascal(thing.name)
-    return name if home(thing) == "protocol" else _class(name)
-
-
-def home(thing: m.Type | m.Field) -> str:
-    """The module that defines it."""
-    if isinstance(thing, m.Field):
-        return module(thing.family) if thing.set else "protocol"
-    if thing.name == "function_selector":  # no type of a specification can be called so
-        return "protocol"
-    return module(thing.owner) if thing.owner else "types"
-
-
-def reference(thing: m.Type | m.Field, where: str) -> str:
-    """What the module `where` calls it."""
-    return class_name(thing) if home(thing) in (where, "protocol") else f"{home(thing)}.{class_name(thing)}"

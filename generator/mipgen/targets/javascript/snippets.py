@@ -12,9 +12,8 @@ from mipgen.facts import literals
 from mipgen.facts.literals import Literal
 from mipgen.facts.sample_values import SampleValues
 from mipgen.facts.snippets import Statements
-from mipgen.lower.calls import constructors
+from mipgen.lower.calls import constructors, members
 
-from .members import members
 from .names import class_name, constant, home, member
 
 WIDTH = 84

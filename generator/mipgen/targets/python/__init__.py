@@ -67,7 +67,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "reference": names.reference,
         "hides_builtin": names.hides_builtin,
         # what objects hold
-        "members": members.members,
+        "members": calls.members,
         "hint": members.hint,
         "held": members.held,
         "by_place": members.by_place,
@@ -89,16 +89,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "silencers": lambda f: members.silencers(f, model),
         "matches": lambda f: members.matches(f, model),
         # docstrings and comments
-        "family_doc": partial(docs.of_family, model=model),
-        "field_doc": partial(docs.of_field, model=model),
-        "type_doc": partial(docs.of_type, model=model),
-        "function_doc": docs.of_function,
-        "device_doc": partial(docs.of_device, model=model),
+        **docs.filters(model),
         "why": lambda e: describe.why(e, model),
-        "member_doc": partial(docs.of_member, model=model),
-        "value_doc": partial(docs.of_value, model=model),
-        "bits_doc": partial(docs.of_bits, model=model),
-        "unheld_doc": partial(docs.of_unheld, model=model),
         # tables
         "repr": repr,
         "code": "`{}`".format,
@@ -123,18 +115,9 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     for x in model.families:
         yield Identifier(PACKAGE, names.module(x.name), f"set {x.name}", x.position)
-        yield from _classes(x.name, [*x.types, *x.fields])
-    yield from _classes("types", model.types)
+    yield from names.identifiers(model, attributes)
     for d in model.devices:
         yield Identifier(f"{PACKAGE}.devices", names.constant(d.name), f"device {d.id}", d.position)
-
-
-def _classes(scope: str, things: Sequence[m.Type | m.Field]) -> Iterator[Identifier]:
-    for t in things:
-        place = getattr(t, "position", None)
-        yield Identifier(f"module {scope}", names.class_name(t), f"{scope}.{t.name}", place)
-        for name, words, position in attributes(t):
-            yield Identifier(f"class {scope}.{t.name}", name, words, position or place)
 
 
 def attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
@@ -149,7 +132,7 @@ def attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | Non
                 yield names.prop(b.name), b.name, b.position
                 yield f"with_{b.name}", f"{b.name}, set to a number", b.position
     elif isinstance(t, (m.Field, m.Struct)):
-        for p in members.members(t):
+        for p in calls.members(t):
             yield names.member(p.name), p.name, p.position
         for f in t.functions if isinstance(t, m.Field) else ():
             yield names.member(f.name), f"function {f.name}", None

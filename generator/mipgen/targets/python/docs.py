@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from mipgen import model as m
 from mipgen.emit.wrapping import wrapped
@@ -21,41 +21,25 @@ def _alternative(p: m.Parameter | None, record: m.Record) -> str:
 COMMENTS = Comments(names, _alternative)
 
 
-def of_family(x: m.Family, model: m.Model) -> str:
-    return literal(COMMENTS.family(x, model), 0)
+def filters(model: m.Model) -> dict[str, Callable[..., str]]:
+    """The docstring of each kind of thing, and the comments of what has none."""
 
+    def documented(paragraphs: Callable[..., list[str]], indent: int) -> Callable[..., str]:
+        return lambda *thing: literal(paragraphs(*thing, model), indent)
 
-def of_field(f: m.Field, model: m.Model) -> str:
-    return literal(COMMENTS.field(f, model), 4)
-
-
-def of_type(t: m.Type, model: m.Model) -> str:
-    return literal(COMMENTS.type(t, model), 0 if isinstance(t, m.Vector) else 4)
-
-
-def of_function(f: m.Function) -> str:
-    return literal([f.description], 8)
-
-
-def of_device(d: m.Device, model: m.Model) -> str:
-    return literal(COMMENTS.device(d, model), 0)
-
-
-def of_value(v: m.EnumValue, t: m.Enum, model: m.Model) -> str:
-    return literal(COMMENTS.value(v, t, model), 4)
-
-
-def of_bits(b: m.Bits, t: m.Bitfield, model: m.Model) -> str:
-    return literal(COMMENTS.bits(b, t, model), 4)
-
-
-def of_member(p: m.Parameter, record: m.Record, model: m.Model) -> str:
-    return literal(COMMENTS.member(p, record, model), 4)
-
-
-def of_unheld(p: m.Parameter, record: m.Record, model: m.Model) -> str:
-    """A comment on a parameter that objects do not hold, as it follows from the rest."""
-    return comment(" ".join(filter(None, COMMENTS.member(p, record, model))), 4)
+    return {
+        "family_doc": documented(COMMENTS.family, 0),
+        "field_doc": documented(COMMENTS.field, 4),
+        "type_doc": documented(COMMENTS.type, 4),
+        "vector_doc": documented(COMMENTS.type, 0),  # the elements of a matrix in one line
+        "value_doc": documented(COMMENTS.value, 4),
+        "bits_doc": documented(COMMENTS.bits, 4),
+        "member_doc": documented(COMMENTS.member, 4),
+        "function_doc": lambda f: literal([f.description], 8),
+        "device_doc": documented(COMMENTS.device, 0),
+        # of a parameter that objects do not hold, as it follows from the rest
+        "unheld_doc": lambda p, record: comment(" ".join(filter(None, COMMENTS.member(p, record, model))), 4),
+    }
 
 
 # --------------------------------------------------------------------------- layout

@@ -5,15 +5,11 @@ from __future__ import annotations
 import math
 
 from mipgen import model as m
-from mipgen.lower.calls import constructors, replies
+from mipgen.lower import calls
+from mipgen.lower.calls import constructors, members
 from mipgen.lower.runs import run
 
 from .names import SCALARS, constant, home, member, reference
-
-
-def members(record: m.Record) -> list[m.Parameter]:
-    """The parameters that an object holds: the others follow from these."""
-    return [p for p in record.parameters if not p.derived]
 
 
 def held(record: m.Record) -> tuple[str, ...]:
@@ -71,8 +67,8 @@ def hint(p: m.Parameter, record: m.Record) -> str:
 
 
 def may_be_absent(p: m.Parameter, record: m.Record) -> bool:
-    """Can the member be None because it was not sent? An unknown function requires nothing."""
-    return not p.selector if record.selector else p.optional
+    """Can the member be None because it was not sent?"""
+    return p.name in record.present_with
 
 
 def default(p: m.Parameter, record: m.Record) -> str | None:
@@ -273,7 +269,7 @@ def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
 
 def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
     """The type of what a client gets for a command sent in this way: a response, one of several, or None."""
-    layouts = [layout for r in replies(f, function, model) for layout in r.layouts]
+    layouts = calls.answers(f, function, model)
     return " | ".join(dict.fromkeys(reference(layout, home(f)) for layout in layouts)) or "None"
 
 

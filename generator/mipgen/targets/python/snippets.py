@@ -11,9 +11,9 @@ from mipgen.facts import literals
 from mipgen.facts.literals import Literal
 from mipgen.facts.sample_values import SampleValues
 from mipgen.facts.snippets import Statements
-from mipgen.lower.calls import constructors
+from mipgen.lower.calls import constructors, members
 
-from .members import keyword_only, members
+from .members import keyword_only
 from .names import class_name, constant, hides_builtin, home, member
 
 WIDTH = 84

@@ -187,8 +187,7 @@ class Records:
     def _made(self, record: m.Record) -> list[Member]:
         return [
             Member(member(p.name), self.rust(p, home(record)), p.name in record.present_with, p)
-            for p in record.parameters
-            if not p.derived
+            for p in calls.members(record)
         ]
 
     def places(self, record: m.Record) -> list[Place]:
