@@ -11,7 +11,22 @@ from typing import Any
 import pytest
 from mip_protocol import EncodeError, Packet, PacketBuilder, filter_data, registry, sensor, shared
 from mip_protocol.text import shortest
-from mip_tools.cli import clocks, cut, decoding, dump, info, inputs, intervals, lines, log_report, scan
+from mip_tools.cli import (
+    clocks,
+    cut,
+    decoding,
+    dump,
+    info,
+    inputs,
+    intervals,
+    lines,
+    log_report,
+    messages,
+    samples,
+    scan,
+)
+from mip_tools.cli.export_mcap import encoded
+from mip_tools.cli.selection import Selection
 from mip_tools.columns import log as columns_log
 from mip_tools.columns import read_log, text, times
 from mip_tools.sentences import Sentences
@@ -218,6 +233,29 @@ def test_cut(
         code, _, error = mip("cut", name, "-o", tmp_path / "part", *words, data=data)
         assert (code, error.count("\n")) == (0, 0) if wanted else code == 1
         assert not wanted or (tmp_path / "part").read_bytes() == wanted
+
+
+@pytest.mark.parametrize("piece", [300, 1 << 20])
+@pytest.mark.parametrize(
+    ("only", "invalid", "named"), [([], "keep", False), ([], "drop", True), (["sensor,filter_data"], "keep", True)]
+)
+def test_messages(
+    stream: bytes, only: list[str], invalid: str, named: bool, piece: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The same by columns as packet by packet, of all fields or of some."""
+    monkeypatch.setattr(columns_log, "_PIECE", piece)
+    monkeypatch.setattr(messages, "PART", 3 * piece)
+    scanner = scan.Scanner()
+    pieces = [*scanner.feed(stream), *scanner.flush()]
+    selection = Selection(only, data=True)
+    log = read_log(stream)
+    kinds, clock = messages.survey(log, selection)
+    seen, best = samples.survey(pieces, selection)
+    assert (set(kinds), clock) == (set(seen), best)
+    for some in (kinds, kinds[::2]):
+        found = samples.kept(samples.samples(pieces, some, selection, clock), invalid)
+        wanted = [(s.kind, s.time, s.packet, encoded(s.value, named)) for packet in found for s in packet]
+        assert list(messages.Messages(some, selection, clock, invalid, named).of(log)) == wanted
 
 
 def test_fields_that_come_twice_make_rows_in_their_order(tmp_path: Path, capsys: Any) -> None:

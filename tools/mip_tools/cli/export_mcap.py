@@ -7,7 +7,7 @@ import json
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from importlib import import_module
-from typing import IO, Any, NamedTuple
+from typing import IO, Any, NamedTuple, Protocol, TypeVar
 
 from .. import __version__
 from ..binding import Described, Field, MissingExtra, Parameter, Structure, info
@@ -15,11 +15,13 @@ from ..errors import Failure, Misuse
 from ..occurrence import Occurrence
 from . import inputs, outputs, values
 from .clocks import dated
-from .samples import Sample, kept, samples, survey
 from .selection import Selection
 
 #: Messages that wait for the first time of a log.
 HELD = 100_000
+
+#: Those of the JSON of messages.
+SEPARATORS = (",", ":")
 
 #: Clocks for the times of messages.
 TIMES = {
@@ -37,19 +39,44 @@ def require(form: str) -> Any:
         raise Failure(f"{MissingExtra('mcap', 'mcap')}; csv and jsonl need nothing") from None
 
 
+class Message(NamedTuple):
+    """A field as a message."""
+
+    kind: Occurrence
+    time: int | None
+    packet: int
+    data: bytes
+
+
+class _Timed(Protocol):
+    """A sample or a message."""
+
+    @property
+    def time(self) -> int | None: ...
+
+
+T = TypeVar("T", bound=_Timed)
+
+
 class Job:
     """The output for a log."""
 
     def __init__(self, name: str, options: argparse.Namespace, selection: Selection) -> None:
+        from .messages import survey
+
         self._name, self._options, self._selection = name, options, selection
-        self.types, self._clock = survey(inputs.pieces(name), selection)
+        with inputs.columns(name) as log:
+            self.types, self._clock = survey(log, selection)
         check(self._clock, options)
 
     def write(self, path: str, types: Sequence[Occurrence]) -> None:
         """Writes fields of these types into a file."""
-        packets = samples(inputs.pieces(self._name), types, self._selection, self._clock)
-        with outputs.whole(path) as out:
-            write_mcap(out, kept(packets, self._options.invalid), self._clock, self._options.named)
+        from .messages import Messages
+
+        named = self._options.named
+        made = Messages(types, self._selection, self._clock, self._options.invalid, named)
+        with outputs.whole(path) as out, inputs.columns(self._name) as log:
+            write_mcap(out, made.of(log), self._clock, named)
 
 
 def check(clock: str | None, options: argparse.Namespace) -> None:
@@ -62,10 +89,8 @@ def check(clock: str | None, options: argparse.Namespace) -> None:
         raise Failure("the log has no dates; use --time clock")
 
 
-def write_mcap(
-    out: IO[bytes], packets: Iterator[list[Sample]], clock: str | None, named: bool, live: bool = False
-) -> None:
-    """Writes samples; `live`: without a clock, messages have the time of the host. The file is complete after an
+def write_mcap(out: IO[bytes], messages: Iterable[Message], clock: str | None, named: bool, live: bool = False) -> None:
+    """Writes messages; `live`: without a clock, they have the time of the host. The file is complete after an
     interrupt, too."""
     module = require("mcap")
     writer = module.Writer(_Counted(out))
@@ -74,15 +99,14 @@ def write_mcap(
     writer.add_metadata("mip", {"clock": clock or "host", "time": meaning})
     channels: dict[Occurrence, int] = {}
     try:
-        for sample, moment in timed(packets, live and clock is None):
-            kind = sample.kind
+        for one, moment in timed(messages, live and clock is None):
+            kind = one.kind
             if kind not in channels:
                 topic = Topic.of(kind, named)
                 known = writer.register_schema(topic.schema_name, "jsonschema", topic.schema.encode())
                 about = {"descriptor": f"0x{kind.set:02X},0x{kind.kind.DESCRIPTOR:02X}", "time": meaning}
                 channels[kind] = writer.register_channel(topic.name, "json", known, about)
-            data = encoded(sample.value, named)
-            writer.add_message(channels[kind], moment, data, moment, sample.packet & 0xFFFFFFFF)
+            writer.add_message(channels[kind], moment, one.data, moment, one.packet & 0xFFFFFFFF)
     finally:
         writer.finish()
 
@@ -103,7 +127,7 @@ class Topic(NamedTuple):
 
 def encoded(field: Field, named: bool) -> bytes:
     """A message as JSON."""
-    return json.dumps(message(field, named), separators=(",", ":"), allow_nan=False).encode()
+    return json.dumps(message(field, named), separators=SEPARATORS, allow_nan=False).encode()
 
 
 class _Counted:
@@ -128,17 +152,16 @@ def clock_meaning(clock: str | None) -> str:
     return TIMES["host" if clock is None else "dated" if dated(clock) else "undated"].format(clock)
 
 
-def timed(packets: Iterable[list[Sample]], by_host: bool) -> Iterator[tuple[Sample, int]]:
+def timed(samples: Iterable[T], by_host: bool) -> Iterator[tuple[T, int]]:
     """Each sample with its time in ns: the last known one; before the first, that. Raises Failure if there is none."""
     last: int | None = None
-    waiting: list[Sample] = []
-    for packet in packets:
-        for sample in packet:
-            moment = time.time_ns() if by_host else sample.time
-            last = last if moment is None else max(moment, 0)
-            waiting.append(sample)
+    waiting: list[T] = []
+    for sample in samples:
+        moment = time.time_ns() if by_host else sample.time
+        last = last if moment is None else max(moment, 0)
+        waiting.append(sample)
         if last is not None:
-            yield from ((sample, max(last if sample.time is None else sample.time, 0)) for sample in waiting)
+            yield from ((one, max(last if one.time is None else one.time, 0)) for one in waiting)
             waiting.clear()
         elif len(waiting) > HELD:
             raise Failure(f"no time in the first {HELD} fields; use --time clock, or jsonl")
@@ -198,7 +221,9 @@ def _one(p: Parameter, named: bool) -> dict[str, Any]:
 
 
 __all__ = [
+    "SEPARATORS",
     "Job",
+    "Message",
     "Topic",
     "check",
     "clock_meaning",

@@ -7,6 +7,7 @@ import os
 import shutil
 from collections.abc import Sequence
 from importlib import import_module
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,8 @@ from ..ros.standard import Converter
 from ..ros.types import Types
 from . import clocks, inputs
 from .export_mcap import check, timed
-from .samples import Sample, kept, samples, survey
+from .messages import survey
+from .samples import Sample, kept, samples
 from .selection import Selection
 
 
@@ -35,7 +37,8 @@ class Job:
         if options.output == "-":
             raise Misuse("a bag is a folder; name one with -o")
         self._name, self._options, self._selection = name, options, selection
-        self.types, self._clock = survey(inputs.pieces(name), selection)
+        with inputs.columns(name) as log:
+            self.types, self._clock = survey(log, selection)
         check(self._clock, options)
 
     def write(self, path: str, types: Sequence[Occurrence]) -> None:
@@ -68,7 +71,7 @@ class Job:
 
             packet: list[Sample] = []
             last = 0
-            for sample, moment in timed(packets, False):
+            for sample, moment in timed(chain.from_iterable(packets), False):
                 if packet and packet[0].packet != sample.packet:
                     self._standard(converter, packet, last, write)
                     packet = []

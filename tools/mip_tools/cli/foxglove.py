@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
+from itertools import chain
 from typing import Any
 
 from ..binding import MissingExtra
@@ -170,7 +171,7 @@ def serving(server: Server, place: str) -> Iterator[str]:
 def write(server: Server, packets: Iterator[list[Sample]], clock: str | None, named: bool) -> None:
     """Serves samples until they end; without a clock, with the time of the host."""
     channels: dict[Occurrence, int] = {}
-    for sample, moment in timed(packets, clock is None):
+    for sample, moment in timed(chain.from_iterable(packets), clock is None):
         kind = sample.kind
         if kind not in channels:
             channels[kind] = server.channel(Topic.of(kind, named))

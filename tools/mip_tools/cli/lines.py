@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import json
-import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..binding import OVERHEAD, Field, Packet, Parameter, RawField, info, named, registry
+from ..binding import OVERHEAD, Field, Packet, Parameter, RawField, info, registry
 from ..columns import layout, walk
 from ..columns.reader import Reader
 from ..columns.scan import HEADER, Array
-from ..columns.text import shortest
-from . import objects, show
+from . import objects, row_texts, show
 from .decoding import Found, decoded
 from .selection import Selection
 
@@ -25,10 +23,6 @@ if TYPE_CHECKING:
 
 #: Bytes of the log whose lines are in memory together.
 PART = 1 << 20
-
-
-#: The format of a value, and its argument.
-Texts = tuple[str, list[list[Any]]]
 
 
 class Lines:
@@ -59,19 +53,17 @@ class Lines:
             form, given = made
             parts.append(("" if p.name == own else f"{p.name}=") + form)
             values += given
-        if not values:
-            return [f"{name}()"] * len(column)
         one = len(parts) == 1 and parts[0].startswith("(")
         template = name + (parts[0] if one else f"({', '.join(parts)})")
-        return list(map(template.__mod__, zip(*values)))
+        return row_texts.formatted(template, values, len(column))
 
-    def texts(self, p: Parameter, column: Column[Any]) -> Texts | None:
+    def texts(self, p: Parameter, column: Column[Any]) -> row_texts.Texts | None:
         """How a parameter is formatted, and what with, as `Parameter.format` does."""
         p = p if self.device is None else p.on(self.device)
-        values = _plain(p, column)
+        values = row_texts.plain(p, column)
         if values is None:
             return None
-        form, given = _names(p, values, p.format) if _is_named(p) else _numbers(p, values)
+        form, given = row_texts.names(p, values, p.format) if row_texts.is_named(p) else _numbers(p, values)
         if p.flags:
             good = column.valid(p.attribute)
             good = good if good.ndim == 1 else np.asarray(good.all(axis=1))
@@ -97,35 +89,11 @@ class Objects:
 
     def fields(self, column: Column[Any], kind: type[Field], number: int) -> list[str] | None:
         """The texts of all rows; None if they depend on more than a value."""
-        parts: list[str] = []
-        values: list[list[Any]] = []
-        for p in info(kind).members:
-            made = self.texts(p, column)
-            if made is None:
-                return None
-            parts.append(f"{json.dumps(p.name)}: {made[0]}")
-            values += made[1]
-        head = f'{{"field": {json.dumps(kind.name_in(number))}, "values": {{'
-        if not values:
-            return [head + "}}"] * len(column)
-        template = f"{head}{', '.join(parts)}}}}}"
-        return list(map(template.__mod__, zip(*values)))
-
-    def texts(self, p: Parameter, column: Column[Any]) -> Texts | None:
-        """How a parameter is formatted, and what with, as `to_dict` has it."""
-        p = p if self.device is None else p.on(self.device)
-        values = _plain(p, column)
-        if values is None:
+        made = row_texts.json_object(column, kind, self.device)
+        if made is None:
             return None
-        if _is_named(p):
-            return _names(p, values, lambda value: json.dumps(named(p, value)))
-        single, given = _singles(values)
-        if single == "%r" and not np.isfinite(values).all():
-            single = "%s"
-            given = [[repr(x) if math.isfinite(x) else "null" for x in each] for each in given]
-        if not p.elements:
-            return single, given
-        return f"{{{', '.join([f'{json.dumps(e)}: {single}' for e in p.elements])}}}", given
+        head = f'{{"field": {json.dumps(kind.name_in(number))}, "values": '
+        return row_texts.formatted(f"{head}{made[0]}}}", made[1], len(column))
 
 
 def lines(log: Log, selection: Selection, form: Lines | Objects) -> Iterator[tuple[int, list[str]]]:
@@ -199,36 +167,8 @@ def _fields(
     ]
 
 
-def _plain(p: Parameter, column: Column[Any]) -> Array | None:
-    """The values of a parameter, if each is a number, a name or a vector, whatever the other values are."""
-    if p.attribute not in column.names or any(v.by != "device" for v in p.variants):
-        return None
-    if p.length is not None or p.scalar in ("char", "bits") or p.kind not in ("scalar", "array"):
-        return None
-    values: Array = column[p.attribute]
-    return None if values.ndim > 1 and _is_named(p) else values
-
-
-def _is_named(p: Parameter) -> bool:
-    return p.type is not None or p.scalar == "bool"
-
-
-def _names(p: Parameter, values: Array, word: Callable[[Any], str]) -> Texts:
-    """Each value that occurs is formatted once."""
-    known, place = np.unique(values, return_inverse=True)
-    as_bool = p.scalar == "bool" and p.type is None
-    words = [word(bool(v) if as_bool and v in (0, 1) else v) for v in known.tolist()]
-    return "%s", [np.array([*words, ""], object)[place.reshape(-1)].tolist()]
-
-
-def _singles(values: Array) -> Texts:
-    """How each number is formatted, and the numbers, by elements of a vector."""
-    numbers = shortest(values.reshape(-1)).reshape(values.shape) if values.dtype == np.float32 else values
-    return "%r" if values.dtype.kind == "f" else "%d", numbers.T.tolist() if values.ndim > 1 else [numbers.tolist()]
-
-
-def _numbers(p: Parameter, values: Array) -> Texts:
-    single, given = _singles(values)
+def _numbers(p: Parameter, values: Array) -> row_texts.Texts:
+    single, given = row_texts.singles(values)
     if not p.elements:
         return single + _unit(p.units[:1]), given
     many = len(set(p.units)) > 1

@@ -46,10 +46,12 @@ def write(
         inputs.need_numpy()
     seen, found, clock = _begun(arriving, options, selection)
     if form == "mcap":
-        from .export_mcap import write_mcap
+        from .export_mcap import Message, encoded, write_mcap
 
         packets = kept(samples(_flushing(chain(seen, arriving), out), None, selection, clock), options.invalid)
-        write_mcap(out, packets, clock, options.named, live=True)
+        every = chain.from_iterable(packets)
+        made = (Message(one.kind, one.time, one.packet, encoded(one.value, options.named)) for one in every)
+        write_mcap(out, made, clock, options.named, live=True)
         return
     if form == "csv" and not (types or found):
         raise Failure("nothing arrived of which the columns could be known; name the fields")

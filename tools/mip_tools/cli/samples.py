@@ -106,19 +106,19 @@ def kept(packets: Iterator[list[Sample]], invalid: str) -> Iterator[list[Sample]
     """Without fields of which a value is not valid, if `invalid` says that these are dropped."""
     if invalid != "drop":
         return packets
-    return (left for p in packets if (left := [s for s in p if _valid(s.value)]))
+    return (left for p in packets if (left := [s for s in p if valid(s.value)]))
 
 
-def _valid(record: Structure) -> bool:
+def valid(record: Structure) -> bool:
     """Do the flags of a record vouch for all of its values?"""
     for p in info(type(record)).parameters:
         for flag in p.flags:
             bits = getattr(record, flag.attribute)
             if bits is None or not flag.holds(bits):
                 return False
-        if p.kind == "struct" and not _valid(getattr(record, p.attribute)):
+        if p.kind == "struct" and not valid(getattr(record, p.attribute)):
             return False
     return True
 
 
-__all__ = ["Sample", "kept", "samples", "survey"]
+__all__ = ["Sample", "kept", "samples", "survey", "valid"]

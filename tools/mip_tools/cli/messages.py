@@ -1,0 +1,141 @@
+"""The fields of a log as JSON messages, by columns: the same as of packet by packet, but faster."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+import numpy as np
+
+from ..binding import Field, RawField, registry
+from ..columns import Log, contents, layout, times, walk
+from ..columns.piece import Piece
+from ..columns.reader import Reader
+from ..columns.scan import HEADER, Array
+from ..occurrence import Occurrence, of
+from . import row_texts
+from .decoding import decoded
+from .export_mcap import SEPARATORS, Message, encoded
+from .samples import valid
+from .selection import Selection
+
+#: Bytes of a log whose messages are in memory together.
+PART = 1 << 20
+
+#: Rows of fields: their packets, the offsets of their data in the payloads, and what they are made to.
+_Rows = tuple[Array, Array, list[tuple[Occurrence, bytes]]]
+_NOTHING: _Rows = (np.zeros(0, np.int64), np.zeros(0, np.int64), [])
+
+
+def survey(log: Log, selection: Selection) -> tuple[list[Occurrence], str | None]:
+    """The types of the fields that a log has and a selection wants, by number; and its best clock."""
+    found = {
+        of(number, kind)
+        for part in log.parts(PART)
+        for number, kind in contents.kinds(part)
+        if selection.has(number, kind.DESCRIPTOR)
+    }
+    ordered = sorted(found, key=lambda one: (one.set, one.kind.DESCRIPTOR, one.kind.NAME))
+    return ordered, times.best(log.parts(PART))
+
+
+class Messages:
+    """Makes the messages of some types of fields."""
+
+    def __init__(
+        self, kinds: Collection[Occurrence], selection: Selection, clock: str | None, invalid: str, named: bool
+    ) -> None:
+        self._kinds, self._selection, self._clock = set(kinds), selection, clock
+        self._drops, self._named = invalid == "drop", named
+
+    def of(self, log: Log) -> Iterator[Message]:
+        """Those of a log, in the order of the fields."""
+        number = 0
+        for part in log.parts(PART):
+            for piece in part.pieces():
+                yield from self._of_piece(part, piece, number + piece.number)
+            number += part.packets
+
+    def _of_piece(self, part: Log, piece: Piece, first: int) -> Iterator[Message]:
+        """The messages of a piece, whose first packet has this number."""
+        keys: dict[tuple[int, int], list[walk.Run]] = {}
+        for run in piece.runs or ():
+            if self._selection.has(run.set, run.descriptor):
+                keys.setdefault((run.set, run.descriptor), []).append(run)
+        packets, offsets, moments = ([np.zeros(0, np.int64)] for _ in range(3))
+        made: list[tuple[Occurrence, bytes]] = []
+        for (number, descriptor), runs in keys.items():
+            packet, offset, messages = self._rows(part, piece, number, descriptor, runs)
+            packets.append(packet)
+            offsets.append(offset)
+            moments.append(self._times(part, piece, number, packet))
+            made += messages
+        packet, time = np.concatenate(packets), np.concatenate(moments)
+        order = np.lexsort((np.concatenate(offsets), packet))
+        for row, number, moment in zip(order.tolist(), (packet[order] + first).tolist(), time[order].tolist()):
+            kind, data = made[row]
+            yield Message(kind, None if moment == times.NONE else moment, number, data)
+
+    def _times(self, part: Log, piece: Piece, number: int, packet: Array) -> Array:
+        """The times of packets of a set."""
+        if self._clock is None or number < 0x80:
+            return np.full(len(packet), times.NONE, np.int64)
+        places = piece.begin + piece.at[packet]
+        return times.at(part, number, self._clock, packet + piece.number, lambda: places)[0]
+
+    def _rows(self, part: Log, piece: Piece, number: int, descriptor: int, runs: list[walk.Run]) -> _Rows:
+        """The fields of a set and descriptor."""
+        every = registry.types(number, descriptor)
+        if not any(of(number, kind) in self._kinds for kind in every):
+            return _NOTHING
+        shape = layout.layout(every[0]) if len(every) == 1 else None
+        if shape is not None and shape.plain:
+            runs = [run for run in runs if run.length >= shape.dtype.itemsize]
+            if not runs:
+                return _NOTHING
+            rows = self._by_column(part, piece, of(number, every[0]), number, runs)
+            if rows is not None:
+                return rows
+        packet, offset = walk.places(runs, len(piece.at))
+        found = list(_decoded(piece, number, descriptor, packet, offset))
+        kept = [row for row, one in enumerate(found) if one and one[0] in self._kinds and self._keeps(one[1])]
+        messages = [(one[0], encoded(one[1], self._named)) for row in kept if (one := found[row])]
+        return packet[kept], offset[kept], messages
+
+    def _keeps(self, field: Field) -> bool:
+        return not self._drops or valid(field)
+
+    def _by_column(self, part: Log, piece: Piece, kind: Occurrence, number: int, runs: list[walk.Run]) -> _Rows | None:
+        """The fields of a type that has as many bytes as any other; None if their values depend on each other."""
+        reader = Reader(part, (number, kind.kind), None)
+        reader.add(piece)
+        column = reader.column()
+        texts = row_texts.json_object(column, kind.kind, None, self._named, SEPARATORS)
+        if texts is None:
+            return None
+        packet, offset = walk.places(runs, len(piece.at))
+        messages = [(kind, text.encode()) for text in row_texts.formatted(*texts, len(column))]
+        odd, kept = np.zeros(len(packet), bool), np.ones(len(packet), bool)
+        for name in column.names:
+            if column[name].dtype.kind == "f":  # numbers that JSON does not have are left out
+                odd |= ~np.isfinite(column[name]).reshape(len(packet), -1).all(axis=1)
+            if self._drops and column.parameters[name].flags:
+                kept &= column.valid(name).reshape(len(packet), -1).all(axis=1)
+        rows = np.flatnonzero(odd).tolist()
+        for row, one in zip(rows, _decoded(piece, number, kind.kind.DESCRIPTOR, packet[rows], offset[rows])):
+            if one:
+                messages[row] = kind, encoded(one[1], self._named)
+        return packet[kept], offset[kept], [messages[row] for row in np.flatnonzero(kept).tolist()]
+
+
+def _decoded(
+    piece: Piece, number: int, descriptor: int, packet: Array, offset: Array
+) -> Iterator[tuple[Occurrence, Field] | None]:
+    """Fields as objects; None where there is none."""
+    begin = piece.at[packet] + HEADER + offset
+    size = piece.data[begin - 2].astype(np.int64) - 2
+    for at, length in zip(begin.tolist(), size.tolist()):
+        found = decoded(RawField(number, descriptor, piece.data[at : at + length].tobytes()))
+        yield None if found.kind is None or found.value is None else (of(number, found.kind), found.value)
+
+
+__all__ = ["Messages", "survey"]

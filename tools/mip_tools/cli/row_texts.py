@@ -1,0 +1,92 @@
+"""The values of all rows of a column as text."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..binding import Field, Parameter, info, named
+from ..columns.scan import Array
+from ..columns.text import shortest
+
+if TYPE_CHECKING:
+    from ..columns.column import Column
+
+#: A format, and its arguments: a list for each, with an item for each row.
+Texts = tuple[str, list[list[Any]]]
+
+
+def formatted(template: str, values: list[list[Any]], count: int) -> list[str]:
+    """The text of each row."""
+    return list(map(template.__mod__, zip(*values))) if values else [template % ()] * count
+
+
+def json_object(
+    column: Column[Any],
+    kind: type[Field],
+    device: str | None,
+    names: bool = True,
+    separators: tuple[str, str] = (", ", ": "),
+) -> Texts | None:
+    """The values of a field as a JSON object, as `to_dict` has them; None if they depend on more than a value."""
+    between, after = separators
+    parts: list[str] = []
+    values: list[list[Any]] = []
+    for p in info(kind).members:
+        made = _json(p if device is None else p.on(device), column, names, separators)
+        if made is None:
+            return None
+        parts.append(f"{json.dumps(p.name)}{after}{made[0]}")
+        values += made[1]
+    return f"{{{between.join(parts)}}}", values
+
+
+def _json(p: Parameter, column: Column[Any], names_: bool, separators: tuple[str, str]) -> Texts | None:
+    values = plain(p, column)
+    if values is None:
+        return None
+    if is_named(p):
+        return names(p, values, lambda value: json.dumps(named(p, value) if names_ else value, separators=separators))
+    single, given = singles(values)
+    if single == "%r" and not np.isfinite(values).all():
+        single = "%s"
+        given = [[repr(x) if math.isfinite(x) else "null" for x in each] for each in given]
+    if not p.elements:
+        return single, given
+    between, after = separators
+    return f"{{{between.join([f'{json.dumps(e)}{after}{single}' for e in p.elements])}}}", given
+
+
+def plain(p: Parameter, column: Column[Any]) -> Array | None:
+    """The values of a parameter, if each is a number, a name or a vector, whatever the other values are."""
+    if p.attribute not in column.names or any(v.by != "device" for v in p.variants):
+        return None
+    if p.length is not None or p.scalar in ("char", "bits") or p.kind not in ("scalar", "array"):
+        return None
+    values: Array = column[p.attribute]
+    return None if values.ndim > 1 and is_named(p) else values
+
+
+def is_named(p: Parameter) -> bool:
+    return p.type is not None or p.scalar == "bool"
+
+
+def names(p: Parameter, values: Array, word: Callable[[Any], str]) -> Texts:
+    """Each value that occurs is formatted once."""
+    known, place = np.unique(values, return_inverse=True)
+    as_bool = p.scalar == "bool" and p.type is None
+    words = [word(bool(v) if as_bool and v in (0, 1) else v) for v in known.tolist()]
+    return "%s", [np.array([*words, ""], object)[place.reshape(-1)].tolist()]
+
+
+def singles(values: Array) -> Texts:
+    """How each number is formatted, and the numbers, by elements of a vector."""
+    numbers = shortest(values.reshape(-1)).reshape(values.shape) if values.dtype == np.float32 else values
+    return "%r" if values.dtype.kind == "f" else "%d", numbers.T.tolist() if values.ndim > 1 else [numbers.tolist()]
+
+
+__all__ = ["Texts", "formatted", "is_named", "json_object", "names", "plain", "singles"]
