@@ -1,4 +1,4 @@
-/* Parser, walk and builder: what a firmware that only forwards packets links. */
+/* Parser, walk and builder: firmware that only forwards packets links these. */
 #include "mip/core.h"
 
 extern uint8_t rx[64];
