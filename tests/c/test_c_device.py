@@ -121,7 +121,7 @@ def outcome(f: m.Field, call: calls.Call, function: m.Function | None, values: d
 
 
 def every_call(of: m.Model) -> Iterator[tuple[str, str]]:
-    """The name of a call, and a check of it with values that it can be given."""
+    """The name of a call, and a check of it with values for its arguments."""
     for f in of.fields:
         if f.role != m.COMMAND:
             continue

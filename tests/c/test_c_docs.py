@@ -36,7 +36,7 @@ def plain(text: str) -> str:
 
 
 def documented(text: str) -> dict[str, str]:
-    """Each comment of a header by what it stands before: `mip_x`, `mip_x.member`, `MIP_X`."""
+    """Each comment of a header, by the name that it precedes: `mip_x`, `mip_x.member`, `MIP_X`."""
     text = re.sub(r'extern "C" \{|^#ifdef __cplusplus\n\}', "", text, flags=re.M)
     text = re.sub(r"^((?:(?:MIP_CHECKED )?static inline|MIP_INLINE) [^{]*)\{.*?^\}", r"\1;", text, flags=re.M | re.S)
     found: dict[str, str] = {}
@@ -67,7 +67,7 @@ def is_forward(statement: str) -> bool:
 
 
 def declared(statement: str) -> str:
-    """The name that a declaration gives: the one before its parameters or brackets."""
+    """The name that a declaration declares: the one before its parameters or brackets."""
     pointer = re.search(r"\(\*(\w+)\)", statement)
     if pointer:
         return pointer[1]
@@ -103,7 +103,7 @@ def prose(text: str, of: m.Model) -> str:
 
 
 def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
-    """Where a comment is, and what it must hold."""
+    """The name that a comment precedes, and the texts that it must contain."""
     for f in (of.protocol.acknowledge, *of.fields):
         name = names.field_name(f)
         yield name, [f.title, prose(f.description, of), *said(describe.in_code(f, of)), *describe.sources(f)]

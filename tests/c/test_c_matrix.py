@@ -114,7 +114,7 @@ def test_further_warnings_of_gcc(spec: str, tmp_path: Path) -> None:
         run(need("gcc"), "-std=c99", "-O2", *WARNINGS, *PEDANTIC, include(spec), "-c", source, "-o", tmp_path / "o")
 
 
-#: Of all warnings of clang, those that are not followed. The README gives the reasons.
+#: The warnings of clang that are not heeded. The README states the reasons.
 ACCEPTED = ("bad-function-cast", "declaration-after-statement", "padded", "unsafe-buffer-usage")
 
 

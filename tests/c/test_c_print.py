@@ -40,7 +40,7 @@ def printer(spec: str) -> Path:
 
 
 def ask(spec: str, requests: list[Request]) -> list[tuple[int, str]]:
-    """Of each request (what, device, room, bytes): the length of the whole text, and the text in that room."""
+    """For each request (what, device, room, bytes): the length of the whole text, and the text in that room."""
     lines = "".join(f"{what} {device} {room} {data.hex()}\n" for what, device, room, data in requests)
     done = subprocess.run([str(printer(spec))], input=lines.encode(), capture_output=True)
     assert done.returncode == 0, done.stderr.decode()[-4000:]
@@ -368,7 +368,7 @@ def test_words() -> None:
 
 @small("programs of the real C library")
 def test_a_structure(spec: str) -> None:
-    """The same lines as those of the field, without what is around them."""
+    """The same lines as those of the field, without the lines around them."""
     of = model(spec)
     found = [p for f, p in packets(of, all_fields(of), 2) if decodes(of, p)]
     plain = [field_text(of, p[2], p[5], p[6:-2]).splitlines()[1:] for p in found]

@@ -245,7 +245,7 @@ static void responses(void) {
     struct mip_tools_set_time_slow_response slow;
     struct mip_tools_status_short brief;
 
-    /* There is a place for the response that the values ask for, and for no other. */
+    /* Only the response that the values select can have a place. */
     struct mip_tools_set_time read;
     mip_tools_set_time_read(&read, MIP_MODE_SLOW);
     fresh();

@@ -166,7 +166,7 @@ static void answers(void) {
     COMES(20, 0x01, SETTINGS); /* the caller does not want the response */
     CHECK(is(mip_call_tools_settings_read(&device, 1, MIP_MODE_SLOW, NULL), MIP_ACKNOWLEDGED, 0, MIP_OK));
 
-    /* A filled structure, with an optional parameter; it does not ask for a response. */
+    /* A filled structure, with an optional parameter; its function has no response. */
     struct mip_tools_settings command;
     mip_tools_settings_write(&command, 1, MIP_MODE_FAST, 9600);
     command.limit = 3;
@@ -398,7 +398,7 @@ static void handlers(void) {
         {&mip_measurements_accel_codec, MIP_MORE_SET, NULL, NULL}, /* ignored */
         {&mip_shared_timestamp_codec, MIP_ANY_SET, see, &seen},
         {&mip_measurements_accel_codec, MIP_ANY_SET, see, &seen},
-        {&mip_measurements_accel_codec, MIP_ANY_SET, see, &rest}, /* too late */
+        {&mip_measurements_accel_codec, MIP_ANY_SET, see, &rest}, /* never used: an earlier entry matches */
         {MIP_ANY_FIELD, MIP_ANY_SET, see, &rest},
     };
     fresh(table, 6);
@@ -460,7 +460,7 @@ static void handlers(void) {
     CHECK(mip_device_poll(&device) && seen.count + rest.count == 2);
     CHECK(rest.count > 0 && rest.fields[rest.count - 1].size == 7);
 
-    /* One for the acknowledges of all sets; without an entry for them, all others are dropped. */
+    /* A handler for the acknowledges of all sets; other fields, which have none, are dropped. */
     static const struct mip_handler few[] = {{&mip_protocol_acknowledge_codec, MIP_ANY_SET, see, &seen}};
     fresh(few, 1);
     forget();
@@ -568,7 +568,7 @@ static void parser_time_out(uint32_t start) {
     CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && seen.count == 1);
 }
 
-/* What an observer was told, with what handlers were called in between: "(a)" is a packet with an acceleration, "~" a
+/* The calls of an observer, with those of handlers in between: "(a)" is a packet with an acceleration, "~" a
  * gap of six bytes. */
 static char told[100];
 static uint32_t gap;

@@ -45,7 +45,7 @@ static void presence(void) {
     v.present = MIP_TOOLS_SETTINGS_WITH_RESERVED;
     CHECK(ENCODES(tools_settings, &v, "01010200002580123401"));
 
-    /* Dummy values after what a function requires come back byte for byte. */
+    /* Dummy values after the parameters that a function requires are preserved byte for byte. */
     struct mip_field field = field_of(1, 2, "03070200");
     size_t trailing;
     CHECK(mip_decode(&mip_tools_settings_codec, &v, &field, &trailing) == MIP_OK);
@@ -258,7 +258,7 @@ static void strings(void) {
     CHECK(t.rest_count == 1 && strcmp(t.rest, "k") == 0);
 }
 
-/* Of several layouts of a descriptor, a field is decoded only as the one that it has. */
+/* If a descriptor has several layouts, a field is decoded only as its own one. */
 static void layouts(void) {
     struct mip_tools_status_long wanted;
     struct mip_tools_status_old old;
