@@ -129,7 +129,7 @@ END: Step = {"step": "end"}
 
 
 def brief(event: dict[str, Any]) -> str:
-    """An event in a few words, to compare with what a rule says."""
+    """An event in a few words, to compare with the rule."""
     match event:
         case {"event": "sent", "packet": packet, "commands": commands}:
             first = bytes.fromhex(packet)

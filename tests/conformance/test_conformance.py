@@ -315,7 +315,7 @@ def test_wrong_values_are_refused(language: str, spec: str) -> None:
 
 @each("encode")
 def test_a_shorter_text_of_fixed_length_ends_with_spaces(language: str, spec: str) -> None:
-    """Whether it is empty or only one character short; a longer one is refused. The spaces come back."""
+    """Whether it is empty or only one character short; a longer one is rejected. Decoding returns the spaces."""
     of, chance, requests, wanted = model(spec), chance_of(5), [], list[str | None]()
     for f in all_fields(of):
         data = samples(f, chance)[0]
@@ -439,7 +439,7 @@ NMEA = b"$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n"
 
 
 def streams(spec: str) -> list[bytes]:
-    """Packets among all that can come between them."""
+    """Packets, with everything that can occur between them."""
     chance = chance_of(4)
     packets = sorted({e.packet for e in model(spec).examples})
     packets.append(codec.build(model(spec), 1, []))
