@@ -1,4 +1,4 @@
-/* Lets a unit program run in an emulated AVR: what it prints goes to the serial port, and so does how it ended. */
+/* Lets a unit program run in an emulated AVR: its output and its exit status go to the serial port. */
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>

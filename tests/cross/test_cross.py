@@ -129,7 +129,7 @@ def test_fuzz_targets(target: str, name: str, tmp_path: Path) -> None:
 
 @cache
 def requests(spec: str) -> list[dict[str, Any]]:
-    """All printed packets, values of every field both ways, streams in pieces, and what a client does."""
+    """All printed packets, values of every field both ways, streams in pieces, and conversations of a client."""
     of = model(spec)
     packets = [e.packet.hex() for e in of.examples]
     encode = [encode_request(set_of(f, of), f, values) for f in all_fields(of) for values in drawn(f, 3)]
