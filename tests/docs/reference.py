@@ -86,7 +86,7 @@ def family(s: m.Set, of: m.Model) -> m.Family:
 
 
 def seen(text: describe.Text, prefix: str = "") -> str:
-    """What a reader should see of a text of `describe`; `prefix` is the path of the record of what it names."""
+    """The words that a reader should see for a text of `describe`; `prefix`: the path of the record that it names."""
 
     def ref(r: describe.Ref) -> str:
         match r.thing:

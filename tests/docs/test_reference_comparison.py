@@ -28,7 +28,7 @@ def by_device(row: dict[str, str]) -> dict[str, str]:
 
 
 def matrix(manual: Manual, page: str, title: str) -> dict[str, dict[str, str]]:
-    """What the rows of a table say of each device."""
+    """The cells of a table: row -> device -> text."""
     section = manual.page(page).partition(f"\n## {title}\n")[2].partition("\n## ")[0]
     return {words(next(iter(row.values()))): by_device(row) for t in tables(section) for row in t}
 
@@ -58,7 +58,7 @@ def expected(d: m.Device, f: m.Field, number: int, of: Known) -> str:
 
 @pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
 def test_what_devices_support(manual: Manual, page: str, role: str) -> None:
-    """Every command and data field once in each of its sets, with a cell for every device of which any is known."""
+    """Every command and data field once in each of its sets, with a cell for every device with a known one."""
     of, told = manual.model, known(manual)
     _, *sections = manual.page(f"compare/{page}.md").partition("\n## Devices known by name\n")[0].split("\n## ")
     in_sets = [(s, [f for f in of.fields_in(s) if f.role == role]) for s in of.sets]

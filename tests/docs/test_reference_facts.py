@@ -124,7 +124,7 @@ def in_sets(section: str) -> list[dict[str, str]]:
 
 
 def test_sets_of_a_field(manual: Manual) -> None:
-    """Each with the name of the field there, the devices that send it there, and what the manuals say of it there."""
+    """Each set with the field's name in it, the devices that send it in this set, and its sections in the manuals."""
     of = manual.model
     several = [f for f in of.fields if len(f.occurrences) > 1]
     assert several

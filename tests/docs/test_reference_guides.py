@@ -49,7 +49,7 @@ def page_of(manual: Manual, guide: Guide) -> str:
 
 
 def part_of(manual: Manual, guide: Guide, sequence: Sequence) -> str:
-    """What the page says of one sequence."""
+    """The part of the page about one sequence."""
     number = guide.sequences.index(sequence) + 1
     rest = page_of(manual, guide).partition(f'<a id="{guide.name}.{number}"></a>\n\n')[2]
     return rest[:3] + re.split(r"^## ", rest[3:], maxsplit=1, flags=re.M)[0]
@@ -193,7 +193,7 @@ def test_fields_name_their_guides(manual: Manual) -> None:
 
 
 def program(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
-    """What a program needs, and what it does."""
+    """The imports of a program, and its statements."""
     (block,) = re.findall(rf"^```{language}\n(.*?)^```$", part_of(manual, *play[1:]), re.M | re.S)
     return split(block)
 

@@ -133,7 +133,7 @@ def test_by_the_names_of_the_vendor(manual: Manual) -> None:
     "name", ["descriptors", "names", "types", "units", "vendor", "c", "cpp", "python", "rust", "javascript"]
 )
 def test_size_and_links(manual: Manual, name: str) -> None:
-    """A page is no larger than a browser shows at once; it can be reached from the start and the navigation."""
+    """A page is small enough for a browser; it can be reached from the start and the navigation."""
     assert len(manual.page(f"indexes/{name}.md")) < 600_000
     assert f"(indexes/{name}.md)" in manual.page("index.md")
 
@@ -142,7 +142,7 @@ def test_size_and_links(manual: Manual, name: str) -> None:
 
 
 def symbols(manual: Manual, language: str) -> dict[str, tuple[str, list[str]]]:
-    """The type of each field and type, what it leads to, and what belongs to it."""
+    """Symbol of a field or type -> the anchor to which it leads, and its other symbols."""
     found = [
         (words(row["Symbol"]), ANCHORED.findall(row["Field or type"])[0], re.findall(r"`([^`]+)`", others))
         for row in rows(manual, language)
@@ -233,7 +233,7 @@ print(json.dumps([there, absent]))
 
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_symbols_of_python(spec: str) -> None:
-    """All classes of the package that are fields or types; what is listed with them is there."""
+    """All classes of the package that are fields or types; the symbols listed with them exist."""
     found = {name: others for name, (_, others) in symbols(manual_of(spec), "python").items()}
     done = subprocess.run(
         [sys.executable, "-c", LOOK_UP], cwd=SPECS[spec][1] / "python", input=json.dumps(found),
@@ -246,7 +246,7 @@ def test_symbols_of_python(spec: str) -> None:
 
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_symbols_of_rust(spec: str) -> None:
-    """All types of the modules; what is listed with them is in the same module."""
+    """All types of the modules; the symbols listed with them are in the same module."""
     manual, source = manual_of(spec), SPECS[spec][1] / "rust/src"
     texts = {path.stem: path.read_text("utf-8") for path in (source / "sets").glob("*.rs")}
     texts |= {name: (source / f"{name}.rs").read_text("utf-8") for name in ("types", "protocol")}
@@ -290,7 +290,7 @@ console.log(listed.size, unlisted.length, absent.length);
 @pytest.mark.parametrize("spec", sorted(SPECS))
 @with_node
 def test_symbols_of_javascript(spec: str, tmp_path: Path) -> None:
-    """All that the modules export and that is a field or has names for numbers; what is listed with it is there."""
+    """Every export that is a field or has names for numbers; the symbols listed with it exist."""
     found = [(name, others) for name, (_, others) in symbols(manual_of(spec), "javascript").items()]
     (tmp_path / "node_modules").mkdir()
     (tmp_path / "node_modules/mip-protocol").symlink_to(SPECS[spec][1] / "javascript")

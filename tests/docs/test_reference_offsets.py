@@ -138,7 +138,7 @@ def test_offsets_are_those_of_the_bytes(manual: Manual) -> None:
 
 
 def documented_lengths(manual: Manual, f: m.Field, values: dict[str, Any], filler: Filler) -> set[int]:
-    """The field lengths that the section gives; for a command, after a look at its shortest form."""
+    """The field lengths that the section states; for a command, the length of its shortest form is checked here."""
     section = manual.field(f)
     if f.family == "protocol":
         return {f.max_size + 2}

@@ -1,4 +1,4 @@
-"""The programs on the pages of fields: all of a language in one program, which sends what the pages say."""
+"""The programs on the pages of fields: all of a language run as one program, which sends the packets of the pages."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def asked(manual: Manual) -> list[m.Field]:
 
 
 def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
-    """What a program on a page needs, and what it does."""
+    """The imports of a program on a page, and its statements."""
     (block,) = re.findall(rf"^```{language}\n(.*?)^```$", manual.page(path_of(f)), re.M | re.S)
     return split(block)
 
@@ -41,7 +41,7 @@ def split(block: str) -> tuple[list[str], str]:
 
 
 def ready(manual: Manual, f: m.Field) -> list[bytes]:
-    """The packets that the program of a command sends: the first that the page has, and the first that asks."""
+    """The packets that the program of a command sends: the first on the page, and the first with a response."""
     rows = [words(row["Packet"]) for row in table_with(manual.field(f), "Packet", "Reply")]
     packets = [bytes.fromhex(x) for x in rows if x.startswith("75")]
     shown = manual.samples.shown(f)
@@ -49,7 +49,7 @@ def ready(manual: Manual, f: m.Field) -> list[bytes]:
 
 
 def reply(manual: Manual, packet: bytes) -> bytes:
-    """What a device answers: an acknowledge, and the response that the command asks for."""
+    """The reply of a device: an acknowledge, and the response that the command requests."""
     ((descriptor, data),) = codec.split(manual.model, packet)
     (f,) = (x for x in manual.model.candidates(packet[2], descriptor) if x.role == m.COMMAND)
     values, _ = codec.decode(f, data)
@@ -89,7 +89,7 @@ def run(*command: str | Path, **environment: str) -> str:
 
 
 def check(manual: Manual, output: str) -> None:
-    """Each line: the name of a field, and what its program sent, or that it took the data, or refused broken ones."""
+    """Each line: the name of a field, and what its program sent, or that it decoded data, or rejected broken data."""
     found: dict[str, list[str]] = {}
     for line in output.splitlines():
         name, what = line.split()

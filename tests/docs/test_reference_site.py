@@ -252,7 +252,7 @@ def test_keywords_find_their_fields_first() -> None:
 
 @pytest.fixture(scope="module")
 def page() -> Iterator[browser.Page]:
-    """No network: what is not on disk is missing, and is noticed."""
+    """No network: anything that is not on disk is missed."""
     with browser.page() as opened:
         opened.call(
             "Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1

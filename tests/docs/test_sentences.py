@@ -53,7 +53,7 @@ SENTENCES = [
     ("tools.stripes", "Of all stripes. Unit: deg. Range: -180 to 180."),
 ]
 
-#: What C says in other words.
+#: Sentences that C words differently.
 IN_C = {
     "Occurs in measurements (0x80) and copy (0x92).": "Occurs in MIP_MEASUREMENTS_SET and MIP_COPY_SET.",
 }
