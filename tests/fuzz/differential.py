@@ -24,7 +24,7 @@ Request = dict[str, Any]
 
 
 def request(source: str, data: bytes) -> Request | None:
-    """What an input for parser.c or fields.c asks; None if it is too short."""
+    """The request for an input of parser.c or fields.c; None if it is too short."""
     if source == "parser":
         return {"op": "parse", "stream": data[2:].hex(), "chunk": data[0] % 128 or 1000} if len(data) > 2 else None
     if len(data) < 4 or data[1] in (0, 255):
@@ -94,7 +94,7 @@ def answered(d: Driver, asked: list[Request]) -> list[Any]:
 
 
 def different(asked: list[Request], answers: list[tuple[Driver, list[Any]]]) -> None:
-    """Ends with the first request, made small, that languages answer in different ways."""
+    """Fails with the first request, made small, that languages answer in different ways."""
     first, wanted = answers[0]
     for other, given in answers[1:]:
         for r, w, g in zip(asked, wanted, given, strict=True):
