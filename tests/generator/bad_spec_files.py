@@ -1,6 +1,6 @@
 """The corpus of bad specifications: each file is laid over tests/bad_specs/base and says what is wrong with it.
 
-The first lines of a file tell what happens to it; the whole file, with them, becomes the file of the specification:
+The first lines of a file state what happens to it; the whole file, with them, becomes the file of the specification:
 
     # file: sets/bad.yaml            what it replaces or adds
     # remove: protocol.yaml          a file of the base that is taken away (instead of `file`)
@@ -110,7 +110,7 @@ def reported(bad: BadSpec) -> list[str]:
 
 
 def accept(path: Path) -> None:
-    """The lines that are added move the places, so it takes more than one turn."""
+    """The lines that are added move the places, so this takes more than one turn."""
     for _ in range(3):
         lines = path.read_bytes().split(b"\n")
         head = [line for line in lines if re.match(rb"# (file|remove|target): ", line)]

@@ -1,4 +1,4 @@
-"""What a specification says of answers: silence, and the devices that send a response."""
+"""Answers in a specification: silence, and the devices that send a response."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_devices_that_send_a_layout() -> None:
         gq4, certain=False
     ) == ()
     names = {r.full_name for r in model("real").responses(status)}
-    for d, _ in model("real").supports(status):  # what the notes of the devices say, which cite the source
+    for d, _ in model("real").supports(status):  # the notes of the devices, which cite the source
         note = next((n.description for n in d.notes if n.name == "device_status"), "")
         told = {name for name in names if f"`{name}`" in note}
         assert not told or told == {r.full_name for r in model("real").answers(status, d.id)}, d.id

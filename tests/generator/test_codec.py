@@ -1,4 +1,4 @@
-"""The reference codec: what it reads, what it writes, what it refuses."""
+"""The reference codec: what it decodes, encodes and rejects."""
 
 from __future__ import annotations
 

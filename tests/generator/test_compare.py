@@ -154,7 +154,7 @@ LONGER = """\
 
 
 def test_layouts_that_only_their_size_tells_apart(tmp_path: Path) -> None:
-    """A further layout is an addition; the one that was alone before stays what it was."""
+    """A further layout is an addition; the one that was alone before does not change."""
     for name, more in (("one", STATUS), ("two", STATUS + LONGER)):
         shutil.copytree(BASE, tmp_path / name)
         with (tmp_path / name / TOOLS).open("a") as file:

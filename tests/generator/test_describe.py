@@ -337,7 +337,7 @@ def test_a_quotation_refers_to_descriptors() -> None:
 
 
 def test_what_is_usual_where_a_variant_differs() -> None:
-    """The other side of a migration: without what is known of one device."""
+    """For the other side of a migration: the facts without those about one device."""
 
     def said(field: str, parameter: str, key: str) -> str:
         f = INVENTED.field(field)

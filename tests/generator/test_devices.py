@@ -1,4 +1,4 @@
-"""Devices: the evidence for what they have, what they inherit, and that a further one is one file."""
+"""Devices: the evidence for what they have, and what they inherit; a further device needs one file only."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_what_is_added_and_lacked() -> None:
 
 
 def test_evidence() -> None:
-    """Strongest first; what a device refuses is apart from what it has."""
+    """Strongest first; what a device rejects is kept apart from what it has."""
     c = device("model-c")
     assert [(e.kind, e.answer) for e in c.evidence] == [
         ("documented", "yes"), ("listed", "yes"), ("transcribed", "probable"), ("refused", "no")
@@ -53,7 +53,7 @@ def test_evidence() -> None:
 
 
 def test_firmware() -> None:
-    """Of a set, and of one command."""
+    """The firmware of a set, and of one command."""
     found = {s.name: s.firmware for s in device("model-c").supports if s.firmware}
     assert found == {"more.accel": "> 1.0.07", "more.own": "> 1.0.07", "tools.capture_bias": ">= 1.0, < 1.1"}
     assert [x.firmware for x in device("model-c").limits] == ["< 2.0"]
@@ -182,7 +182,7 @@ def test_device_status() -> None:
 
 
 def test_ports_have_the_names_of_their_device() -> None:
-    """Where a device says what the port in a command means, these are its ports."""
+    """Where a device states the meaning of the port in a command, these are its ports."""
     found = 0
     for d in REAL.devices:
         for v in d.variants:

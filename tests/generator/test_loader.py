@@ -1,4 +1,4 @@
-"""YAML 1.2 scalars, places, and what the schema says in words."""
+"""YAML 1.2 scalars, places, and the messages of the schema."""
 
 from __future__ import annotations
 

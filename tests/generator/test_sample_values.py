@@ -1,4 +1,4 @@
-"""Sample values: what documentation shows is what a user would send or see."""
+"""Sample values: documentation shows values that a user would send or see."""
 
 from __future__ import annotations
 
@@ -263,7 +263,7 @@ def test_what_a_reader_would_send() -> None:
 
 
 def test_the_better_known_a_value_is_the_sooner_it_is_taken() -> None:
-    """A typical value before a printed one, this before what a simulated device shows, a default last."""
+    """A typical value before a printed one, then the value of a simulated device, and a default last."""
 
     def value(name: str, path: str, **given: Any) -> Any:
         of = model("invented")

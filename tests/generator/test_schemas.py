@@ -1,4 +1,4 @@
-"""The schemas are what editors use: each is valid and says what its keys are for, and each YAML file names its own.
+"""The schemas, which editors use: each is valid and says what its keys are for, and each YAML file names its own.
 
 Editors complete units, frames and types from lists in the schema, which follow the specification:
 `PYTHONPATH=generator:tests:tests/generator python tests/generator/test_schemas.py accept` writes them.
@@ -99,7 +99,7 @@ def test_every_property_says_what_it_is_for(path: Path) -> None:
 
 @pytest.mark.parametrize("path", schemas(), ids=lambda p: p.name)
 def test_every_pattern_has_words(path: Path) -> None:
-    """A pattern is a definition, whose description says what the form is; that of a property says what it is for."""
+    """A pattern is a definition, whose description states the form; that of a property states its purpose."""
     schema = json.loads(path.read_text("utf-8"))
     patterns = [s for key, s in rules(schema) if key == "pattern"]
     assert all(s in schema.get("definitions", {}).values() and s["description"][-1] != "." for s in patterns)

@@ -29,10 +29,10 @@ class Runs:
         self.spec = folder / "spec"
         self.out = folder / "out"
         shutil.copytree(spec, self.spec)
-        self.made: dict[str, set[str]] = {}  # target -> what was made anew by the last run
+        self.made: dict[str, set[str]] = {}  # target -> the files that the last run made anew
 
     def run(self) -> m.Model:
-        """Makes what is no longer right since the last run."""
+        """Makes what is out of date since the last run."""
         model = load_model(self.spec)
         slices = Slices(model, self.out, "")
         for name in TARGETS:

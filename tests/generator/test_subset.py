@@ -1,4 +1,4 @@
-"""A part of a specification has what is asked for and what that needs, and nothing else."""
+"""A part of a specification has what was selected and what that needs, and nothing else."""
 
 from __future__ import annotations
 
@@ -122,7 +122,7 @@ def test_a_response_comes_with_its_commands() -> None:
     [("real", "aiding.ned_velocity", "aiding.echo_control"), ("invented", "3d.default", "tools.settings")],
 )
 def test_a_command_comes_with_what_silences_it(spec: str, name: str, setting: str) -> None:
-    """Python's simulator asks for that setting."""
+    """Python's simulator reads that setting."""
     part = select(model(spec), Selection(fields=(name,)))
     assert {name, setting} <= names(part)
     whole(part)

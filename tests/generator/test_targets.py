@@ -1,4 +1,4 @@
-"""What holds for all targets: determinism, no needless writes, stale files, a new language."""
+"""Properties of all targets: determinism, no needless writes, stale files, a new language."""
 
 from __future__ import annotations
 

@@ -194,7 +194,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
 
 
 def test_another_revision_of_the_sdk(tmp_path: Path) -> None:
-    """It may agree where a difference is accepted; what it has besides is named, with its parameters."""
+    """It may agree where a difference is accepted; what it has in addition is named, with its parameters."""
     folder, revision = tmp_path / "witness", tmp_path / "witness.yaml"
     folder.mkdir()
     accepted = (
