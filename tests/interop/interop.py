@@ -34,9 +34,9 @@ BRIEF = ("device_info",)
 OFFLINE = ("mip_packet",)
 MODEL = re.compile(r"3DM-[A-Z]+\d-[A-Z]+(?:/[A-Z]+)?")
 
-#: Of a line of data: the numbers of a vector, or the packet that arrived.
+#: A line of data: the numbers of a vector, or the packet that arrived.
 DATA = re.compile(r"\[ *-?\d+\.\d+, .*|Received a packet .*")
-#: Devices that start at once, so that they answer in time.
+#: How many devices may start at the same time, so that they answer in time.
 STARTING = threading.Semaphore(2)
 
 
