@@ -1,4 +1,4 @@
-// Fills in the form of the builder by its labels, as a reader would; numbers come as texts.
+// Fills in the form of the builder by its labels, as a reader would; numbers are given as text.
 window.fill = (() => {
     const own = (part) => part.querySelector(":scope > label, :scope > legend")?.textContent.trim();
     const at = (path) =>

@@ -276,7 +276,7 @@ def test_what_is_built_is_in_the_address(own: browser.Page) -> None:
     ],
 )
 def test_what_is_no_field_leads_to_the_hits_of_the_finder(own: browser.Page, fragment: str, field: str) -> None:
-    """And to no packet: the first command of the specification is not what was meant."""
+    """It leads to no packet: the first command of the specification is not what was meant."""
     start(own, fragment)
     hits = own.run("[...document.querySelectorAll('.mip-hits li')].map((one) => one.dataset.field)")
     assert (field in hits) if field else not hits

@@ -151,7 +151,7 @@ Bodies = list[tuple[m.Field, codec.Values, dict[str, str]]]
 
 
 def run_python(spec: str, bodies: Bodies) -> None:
-    """What the programs send is what the reference codec encodes."""
+    """The programs send what the reference codec encodes."""
     script = [
         "import sys",
         "class Device:",

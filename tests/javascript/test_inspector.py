@@ -1,4 +1,4 @@
-"""The inspector in Chromium, from disk: what it shows of every printed packet is what the Python binding decodes."""
+"""The inspector in Chromium, from disk: for every printed packet, it shows what the Python binding decodes."""
 
 from __future__ import annotations
 

@@ -101,7 +101,7 @@ window.put = (selector, value) => {
 0
 """
 
-#: Tool -> what a user does there, and what the address has then.
+#: Tool -> the actions of a user, and a part of the address afterwards.
 ACTS = {
     "inspector": (
         "put('#mip-bytes', '75 65 0C 04 04 28 01 04 1B 55'); put('#mip-device', '3dm-cv7-gnss-ins')",
@@ -153,7 +153,7 @@ def test_a_link_opens_the_same_in_another_browser(page: browser.Page, other: bro
     other.open(link)
     other.run("new Promise((done) => setTimeout(done, 300))")
     seen, again = page.run(SEEN), other.run(SEEN)
-    search = {"mip-field", "mip-add"}  # what is typed there is not kept, but what is chosen
+    search = {"mip-field", "mip-add"}  # the address keeps what is chosen there, not what is typed
     assert [x for x in again[0] if x[0] not in search] == [x for x in seen[0] if x[0] not in search]
     assert again[1] == seen[1]
     page.complaints.clear()  # nothing listens at the address that the live view was given
