@@ -1,4 +1,4 @@
-"""mip.json: it has the form that its schema says, nothing of the model is missing, and every name leads somewhere."""
+"""mip.json: it has the form of its schema, nothing of the model is missing, and every name leads somewhere."""
 
 from __future__ import annotations
 
