@@ -50,7 +50,7 @@ static bool is_barrier(uint8_t payload) {
     return payload == 0 || (payload >= FIRST_BARRIER && payload <= 252 && payload % 4 == 0);
 }
 
-/* Any state in which those requests wait that have a bit in `waiting`. */
+/* Any state in which the requests with a bit in `waiting` wait. */
 static void any_state(unsigned waiting) {
     client.waiting = NULL;
     client.timeout = nondet_32();

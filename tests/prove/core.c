@@ -47,7 +47,7 @@ void checksum(void) {
     assert(mip_sum(bytes, size) == (a << 8 | b));
 }
 
-/* What is accepted is exactly one packet with its checksum; what is not changes nothing. */
+/* Bytes that are accepted are exactly one packet with its checksum; others change nothing. */
 void packet(void) {
     const size_t size = any_size(LARGEST);
     const uint8_t *bytes = any_bytes(size);
