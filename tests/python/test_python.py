@@ -640,7 +640,7 @@ def test_awkward_specification(tmp_path: Path) -> None:
     whole = bytes.fromhex("01 02 00010002 00030004 0100")
     assert it.Halves.decode(whole).encode() == whole and it.Halves.decode(whole).bools == (True, False)
     assert all(type(b) is bool for b in it.Halves.decode(whole).bools)
-    for n in range(1, 10):  # a read may carry what it does not need, but no half of it
+    for n in range(1, 10):  # a read may contain what it does not need, but only as a whole
         short, trailing = it.Halves.decode_with_trailing(b"\x02" + whole[1:n])
         assert (short, trailing) == (it.Halves.read(), n - 1) and short.encode() == b"\x02"
     words = it.Words.write(1, (it.Kind.A, 9))

@@ -161,7 +161,7 @@ def test_serial_ports_with_any_time_out(kind: Kind, timeout: float | None, tmp_p
 @pytest.mark.parametrize("answers", [True, False])
 @pytest.mark.parametrize("options", ["", ", timeout=0", ", timeout=20"])
 def test_the_loop_of_the_readme_at_a_serial_port(options: str, answers: bool, tmp_path: Path) -> None:
-    """It neither hangs nor waits for bytes that do not come, whatever the time-out of the port."""
+    """It neither hangs nor waits for bytes that do not arrive, whatever the time-out of the port."""
     text = (ROOT / "generated/python/README.md").read_text("utf-8")
     program = text.split("## Commands")[1].split("```python\n")[1].split("```")[0]
     opening = 'serial.Serial("/dev/ttyACM0", 115200)'

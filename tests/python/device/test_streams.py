@@ -71,7 +71,7 @@ def test_the_bytes_between_packets_are_not_lost() -> None:
         (b"$GPZDA,,,,,,*49\r\n", []),  # a wrong checksum
         (b"$GPZDA,,,,,,*4\r\n$GPZDA,,,,,,\r\n*48\r\n$*00\n\n", []),
         (b"$GPZDA,\xff,,,,,*b7\r\n", []),
-        (b"$GPZDA,,,,,,*48", []),  # the end of the line has not come
+        (b"$GPZDA,,,,,,*48", []),  # the end of the line has not arrived
     ],
 )
 def test_sentences(stream: bytes, found: list[str]) -> None:

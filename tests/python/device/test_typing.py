@@ -102,7 +102,7 @@ def test_the_programs_of_the_readme(number: int) -> None:
     program = blocks()[number]
     virtual = VirtualDevice(DEVICE)
     link = virtual.connect()
-    if number == 1:  # it takes what the device sends already
+    if number == 1:  # it reads what the device already sends
         link.write(bytes(mip_3dm.MessageFormat.write(0x80, (types.DescriptorRate(0x04, 100),)).packet()))
         link.write(bytes(mip_3dm.DataStreamControl.write(0x80, True).packet()))
     with serving(virtual, tcp_at("localhost:0")) as (url,):
