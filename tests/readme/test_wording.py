@@ -1,4 +1,4 @@
-"""`tests/wording.py`, which `make check` runs, sees what it should."""
+"""`tests/wording.py`, which `make check` runs, finds what it should."""
 
 from __future__ import annotations
 
