@@ -32,7 +32,7 @@ def run(*command: str | Path, cwd: Path) -> str:
 
 
 def test_addresses() -> None:
-    """Nothing that is published has an invented address; what is written by hand has that of the specification."""
+    """Nothing that is published has an invented address; hand-written files have that of the specification."""
     address = re.search(r"^url: (\S+)", (ROOT / "spec/protocol.yaml").read_text("utf-8"), re.M)
     for name in ("CITATION.cff", "tools/pyproject.toml"):
         keys = re.findall(
