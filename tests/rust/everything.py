@@ -498,7 +498,7 @@ def as_member(p: m.Parameter, expression: str, value: Any) -> str:
 
 
 def defaults(f: m.Field | m.Struct) -> codec.Values:
-    """The values of a default: zeros, spaces, empty arrays, and what is to be sent where it is reserved."""
+    """The values of a default: zeros, spaces, empty arrays, and the values to send for reserved parameters."""
     values: codec.Values = {}
     for p in f.parameters:
         if p.constant is None and not p.optional:

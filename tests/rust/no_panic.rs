@@ -46,7 +46,7 @@ impl Port for Line {
     }
 }
 
-/// Commands of any type: as they come, and known ones.
+/// Commands whose type is known only at run time, and known ones.
 fn ask(device: &mut Device<Line, 2, 600>, any: &AnyField) {
     let added = device.send_all(1, |request| request.add_any(any));
     if let Ok(ticket) = &added {

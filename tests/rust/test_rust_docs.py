@@ -46,7 +46,7 @@ def comments(files: dict[str, bytes]) -> dict[Item, str]:
 
 
 def unmarked(markdown: str) -> str:
-    """The words of links, and of what is escaped."""
+    """The text without the marks of links and escapes."""
     return re.sub(r"\\(.)", r"\1", re.sub(r"(?<!\\)\[((?:[^][\\]|\\.)*)\](?:\([\w:]+\))?", r"\1", markdown))
 
 

@@ -1,4 +1,4 @@
-"""What cargo-semver-checks says about the crate.
+"""The verdicts of cargo-semver-checks on the crate.
 
 Each test makes two crates from the invented specification. Adding something must be a minor version, removing it a
 major one, as docs/versions.md promises. If there is a release, the crate as it is now is compared with that, and the

@@ -1,5 +1,5 @@
-//! All generic functions of the crate with each type that they are for, so that the compiler makes them. `every_command`
-//! comes from the test.
+//! All generic functions of the crate with each type that they are for, so that they are compiled. The test writes
+//! `every_command`.
 
 #![no_std]
 

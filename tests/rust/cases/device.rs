@@ -178,7 +178,7 @@ fn what_is_not_sent() {
     let request = error_of(error);
     let whole = DeviceError::<io::Error>::from(request);
     assert!(whole.to_string().starts_with("not sent: "));
-    // The text tells the cause, so `source` does not: programs that print both would repeat it.
+    // The text states the cause, so `source` does not: programs that print both would repeat it.
     assert!(whole.to_string().ends_with(&error.to_string()) && whole.source().is_none());
     let broken = tools::Bias::decode(&[]).unwrap_err();
     let whole = DeviceError::<io::Error>::from(CommandError::Undecodable(broken));

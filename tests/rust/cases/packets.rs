@@ -398,7 +398,7 @@ fn the_packets_of_a_slice_borrow_it() {
     assert_eq!(found.next().map(|packet| packet.bytes()), Some(&PING[..]));
     assert_eq!((found.skipped(), found.remainder()), (0, &stream[8..]));
     let last = {
-        let all: Vec<Packet<'_>> = found.by_ref().collect(); // of which one is behind a false sync
+        let all: Vec<Packet<'_>> = found.by_ref().collect(); // one of them is behind a false sync
         assert_eq!(all.len(), 1);
         all[0]
     };
