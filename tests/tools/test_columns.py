@@ -1,4 +1,4 @@
-"""Columns of logs hold what objects hold: every field, any bytes, however a log is cut."""
+"""Columns of logs have the values of objects: every field, any bytes, however a log is cut."""
 
 from __future__ import annotations
 

@@ -67,7 +67,7 @@ def drawn(seed: int, count: int) -> bytes:
 
 
 def rows_of(stream: bytes, by: str, near: int) -> list[dict[str, Any]]:
-    """The rows of a table of all data: name -> value, without what is missing."""
+    """The rows of a table of all data: name -> value, without missing values."""
     parser, at, last = Parser(), 0, {}
     found: list[tuple[int, Packet]] = []
     for one in (*parser.feed(stream), *parser.flush()):
@@ -255,7 +255,7 @@ def read_number(value: Any, single: bool) -> Any:
 
 
 def test_what_belongs_to_one_instant_is_one_row() -> None:
-    """A message in two packets, a set that comes later, and a receiver that repeats the time."""
+    """A message in two packets, a set that arrives later, and a receiver that repeats the time."""
     stream = b"".join([
         packet(0x80, gps(10), accel(1)),
         packet(0x82, gps(10), angles(1)),

@@ -21,7 +21,7 @@ MODEL = "3dm-cv7-gnss-ins"
 
 
 class Wire(LivePort):
-    """A serial line: nothing comes through while the two ends have different rates, or the device is not heard."""
+    """A serial line: nothing passes while its ends have different rates, and nothing is heard at those in `unheard`."""
 
     def __init__(self, device: VirtualDevice, unheard: tuple[int, ...] = (), most: int = 4_000_000) -> None:
         super().__init__(device, "UART 1", speed=50)

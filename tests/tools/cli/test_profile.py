@@ -569,8 +569,8 @@ for id in sys.argv[2:]:
 
 @pytest.mark.parametrize("ids", [pytest.param(FEW, id="few"), pytest.param(ALL, id="all", marks=heavy("all models"))])
 def test_there_and_back(tmp_path: Path, ids: list[str]) -> None:
-    """A device is asked, mipgen generates a package with the answer, and a device of this package is asked: it has the
-    same for certain. The devices of the first package have yes and probable together."""
+    """A device is queried, mipgen generates a package with the result, and a device of this package is queried: it has
+    the same for certain. The devices of the first package have yes and probable together."""
     over, package = tmp_path / "over", tmp_path / "package"
     over.mkdir()
     first = {}

@@ -71,7 +71,7 @@ def test_options_may_stand_between_the_words(
     assert code == 2 and error.endswith("--fast is not recognized; see --help\n")
 
 
-#: What is wrong with the command line itself, not with files, and not with what was found.
+#: Messages about the command line itself, not about files or results.
 MISUSE = (
     "is not a (field|device|stream|data field|data set|TCP port|motion)|has a number above|what format|several|"
     "is unknown|is in every data set"

@@ -124,7 +124,7 @@ def test_it_ends_cleanly(place: str) -> None:
     "words", [("export", "-", "--format", "jsonl", "-o", "-"), ("dump", "-", "--json"), ("stream", "-")]
 )
 def test_a_pipe_is_not_held_back(words: tuple[str, ...]) -> None:
-    """Lines come while the pipe is open, and a moment after their packets."""
+    """Lines are written while the pipe is open, a moment after their packets."""
     process = subprocess.Popen(
         command(*words), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT
     )

@@ -1,4 +1,4 @@
-"""The simulated device, level and at rest, shows what the specification says of one."""
+"""The simulated device, level and at rest, shows the values that the specification states for this."""
 
 from __future__ import annotations
 

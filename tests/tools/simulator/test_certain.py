@@ -23,7 +23,7 @@ def listed(device: VirtualDevice) -> set[tuple[int, int]]:
 
 
 def said(id: str, *answers: Support) -> set[tuple[int, int]]:
-    """What the evidence says, witness by witness."""
+    """The fields for which any evidence has one of these answers."""
     return {
         (set, descriptor)
         for e in devices.DEVICES[id].evidence

@@ -37,7 +37,7 @@ def stream(count: int, seed: int = 0) -> list[bytes]:
 
 
 class Run:
-    """A stream that passes through faults."""
+    """A stream that is sent through `Faults`, and what arrives."""
 
     def __init__(self, sent: list[bytes], seed: int = 0, **options: Any) -> None:
         self.log: list[Injected] = []
@@ -162,7 +162,7 @@ def test_unknown_sets_are_right_packets() -> None:
 
 
 def test_sentences_of_the_device_pass_unharmed() -> None:
-    """Faults are those of packets; the order holds for what else the device sends."""
+    """Faults affect packets only; other bytes that the device sends keep their order."""
     faults = Faults(lose_packet=1.0, delay=0.5)
     text = b"$GPZDA,000000.00,01,01,2024,00,00*6F\r\n"
     assert faults.transmit(0, text) == [(0, text)]

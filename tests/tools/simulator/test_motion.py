@@ -372,7 +372,7 @@ def test_trajectories_that_are_wrong(tmp_path: Path, rows: str, message: str) ->
 
 @pytest.mark.parametrize("seed", range(40))
 def test_any_track_is_smooth(seed: int) -> None:
-    """Random waypoints, short legs and sharp corners among them; those that are refused say why."""
+    """Random waypoints, short legs and sharp corners among them; errors of rejected ones state why."""
     source = Random(seed)
     step = source.choice([1e-4, 1e-3, 1e-2])
     points = [Waypoint(source.uniform(-80, 80), source.uniform(-180, 180), source.uniform(0, 2000))]

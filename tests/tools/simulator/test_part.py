@@ -17,7 +17,7 @@ def path(package: Path) -> dict[str, str]:
     return {"PYTHONPATH": os.pathsep.join((str(ROOT / "tools"), str(package)))}
 
 
-#: Sends every command with several functions, asks for data, and prints what comes back.
+#: Sends every command with several functions, requests data, and prints the replies.
 CONVERSATION = """
 import sys
 from mip_protocol import PacketBuilder, registry

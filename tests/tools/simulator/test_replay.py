@@ -176,7 +176,7 @@ def test_a_log_without_times_needs_a_rate(log: Path) -> None:
 
 
 def test_a_clock_that_is_not_valid_runs_nevertheless(log: Path) -> None:
-    """As on 5-series devices, which have no bits for it; only the week says when the log begins."""
+    """As on 5-series devices, which have no bits for it; only the week determines when the log begins."""
     stamp: Any = TYPES["sensor.gps_timestamp"]
     for week, start in ((0, None), (2300, 2300 * WEEK + 7 * SECOND)):
         log.write_bytes(

@@ -1,4 +1,4 @@
-"""Encoders: every data field of every device is there, within its ranges, and says what is valid."""
+"""Encoders: every data field of every device is there, within its ranges, with correct valid flags."""
 
 from __future__ import annotations
 
