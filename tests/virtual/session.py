@@ -42,7 +42,7 @@ class Witness(Faults):
 
     def __init__(self, **rates: Any) -> None:
         self.injected: list[Injected] = []
-        self.packets: list[tuple[bytes, bytes]] = []  # as sent, and what the line carries in its place
+        self.packets: list[tuple[bytes, bytes]] = []  # as sent, and as it is on the line
         super().__init__(log=self.injected.append, **rates)
 
     def transmit(self, now: int, packet: bytes, line: Hashable = None) -> list[tuple[int, bytes]]:

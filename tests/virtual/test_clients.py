@@ -17,7 +17,7 @@ from virtual.ledger import OUTCOMES, check
 from virtual.scenario import everything, faulty, formats, prepare, silenced
 from virtual.session import KINDS, Session, Witness
 
-#: Devices whose manual says all that they do, and one of which little is known.
+#: Devices with a complete manual, and one of which little is known.
 DEVICES = ("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45", "3dm-gq7")
 
 MANY_SEEDS = "the clients against all devices, with many seeds"

@@ -1,4 +1,4 @@
-"""Each guide, played on the virtual device of each device that it names: answers and data are as it says."""
+"""Each guide, played on the virtual device of each device that it names: answers and data are as it states."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Conversation:
         return (bytes(p) for p in self.parser.feed(self.link.read()))
 
     def data(self) -> list[bytes]:
-        """The packets of a while in which signals come at all pins."""
+        """The packets of some seconds with signals at all pins."""
         found: list[bytes] = []
         limit = self.virtual.profile.limits.get("gpio_pins")
         changes = sorted([(t, False) for t in FALLS] + [(t + LOW_FOR, True) for t in FALLS])

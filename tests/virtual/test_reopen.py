@@ -24,7 +24,7 @@ START = 4
 
 @contextmanager
 def pulled(path: Path, ports: list[str]) -> Iterator[list[str]]:
-    """Devices at these ports, whose cables are pulled again and again, and their places."""
+    """Runs devices at these ports, whose cables are pulled again and again; yields their addresses."""
     devices = [{"device": DEVICE, "ports": [port]} for port in ports]
     events = [{"at": START, "event": "disconnect", "for": 0.02, "every": 0.16}]
     (path / "scenario.yaml").write_text(json.dumps({"devices": devices, "events": events}))
