@@ -56,7 +56,7 @@ def rendered(spec: str) -> dict[str, bytes]:
 
 @cache
 def crate(spec: str) -> Path:
-    """The crate as it is."""
+    """The crate, unchanged."""
     folder = WORK / spec / "mip-protocol"
     with locked(WORK / f"{spec}-crate"):
         output.write(rendered(spec), folder)

@@ -5,7 +5,7 @@
 
 Each change (a mutant) is made in a copy of the project below build/mutate: an operator, a constant, a condition
 turned around, a line dropped, two arguments swapped; in the part `docs`, a fact in the generated documentation. What
-is generated is generated again, and the quick tests of that part run, but for those that would need more than
+is generated is generated again, and the quick tests of that part run, except those that would need more than
 `make test` does; for the workbench those in Chromium, too. What survives is either a gap in the tests or a change
 without effect; a person has to look.
 """

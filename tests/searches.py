@@ -316,7 +316,7 @@ TASKS = {
     "bytes, on a Git host": ("inspector", "tools/inspector.html", "mip dump"),
 }  # fmt: skip
 
-#: What users asked in public: words of theirs, the page, and words of its answer.
+#: What users asked in public: their words, the page, and words of its answer.
 QUESTIONS = {
     "baud rate at startup": ("guides/troubleshooting.html", "Send the same command with save"),
     "stuck at 100 Hz": ("guides/troubleshooting.html", "divides the base rate of the set by a whole number"),

@@ -354,7 +354,7 @@ def expected_encode(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
 
 
 def differences(requests: list[Any], wanted: list[Any], answers: list[Any]) -> str:
-    """The first few answers that are not what they should be, to read; empty if there is none."""
+    """A text with the first few wrong answers; empty if there is none."""
     wrong = [(r, w, a) for r, w, a in zip(requests, wanted, answers, strict=True) if w != a]
     shown = "".join(
         f"\nrequest  {json.dumps(r)}\nexpected {json.dumps(w)}\nanswered {json.dumps(a)}" for r, w, a in wrong[:3]

@@ -39,7 +39,7 @@ SIGNS = {f"{a}{n}": f"{b}{n}" for a, b in (("u", "s"), ("s", "u")) for n in (8, 
 
 @dataclass(frozen=True)
 class Place:
-    """A fact: a kind, the node that holds it, and how to make another of it."""
+    """A fact: its kind, its node, and how to change it."""
 
     kind: str
     node: Node
@@ -167,7 +167,7 @@ def changed(place: Place, choice: random.Random) -> Iterator[None]:
 
 
 def finder() -> str:
-    """What finds a mistake in the specification as it is: validation, a witness, or nothing."""
+    """What finds a mistake in the current specification: validation, a witness, or nothing."""
     problems = Problems()
     try:
         model = load.resolve(documents(), problems)
