@@ -139,7 +139,7 @@ FACTS: list[tuple[str, object]] = [
     (r"GX5-15", "GX5-25"), (r"CV7-GNSS/INS", "CV7-AHRS"), (r"\b(tow|week_number)\b", "reserved"),
 ]  # fmt: skip
 FACT_LINE = re.compile(r"(?i)range|unit|frame|valid|default|support|at least|at most|≤|≥|\[[\w/%°²,. ]+\]")
-#: Comments, imports, and `@dataclass`, whose options only forbid what no code does.
+#: Lines that are left alone: comments, imports, and `@dataclass`, whose options only forbid what no code does.
 NO_CODE = re.compile(r"\s*(//|/\*|\*|#|\{#|import |from |use |@dataclass|$)")
 
 

@@ -58,7 +58,7 @@ def expected(d: m.Device, f: m.Field, number: int, of: Known) -> str:
 
 @pytest.mark.parametrize(("page", "role"), [("commands", m.COMMAND), ("data", m.DATA)])
 def test_what_devices_support(manual: Manual, page: str, role: str) -> None:
-    """Every command and data field once in each of its sets, with a cell for every device with a known one."""
+    """Every command and data field once in each of its sets, with a cell for each device with known fields."""
     of, told = manual.model, known(manual)
     _, *sections = manual.page(f"compare/{page}.md").partition("\n## Devices known by name\n")[0].split("\n## ")
     in_sets = [(s, [f for f in of.fields_in(s) if f.role == role]) for s in of.sets]

@@ -37,7 +37,7 @@ def test_white_noise_has_its_allan_deviation() -> None:
 
 
 def test_drift_has_its_allan_deviation() -> None:
-    """A Gauss-Markov process has its highest one, 0.618 of its deviation, at 1.89 of its correlation time."""
+    """The Allan deviation of a Gauss-Markov process peaks at 1.89 of its correlation time, at 0.618 of its sigma."""
     noise = Noise(3, Random(1), 1e-9, drift=4e-5, period=200.0)
     step = 37.8
     rows = [noise.integral(round(i * step * 1e9)) for i in range(12000)]
