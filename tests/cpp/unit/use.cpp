@@ -327,7 +327,7 @@ void client_without_a_port() {
     CHECK(pps.result() && pps.result()->source() == pps_source::gpio);
     CHECK(shown(stream.result()) == "refused, invalid_parameter");
 
-    // A time-out; then a barrier goes in front, and behind its reply comes that to the next command.
+    // After a time-out, a barrier precedes the next command; what is answered before the barrier is late.
     CHECK(client.send(20, ping).size() == 8);
     client.timeout(300);
     client.receive({}, 1019);

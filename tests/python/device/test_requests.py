@@ -206,7 +206,7 @@ def test_an_answer_that_comes_slowly_behind_noise(kind: Kind, peer: Peer) -> Non
     with kind.at(peer.near, timeout=20.0) as device:
         answer = acknowledge(1, 1)
         peer.send(b"ue\x80\xff", answer[:5])
-        time.sleep(0.2)  # the port is silent for a moment; a longer one changes nothing
+        time.sleep(0.2)  # the port is silent for a moment; how long does not matter
         peer.answering(answer[5:])
         device.request(PING)
 

@@ -262,7 +262,7 @@ struct Session {
     client: Client<SLOTS>,
     parser: Parser,
     now: u32,
-    /// What was sent last from each slot.
+    /// The last command sent from each slot.
     sent: [Option<Sent>; SLOTS],
     /// The requests that have not ended.
     waiting: Vec<Ticket<()>>,
