@@ -36,12 +36,12 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"{_program(given)}: {failure}", file=sys.stderr)
         return failure.status
     except KeyboardInterrupt:
-        return 130  # as shells say it
+        return 130  # the status that shells use
     except BrokenPipeError:  # the reader has stopped, as `head` does
-        # What is still in the buffer would be written, and complained about, at the end.
+        # Otherwise the rest of the buffer would be flushed at exit, with an error message.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
-    except OSError as error:  # of the output: commands say more of their files and ports
+    except OSError as error:  # of the output: commands report errors of their files and ports
         said = error.strerror or error
         print(f"{_program(given)}: standard output cannot be written: {said}", file=sys.stderr)
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -53,7 +53,7 @@ def _program(given: list[str]) -> str:
 
 
 def _usable_streams() -> None:
-    """A stream that is closed is empty, and what its encoding does not have is written by its number."""
+    """Replaces closed streams with empty ones; escapes characters that the output's encoding lacks."""
     if sys.stdin is None:
         sys.stdin = open(os.devnull)
     if sys.stdout is None:
@@ -65,7 +65,7 @@ def _usable_streams() -> None:
 
 
 class _Layout(argparse.RawDescriptionHelpFormatter):
-    """Keeps the lines of examples; the commands are in one column, without a line before them."""
+    """Keeps the line breaks of examples; lists the commands in one column, without a heading line."""
 
     def _iter_indented_subactions(self, action: argparse.Action) -> Generator[argparse.Action, None, None]:
         yield from getattr(action, "_get_subactions", list)()
@@ -127,7 +127,7 @@ def _run(given: list[str]) -> int:
             used = added
             given = getattr(chosen, "shielded", list)(given)
     options, unknown = parser.parse_known_args(given)
-    if unknown and chosen is not None:  # words behind an option, which argparse does not expect
+    if unknown and chosen is not None:  # words after an option, which argparse does not expect
         options, unknown = used.parse_known_intermixed_args(given[1:], argparse.Namespace(command=given[0]))
     if unknown:
         used.error(f"{' '.join(unknown)} is not recognized; see --help")

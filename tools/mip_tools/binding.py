@@ -93,7 +93,7 @@ def _importable(module: str) -> bool:
 
 
 def _in_folder(folder: Path) -> str:
-    """The package that is this folder, or the only one in it; made importable."""
+    """Makes a package importable, which is this folder or the only one in it; returns its name."""
     packages = [p.parent for p in (folder / f"{_MARK}.py", *sorted(folder.glob(f"*/{_MARK}.py"))) if p.is_file()]
     if len(packages) != 1:
         which = ", ".join(p.name for p in packages)
@@ -116,7 +116,7 @@ def module(home: str) -> ModuleType:
 
 @cache
 def data(file: str) -> dict[str, Any]:
-    """A file of the package with facts for tools, in JSON."""
+    """Reads a JSON file of the package, with facts for tools."""
     made = definitions.simulation(name()) if file == "simulation.json" else None
     if made is not None:
         return made
@@ -154,7 +154,7 @@ _USED = {
     "text": "meant named shortest",
     "timestamps": "MOST REACH SECOND from_date headers moments moments_of utc",
 }
-#: Modules that they use as such.
+#: Modules that the tools use as a whole.
 _MODULES = ("lookup", "reflection", "registry", "timestamps", "wire")
 _HOMES = {name: home for home, names in _USED.items() for name in names.split()}
 

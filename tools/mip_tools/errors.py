@@ -12,7 +12,7 @@ class Failure(Exception):
 
 
 class Misuse(Failure):
-    """A command line that is wrong: an unknown name, a value that cannot be."""
+    """A wrong command line: an unknown name, an impossible value."""
 
     def __init__(self, text: str) -> None:
         super().__init__(text, 2)

@@ -9,7 +9,7 @@ from .binding import SETS, Field, lookup, registry
 
 
 class Occurrence(NamedTuple):
-    """A pair as those of `registry.all_types`. What is in every set is one: 0xFF, or 0 of the acknowledge."""
+    """A pair as in `registry.all_types`. A field of every set occurs once: in 0xFF, or in 0 for the acknowledge."""
 
     set: int
     kind: type[Field]

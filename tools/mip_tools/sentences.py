@@ -29,7 +29,7 @@ class Sentences:
         return [sentence for _, sentence in self.placed(data)]
 
     def placed(self, data: bytes) -> list[tuple[int, str]]:
-        """The same, and where each begins: after so many bytes of all that were given."""
+        """The same, and where each begins, counted in all the bytes that were fed."""
         self._line += data
         *lines, rest = self._line.split(b"\n")
         found = []
@@ -53,7 +53,7 @@ def last(line: bytes | bytearray) -> tuple[int, str] | None:
         byte = line[at]
         if not 0x20 <= byte <= 0x7E:
             return None
-        # Texts may have such a character, too: the checksum tells.
+        # Texts may contain such a character, too: the checksum decides.
         if byte in b"$!" and checksum == wanted and at + 1 < end.start():
             return at, line[at:].rstrip(b"\r").decode("ascii")
         checksum ^= byte

@@ -1,10 +1,10 @@
 """The interface of a release as text, for each binding and the wire: a line for each symbol, member and value.
 
     make interface      writes interface/ when a version is released
-    make check          says what the sources have changed since, and whether the version says so
+    make check          lists what has changed in the sources since, and checks that the version reflects it
 
-The lines are read from the output, whose form the formatters decide, so that finished source and what templates make
-are looked at alike. Comments, bodies of functions and what is private are not part of the interface.
+The lines are read from the output, whose form the formatters decide, so that finished source and the output of
+templates are treated alike. Comments, bodies of functions and private names are not part of the interface.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ def wire(out: Path) -> Iterator[str]:
         yield from parameters(f)
 
 
-#: Of a parameter: what decides its bytes, and what they mean.
+#: The keys of a parameter that decide its bytes and their meaning.
 DECIDES = (
     "type",
     "length",
@@ -122,7 +122,7 @@ def parameters(of: dict[str, Any]) -> Iterator[str]:
 
 
 def declarations(text: str) -> Iterator[tuple[str, ...]]:
-    """What is declared, behind the scopes around it; what stands in the braces of a function is left out."""
+    """The declarations, each after the scopes around it; the bodies of functions are left out."""
     text = re.sub(
         r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', lambda x: x[0] if x[0][0] == '"' else " ", text, flags=re.S
     )
@@ -159,12 +159,12 @@ SCOPE = re.compile(
 
 
 def lists(scopes: list[str]) -> bool:
-    """In these, a comma separates: enumerators, and members in Rust."""
+    """Do commas separate the items of this scope, as of enumerators, and of members in Rust?"""
     return bool(scopes) and bool(re.search(r"\benum\b|^pub struct|!( \w+)?$|: u\d+$", scopes[-1]))
 
 
 def behind(text: str, at: int) -> int:
-    """Behind the brace that closes what was opened before this place."""
+    """The place after the brace that closes the one opened before this place."""
     depth = 1
     while depth and at < len(text):
         depth += (text[at] == "{") - (text[at] == "}")
@@ -219,7 +219,7 @@ def rust(out: Path) -> Iterator[str]:
 
 
 def seen(*scopes: str) -> bool:
-    """Of Rust: whether it is public, in what is."""
+    """Is an item of Rust public, and everything around it?"""
     *outer, last = scopes
     if (outer and not seen(*outer)) or "pub(" in last:
         return False

@@ -1,12 +1,12 @@
-// State that all tools share, and the address that holds it: `#device=3dm-cv7-ins&streams=sensor.scaled_accel@100`.
+// State that all tools share, and the address that contains it: `#device=3dm-cv7-ins&streams=sensor.scaled_accel@100`.
 
-/** What an address can have: each is a text, and belongs to all tools. */
+/** The keys of an address: the value of each is a text, which all tools share. */
 const KEYS = ["device", "bytes", "find", "packet", "streams", "serve"];
 
 /** Pages of tools, which lie beside each other. */
 const PAGE = /(?:^|\/)(?:bandwidth|builder|finder|inspector|live)\.html$/;
 
-/** Longer texts are not addresses that people can send. */
+/** Texts longer than this are left out: people could not send such an address. */
 const LONGEST = 30_000;
 
 /** Milliseconds between two addresses: browsers refuse to change them often. */
@@ -25,7 +25,7 @@ function decoded(text) {
     }
 }
 
-/** The state that a fragment holds; `given` is a text of another form, which each tool reads in its own way. */
+/** The state in a fragment; `given` is a text of another form, which each tool reads in its own way. */
 export function stateOf(text) {
     const parts = text.split("&").map((part) => /^(\w+)=(.*)$/s.exec(part));
     if (!text || !parts.every((part) => part && KEYS.includes(part[1]))) return { given: decoded(text) };
@@ -62,7 +62,7 @@ export class State {
         return this.#values[key] ?? "";
     }
 
-    /** Changes some texts, and the address. What was given in another form is left behind. */
+    /** Changes some texts, and the address. A text of another form is dropped. */
     set(changed) {
         this.adopt(changed);
         clearTimeout(this.#timer);

@@ -45,7 +45,7 @@ export function allOperations(field) {
     return field.operations.flatMap((op) => (op.kind === "group" ? op.body : [op]));
 }
 
-/** Values as JavaScript has them: the model has the bits of floats. */
+/** Values as JavaScript numbers: the model has the bits of floats. */
 function numbersOf(protocol, record, values) {
     const found = {};
     for (const op of record.operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
@@ -188,8 +188,7 @@ export function shownOperations(protocol, field, values) {
 // ------------------------------------------------------------------------------------------------ devices
 
 /**
- * What a device says of a field in a set: an entry of its `supports`; without a device, of any field; responses go with
- * commands.
+ * The entry of a device's `supports` for a field in a set, of the command for a response; without a device, an empty one.
  */
 export function supportOn(protocol, device, field, set) {
     if (!device || field === protocol.acknowledge) return {};
@@ -252,9 +251,8 @@ function variantText({ type, units, minimum, maximum, default: usual, only, cons
 // ------------------------------------------------------------------------------------------------ answers
 
 /**
- * What a command is answered with: `silent`, why there is no answer; `acknowledge`, the packet if nothing else
- * comes; `responses`, each with the field, the condition under which it is directly behind the acknowledge, and a packet
- * with typical values.
+ * The answer to a command: `silent`, why there is none; `acknowledge`, the packet without a response; `responses`, each
+ * with the field, the condition under which it directly follows the acknowledge, and a packet of typical values.
  */
 export function answerOf(protocol, field, values) {
     const call = field.calls ? protocol.functions.get(Number(values.function)) : undefined;

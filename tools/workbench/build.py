@@ -30,12 +30,12 @@ TOOLS = {
     "live": "Live device",
 }
 
-#: By this name the tools import the package with the codec, whatever it is called.
+#: The name by which the tools import the package with the codec, whatever its own name is.
 CODEC = "mip-protocol"
 
 
 class Failure(Exception):
-    """Something that the user can put right."""
+    """A mistake that the user can correct."""
 
 
 # The forms of statements that modules use; Biome writes each at the beginning of a line.
@@ -49,7 +49,7 @@ _OTHER = re.compile(r"^(?:import|export)\b.*", re.M)
 
 
 class Bundle:
-    """Modules as functions, each behind those that it imports. What a module exports is in `modules`, by its path."""
+    """Modules as functions, each after those that it imports. The exports of a module are in `modules`, by its path."""
 
     def __init__(self, package: Path) -> None:
         self.package = package.resolve()
@@ -129,7 +129,7 @@ def _known(text: str, place: int) -> bool:
 
 
 def _pairs(names: str, form: str) -> list[str]:
-    """Each of `a, b as c` in a form that takes the name there and the name here."""
+    """Each of `a, b as c` in a form that takes the exported and the local name."""
     found = (name.strip().partition(" as ") for name in names.split(",") if name.strip())
     return [form.format(there, here or there) for there, _, here in found]
 
@@ -181,7 +181,7 @@ def searched(model: dict[str, Any]) -> dict[str, Any]:
 
 
 def _supported(device: dict[str, Any], numbers: dict[str, int]) -> dict[str, list[int]]:
-    """The numbers of the fields that a device has: surely, probably, and not."""
+    """The numbers of the fields that a device has for certain, probably, and not."""
     answers: dict[str, set[int]] = {"yes": set(), "probable": set(), "no": set()}
     for one in device["supports"]:
         answers[device["evidence"][one["evidence"]]["answer"]].add(numbers[one["field"]])

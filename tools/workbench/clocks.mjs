@@ -5,13 +5,13 @@ import { decodeData, MipError } from "mip-protocol/tools";
 /** Seconds of the units of time. A timestamp is the sum of all parameters that have one of them. */
 const UNITS = { week: 604_800, s: 1, ms: 1e-3, us: 1e-6, ns: 1e-9 };
 
-/** So many equal intervals are a rhythm. */
+/** The number of equal intervals that make a rhythm. */
 const STEADY = 5;
 
 /** Intervals that differ by less are equal. */
 const EQUAL = 0.1;
 
-/** An interval of so many times the usual one is a gap. */
+/** An interval of this many times the usual one is a gap. */
 export const GAP = 1.5;
 
 /**
@@ -93,7 +93,7 @@ export class Rhythm {
     #last; // time
     #run = 0; // the interval that repeats, and how often it came
     #count = 0;
-    #open = []; // gaps behind which the usual interval has not come again
+    #open = []; // gaps after which the usual interval has not come again
 
     /** Takes the next time of `Clocks`; returns the gaps that are known now: { at, seconds, lost, mark }. */
     add(time, mark) {
@@ -117,7 +117,7 @@ export class Rhythm {
         return [];
     }
 
-    /** Hz; undefined of what is not regular. */
+    /** The rate in Hz; undefined if it is not regular. */
     get rate() {
         return this.usual && 1 / this.usual;
     }

@@ -13,7 +13,7 @@ export function element(tag, attributes = {}, ...children) {
 }
 
 /**
- * Where the reference has things. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage`,
+ * Links into the reference. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage`,
  * `options.inspectorPage` and `options.builderPage` are addresses with {set}, {page}, {field} and {packet} in them; that of
  * an erratum has its {manual}, {severity} and {id}. Without one, there are no links. A response is on the page of its command.
  */
@@ -49,11 +49,11 @@ function link(href, words) {
 export function profileNote(device) {
     if (!device?.incomplete) return undefined;
     const unknown = device.incomplete.join(" ").replaceAll("`", "");
-    const marked = "Fields that it probably has, or of which nothing is known, are offered and marked.";
+    const marked = "Fields whose support is probable or unknown are offered and marked.";
     return element("p", { class: "mip-note" }, `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
 }
 
-/** Words behind the name of a field that a device does not have for certain. */
+/** Words after the name of a field that a device does not have for certain. */
 export function mark(certainty) {
     return certainty ? ` (${certainty})` : "";
 }

@@ -1,4 +1,4 @@
-// What a search needs, without the tools: it works with the part of the model that `build.py` leaves it.
+// The exports for a search, without the tools: it works with the part of the model that `build.py` keeps for it.
 
 export { nameIn, placesOf, Protocol } from "mip-protocol/tools";
 export { codeIn, corrected, find, indexOf, knownWords, packetIn } from "./find.mjs";

@@ -4,7 +4,7 @@ import { placesOf, sameBytes } from "mip-protocol/tools";
 import { bytesOfText } from "./pasted.mjs";
 import { pairOf, spacedHex } from "./words.mjs";
 
-// Where a word is found counts: the smaller, the better.
+// Ranks by the place at which a word is found: the smaller, the better.
 const EXACT = 0;
 const VENDOR = 0.5;
 const BEGINNING = 1;
@@ -17,7 +17,7 @@ const PLACES = [TITLE, WORDS, PARTS, TEXT];
 const ASKED_CODE =
     /^(?:mip )?(?:error|nack|n?ack code|ack\/nack|return code|code|err|result|reply)(?: code)?\s*[:=#]?\s*(?:0x([0-9a-f]{1,2})|(\d{1,2}))$/i;
 
-/** Bytes of a packet before its payload: what is shorter may be a descriptor. */
+/** Bytes of a packet before its payload: a shorter text may be a descriptor. */
 const FRAME_HEAD = 4;
 
 /** An index of all fields, for `find`. */
@@ -127,7 +127,7 @@ function entryRank(field) {
 // Words and marks that people write around the numbers.
 const AROUND = /\b(?:command|data|desc|descriptor|field|set)\b|[\s,:;/.()[\]{}=-]+/g;
 
-// 0x4, 4h, 04; and 4, which is a descriptor only behind a set.
+// 0x4, 4h, 04; and 4, which is a descriptor only after a set.
 const NUMBER = /^(?:0x([0-9a-f]{1,2})h?|([0-9a-f]{1,2})h|([0-9a-f]{2}))$/;
 const DIGIT = /^([0-9a-f])$/;
 const TOGETHER = /^(?:0x)?([0-9a-f]{2})(?:0x)?([0-9a-f]{2})h?$/;
@@ -189,7 +189,7 @@ function vendorWordsOf({ model, functions }) {
     };
 }
 
-/** All words of some texts, with a space before and behind each. */
+/** All words of some texts, with a space before and after each. */
 function spaced(...texts) {
     return ` ${[...new Set(wordsOf(texts.join(" ")))].join(" ")} `;
 }
@@ -263,7 +263,7 @@ function rankOfSymbol(entry, query, several) {
     let rank = Infinity;
     for (const name of entry.squashed) {
         if (name === query) return EXACT;
-        // A symbol with more behind it: mip_base_ping_encode, PpsSourceControl::write. The longest name is meant.
+        // A symbol with more after it: mip_base_ping_encode, PpsSourceControl::write. The longest name is meant.
         if (name.length > 6 && !several && query.startsWith(name)) rank = Math.min(rank, BEGINNING + 1 / name.length);
         else if (name.startsWith(query)) rank = Math.min(rank, BEGINNING + 0.9);
     }

@@ -1,4 +1,4 @@
-// The forms of the builder: what a field takes, parameter by parameter, and what a device says of it.
+// The forms of the builder: the parameters of a field, and the differences on a device.
 
 import {
     countOptional,
@@ -90,7 +90,7 @@ function deviceNotes(protocol, { device, set }, field) {
     ];
 }
 
-/** Parameters that no function requires come one after another, and go the other way round. */
+/** Buttons for the optional parameters, which are added one after another and removed in reverse order. */
 function optionalButtons(protocol, entry, events) {
     const { field, values } = entry;
     const groups = optionalGroups(protocol, field, values.function);

@@ -161,7 +161,7 @@ function rateInput({ protocol, device, values, outer }, set) {
         number.value = String(decimation(base, wanted));
         set(Number(number.value));
     });
-    rate.addEventListener("change", tell); // the nearest that there is
+    rate.addEventListener("change", tell); // shows the nearest possible rate
     tell();
     return [number, " = ", rate, " Hz"];
 }
@@ -189,7 +189,7 @@ function numberOfText(text, kind) {
     return trimmed;
 }
 
-/** What is not a number, or too large, stays a text, which is refused when it is encoded. */
+/** A text that is not a number, or too large a one, stays a text, which is rejected when it is encoded. */
 function floatOfText(text) {
     const words = { nan: NaN, inf: Infinity, infinity: Infinity, "-inf": -Infinity, "-infinity": -Infinity };
     if (Object.hasOwn(words, text.toLowerCase())) return words[text.toLowerCase()];
@@ -236,7 +236,7 @@ function bitsInput(name, type, value, set) {
     return group(name, type.description, [labelled("value", whole), ...controls]);
 }
 
-/** The bytes of a bitfield of bytes; what is not a number, or too large, is an error when it is encoded. */
+/** The bytes of a bitfield of bytes; any other value, or too large a one, is an error when it is encoded. */
 function littleEndian(number, size) {
     if (typeof number !== "bigint" || number < 0n || number >> BigInt(8 * size)) return [number];
     return Array.from({ length: size }, (_, i) => Number((number >> BigInt(8 * i)) & 0xffn));

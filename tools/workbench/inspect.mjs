@@ -23,8 +23,8 @@ import { baseOf } from "./stream.mjs";
 import { choicesOf, hexByte, pathText, shown } from "./words.mjs";
 
 /**
- * What a text of bytes consists of, each part as `segments` returns it; packets also have `set`, `fields`, `misprints`, and
- * the checksum that is right, and other bytes `why`: what keeps those that begin like a packet from being one.
+ * The parts of a text of bytes, as `segments` returns them; packets also have `set`, `fields`, `misprints`, and the correct
+ * checksum, and other bytes `why`: the faults of those that begin like a packet.
  *
  * @param device the id of a device, whose readings are used where they differ
  */
@@ -41,7 +41,7 @@ export function inspectBytes(protocol, bytes, device = undefined) {
 
 /**
  * Commands with their answers, in the order of the commands: { command, answer, response }, fields as parts have them. An
- * answer belongs to the first command of its set and descriptor that has none; what is directly behind it is its response.
+ * answer belongs to the first command of its set and descriptor that has none; its response directly follows it.
  */
 export function transactionsOf(parts) {
     const found = [];

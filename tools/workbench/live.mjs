@@ -56,7 +56,7 @@ class Live {
     #readings;
     #recording;
     #streaming = false;
-    #shown = new Map(); // key of a field -> what shows it
+    #shown = new Map(); // key of a field -> the elements that show it
     #chooser;
     #builder;
     #timer;
@@ -139,7 +139,7 @@ class Live {
             element(
                 "details",
                 {},
-                element("summary", {}, "What a browser cannot do"),
+                element("summary", {}, "Limits of a browser"),
                 element(
                     "ul",
                     {},
@@ -267,7 +267,7 @@ class Live {
         this.#read(device);
         this.#parts.connected.hidden = false;
         this.#parts.connect.hidden = true;
-        this.#say("Connected; asking the device what it is …");
+        this.#say("Connected; identifying the device …");
         await this.#identify(device);
     }
 
@@ -314,7 +314,7 @@ class Live {
         this.#parts.connect.hidden = false;
     }
 
-    /** A button that connects once more, and starts the streams again that were on. */
+    /** A button that connects once more, and restarts the streams that were on. */
     #offer(words) {
         const streaming = this.#streaming;
         const again = async () => {
@@ -480,7 +480,7 @@ class Live {
                 element("li", {}, `${done.same.length} already as in the file`),
                 said(done.written, "written, until the next power-off"),
                 said(done.refused, "rejected by the device"),
-                said(done.different, "written, and read back otherwise"),
+                said(done.different, "written, but read back with other values"),
                 said(done.left, "left out, because the connection may end"),
             );
         });
@@ -508,7 +508,7 @@ class Live {
 
     // ------------------------------------------------------------------------------------------------ data
 
-    /** The numbers, several times per second. */
+    /** Updates the numbers, several times per second. */
     #show() {
         if (!this.#device) return;
         const now = Date.now() / 1000;
@@ -574,7 +574,7 @@ class Live {
         return { reading, canvas, update };
     }
 
-    /** The pictures, with each frame of the screen. */
+    /** Draws the pictures, with each frame of the screen. */
     #draw() {
         const now = Date.now() / 1000;
         let attitude;

@@ -10,7 +10,7 @@ import { hexByte } from "./words.mjs";
 const LISTED = 50;
 
 /**
- * A panel for logs: `chooser`, what a file is chosen with; `output`; and `acceptDrops(element)`.
+ * A panel for logs: `chooser`, the input for a file; `output`; and `acceptDrops(element)`.
  *
  * @param show returns the elements for parts of bytes; device returns the id of the device whose readings are used
  */

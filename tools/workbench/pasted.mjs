@@ -1,7 +1,7 @@
 // Bytes in any form in which people write them.
 
 /**
- * The forms, in the order in which they are looked for: a pattern, and what reads its text. Without a reader, the text has
+ * The forms, in the order in which they are looked for: a pattern, and the reader of its text. Without one, the text has
  * digits but no bytes. Decimal numbers, base64 and pairs with dots must begin with the sync bytes, because other things
  * look like them; and a comment in which they are, or that has nothing but bytes, is read.
  */
@@ -55,7 +55,7 @@ export function bytesOfText(text) {
 
 /**
  * The lines of hex dumps without what is around the bytes. A number at the beginning is an offset if it begins with zeros,
- * or is as far from that of the line before or behind as the bytes reach; one with a colon is left, to be shown as ignored.
+ * or is as far from that of the line before or after as the bytes reach; one with a colon is left, to be shown as ignored.
  */
 function withoutOffsets(lines) {
     const dumped = lines.map((line) => {

@@ -26,7 +26,7 @@ export class Readings {
         return [...this.fields.values()].reduce((sum, { rhythm }) => sum + rhythm.lost, 0);
     }
 
-    /** The streams begin anew: what was not sent meanwhile is not missing. */
+    /** Starts the rhythms anew: samples that were not sent meanwhile are not missing. */
     restart() {
         for (const reading of this.fields.values()) reading.rhythm = new Rhythm();
     }
@@ -87,7 +87,7 @@ class Reading {
         }
     }
 
-    /** Hz by the clock of the device; without a rhythm by it, arrivals per second. */
+    /** The rate in Hz by the clock of the device; without a rhythm, arrivals per second. */
     rate(now) {
         if (this.rhythm.rate) return this.rhythm.rate;
         const first = this.times.findIndex((time) => time > now - WINDOW);

@@ -47,7 +47,7 @@ export function report(protocol, { device, set, entries }, packet, to) {
     ];
 }
 
-/** The programs of a field, and what it is answered with. */
+/** The programs of a field, and its answer. */
 function entryReport(protocol, { field, values }, several, to) {
     const heading = several ? [element("h2", {}, to.field(field))] : [];
     const answer = field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : [];
@@ -115,7 +115,7 @@ function answerReport(protocol, field, values, to) {
         ),
         listed.length > 0 && element("ul", {}, listed),
         listed.length > 0 && unless && element("p", {}, unless),
-        element("p", {}, "A refusal is an acknowledge with another code, without a response."),
+        element("p", {}, "A NACK is an acknowledge with another code, without a response."),
     ].filter(Boolean);
 }
 

@@ -1,4 +1,4 @@
-// The bytes of a packet and what they mean, linked by colours: who points at one sees the other.
+// The bytes of a packet and what they mean, linked by colours: pointing at one highlights the other.
 
 import { nameIn } from "mip-protocol/tools";
 import { copyButton, count, element, table } from "./dom.mjs";
@@ -10,7 +10,7 @@ const COLOURS = 6;
 /** Elements whose bytes and rows are linked. */
 const linked = new WeakSet();
 
-/** The bytes of a packet, in pieces: what belongs to a value has its colour. `part` is one of those that `inspect` returns. */
+/** The bytes of a packet, in pieces: those of a value have its colour. The argument is a part that `inspect` returns. */
 export function ruler({ bytes, kind, fields }) {
     const pieces = [];
     let at = 0;
@@ -35,7 +35,7 @@ export function ruler({ bytes, kind, fields }) {
     return element("code", { class: "mip-packet-bytes" }, ...pieces.flatMap((piece, i) => (i ? [" ", piece] : [piece])));
 }
 
-/** Shows in a part of a page which bytes and which row belong to each other. */
+/** Highlights bytes and rows that belong together, in a part of a page. */
 export function linkRows(root) {
     if (linked.has(root)) return;
     linked.add(root);

@@ -1,4 +1,4 @@
-// The settings of a device as a file: which there are, and how they are read and written, one command after another.
+// The settings of a device for a file: lists them, reads and writes them, one command after another.
 
 import { decodeData, FIRST_DATA_SET, MipError, namedType, sameBytes, SHARED_SET } from "mip-protocol/tools";
 import { certaintyOn, packetOf } from "./build.mjs";
@@ -9,7 +9,7 @@ const LINK = ["protocols", "communication_mode", "baud_rate"];
 /** Settings with these effects are written last, in this order. */
 const LAST = ["format", "sentences", "switch"];
 
-/** How often what the device has rejected, or others have changed, is written again. */
+/** How often settings that the device has rejected, or others have changed, are written again. */
 const ROUNDS = 3;
 
 /** The number of instances to read where the specification does not state it. */
@@ -30,14 +30,14 @@ export function settingsOf(protocol, device) {
     );
 }
 
-/** What a setting is made of: not the function, nor what follows from the rest, nor what is reserved. */
+/** The parameters of a setting, without the function, derived ones and reserved ones. */
 export function parametersOf(field) {
     return field.parameters.filter(
         ({ selector, counts, constant, reserved }) => !selector && [counts, constant, reserved].every((one) => one === undefined),
     );
 }
 
-/** The parameters that select an instance: what is required to save a setting. */
+/** The parameters that select an instance: those that are required to save a setting. */
 export function keysOf(field) {
     const names = parametersOf(field).map(({ name }) => name);
     return callOf(field, "save").required.filter((name) => names.includes(name));
@@ -61,7 +61,7 @@ export function instancesOf(protocol, device, field) {
     return { instances: found, open };
 }
 
-/** The values that select an instance; undefined where nothing says how many there are. */
+/** The values that select an instance; undefined where their number is not known. */
 function valuesOf(protocol, device, parameter, known, beside) {
     const pairs = (of) => new Map(of ?? []);
     const source = pairs(known.instances).get(parameter.name);
@@ -181,8 +181,8 @@ function inOrder(protocol, settings) {
 }
 
 /**
- * Writes the settings of a file that differ from those of the device, and reads them back. What the device rejects is tried
- * again once others are written, on which it may depend. Returns { written, same, refused, different, left }, arrays of
+ * Writes the settings of a file that differ from those of the device, and reads them back. Rejected ones are tried again
+ * once others, on which they may depend, are written. Returns { written, same, refused, different, left }, arrays of
  * settings; `left` may end the connection and is not written. Raises a MipError, before anything is written, if the device
  * lacks a setting.
  */

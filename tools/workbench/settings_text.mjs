@@ -10,7 +10,7 @@ const HEAD = `# Settings of a device. \`mip config push PORT FILE\` writes them 
 # them. A setting that is removed from the file remains as it is on the device.
 `;
 
-/** A parameter as it is beside some values, and on a device. */
+/** A parameter in the form that it has with some other values, and on a device. */
 export function here(protocol, parameter, beside, device) {
     const holds = (one) => !one.member && (one.by === "device" ? one.key === device?.id : one.value === Number(beside[one.by] ?? NaN));
     const { type, ...changed } = Object.assign({}, parameter, ...(parameter.variants ?? []).filter(holds));
@@ -135,7 +135,7 @@ function word(text) {
 const KEYS = ["model", "firmware", "date", "settings"];
 
 /**
- * What a file says: { model, settings }, each { field, values, packet, place }. Checks all of it, for a device if one is given,
+ * The content of a file: { model, settings }, each { field, values, packet, place }. Checks all of it, for a device if given,
  * and raises a MipError with all mistakes, one in each line.
  */
 export function settingsIn(protocol, text, device) {
@@ -416,7 +416,7 @@ function wholeOf(text) {
     return Number.isSafeInteger(Number(value)) ? Number(value) : value;
 }
 
-/** A limit is inside as the number that the parameter can hold. */
+/** Is a value within its limits, rounded to the type of the parameter? */
 function isInside({ minimum, maximum, above, below, constant }, value, { kind, size }) {
     const held = (limit) => (kind === "float" && size === 4 ? Math.fround(limit) : limit);
     if (kind === "float" && !Number.isFinite(value)) return false;
@@ -443,7 +443,7 @@ function rangeOf({ minimum, maximum, above, below, constant, units }) {
     return units?.length === 1 && units[0] !== "1" ? `${text} ${units[0]}` : text;
 }
 
-/** Values with those that are reserved, which no file has; of structures too. */
+/** Adds reserved values, which no file has; in structures, too. */
 function withReserved(record, given, required = record.parameters.map(({ name }) => name)) {
     const values = { ...given };
     for (const { name, reserved, length } of record.parameters) {

@@ -3,14 +3,14 @@
 import { SHARED_SET } from "mip-protocol/tools";
 import { certaintyOn } from "./build.mjs";
 
-/** Bytes of a packet beside its fields. */
+/** Bytes of a packet besides its fields. */
 const FRAME = 6;
 
 /** Bits that a UART sends for a byte. */
 const BITS = 10;
 
 /**
- * What streams take: `bytes` per second, and the `baud` rate that a UART needs at least, by the formula of the manuals:
+ * The load of streams: `bytes` per second, and the `baud` rate that a UART needs at least, by the formula of the manuals:
  * packets of a set are sent at the highest rate of its fields.
  *
  * @param streams for each data set an array of fields with their rates in Hz: [{ field, rate }]
@@ -36,7 +36,7 @@ export function baseOf(protocol, device, list) {
     return { set, base: rates?.find((rate) => rate.set === set?.name)?.hertz };
 }
 
-/** What the message formats among some fields of a packet take on a device; undefined without any, or a base rate for each. */
+/** The load of the message formats among some fields on a device; undefined without any, or if a base rate is missing. */
 export function formatNeed(protocol, device, entries) {
     const streams = [];
     for (const { field, values } of entries) {
@@ -70,8 +70,8 @@ export function portsFor(device, baud) {
 
 /**
  * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate: undefined if
- * it is not known, 0 for a set that is sent as it arrives. Without a device, all; of an incomplete profile, what is not
- * listed too.
+ * it is not known, 0 for a set that is sent as it arrives. Without a device, or with an incomplete profile, they include
+ * fields that are not listed.
  */
 export function streamsOf(protocol, device) {
     const rates = new Map(device?.base_rates?.map((rate) => [rate.set, rate.hertz]));

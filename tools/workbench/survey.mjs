@@ -3,7 +3,7 @@
 import { MipError, nameIn, Parser } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
 
-/** Bytes after which a page begins: it holds the packets that begin there. */
+/** Bytes of a page: it has the packets that begin there. */
 const PAGE = 8192;
 
 /** The number of gaps that are kept. */
@@ -13,7 +13,7 @@ const GAPS = 1000;
  * Surveys the pieces of a log, Uint8Arrays in order: { bytes, packets, skipped, sentences, fields, gaps, pages }.
  *
  * A field has `name`, `set`, `field`, `count`, and a `rhythm` by the clock of the device; a gap, the fields that it concerns
- * and the packet behind it; a page, the `offset` at which it begins and the number of the first packet in it.
+ * and the packet after it; a page, the `offset` at which it begins and the number of the first packet in it.
  *
  * @param progress is called with the bytes that were read; if it returns false, the survey ends there
  */
@@ -21,7 +21,7 @@ export async function survey(protocol, pieces, progress = () => true) {
     const found = { bytes: 0, packets: 0, sentences: 0, damaged: 0, pages: [{ offset: 0, first: 0 }] };
     const fields = new Map();
     const clocks = new Clocks(protocol);
-    const gaps = new Map(); // packet behind -> gap
+    const gaps = new Map(); // packet after it -> gap
     let dollar = false; // the last byte outside packets
     const parser = new Parser({
         onSkipped: (bytes) => {

@@ -11,8 +11,8 @@ export function spacedHex(bytes) {
 }
 
 /**
- * "(0x0C,0x28)", in one of the sets of a field, or "(0x81, 0x91–0x95; 0x07)", in all of them. What occurs in every command
- * set has its descriptor alone.
+ * "(0x0C,0x28)", in one of the sets of a field, or "(0x81, 0x91–0x95; 0x07)", in all of them. A field of every command set
+ * has its descriptor alone.
  */
 export function descriptorOf(field, set) {
     return `(${pairOf(field, set)})`;
@@ -61,7 +61,7 @@ export function decimalLiteral(value, size) {
     return undefined;
 }
 
-/** A number with so many significant digits at most, with an exponent if it is small or large: `repr` of Python. */
+/** A number with at most this many significant digits, with an exponent if it is small or large: `repr` of Python. */
 function general(number, digits) {
     const text = number.toExponential(digits - 1);
     const [mantissa, exponent] = text.split("e");
@@ -72,7 +72,7 @@ function general(number, digits) {
     return `${short}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
 }
 
-/** A number in hexadecimal, with all digits of so many bytes. */
+/** A number in hexadecimal, with all digits of its `size` in bytes. */
 export function hexLiteral(value, size = 0) {
     return `0x${BigInt(value)
         .toString(16)
@@ -101,7 +101,7 @@ export function pathText(parameters, path) {
 }
 
 /**
- * What a value is, for readers: `text`, `unit`, and of an enumeration `name` and `meaning`, of a bitfield `flags`.
+ * A value for readers: `text`, `unit`, and for an enumeration `name` and `meaning`, for a bitfield `flags`.
  *
  * @param type the enumeration or bitfield of the value, if it has one
  */

@@ -1,4 +1,4 @@
-// Reads YAML as settings files have it, and JSON: mappings, lists and words, with their places. What else YAML has is refused.
+// Reads JSON and the YAML of settings files: mappings, lists and words, with their places. Everything else is rejected.
 
 import { MipError } from "mip-protocol/tools";
 
@@ -44,7 +44,7 @@ class Reader {
         return this.#at - (this.#text.lastIndexOf("\n", this.#at - 1) + 1);
     }
 
-    /** Goes on to the next character that counts, also in another line. */
+    /** Moves to the next character that counts, also in another line. */
     #toNext() {
         for (;;) {
             this.#at += /^[ \n]*/.exec(this.#text.slice(this.#at, this.#at + 4096))[0].length;
@@ -61,7 +61,7 @@ class Reader {
         }
     }
 
-    /** What begins here, in lines of their own that have this indentation. */
+    /** Reads the value that begins here, in lines of its own with this indentation. */
     #block(column) {
         const at = this.#at;
         if (/^-[ \n]/.test(this.#text.slice(at, at + 2))) return this.#list(column, at);
@@ -87,7 +87,7 @@ class Reader {
         return { kind: "sequence", at, items };
     }
 
-    /** What is behind a key or a dash: in the same line, or in further ones with more indentation. */
+    /** Reads the value after a key or a dash: in the same line, or in further ones with more indentation. */
     #inner(column) {
         const line = this.#text.indexOf("\n", this.#at);
         const from = this.#at;

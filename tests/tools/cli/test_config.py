@@ -348,7 +348,7 @@ def test_a_rate_at_which_the_device_is_not_heard_is_taken_back(at: At, tmp_path:
     path = edited(tmp_path, FASTER)
     at.wire = Wire(at.device, unheard=(921600,))
     code, out, error = mip("config", "push", "PORT", path)
-    assert code == 3 and "the device was not heard any more; the former value is back" in error
+    assert code == 3 and "the device did not answer any more; the former value is back" in error
     assert at.written(base.CommSpeed.read(0x11)).baud == 115200
     assert " 0 settings changed, " in out
 
@@ -375,7 +375,7 @@ def test_protocols_are_taken_back(at: At, tmp_path: Path) -> None:
     path = edited(tmp_path, OPENED)
     at.wire = Deaf(at.device, speed=50)
     code, _, error = mip("config", "push", "PORT", path)
-    assert code == 3 and "system.interface_control uart_3 was refused: the device was not heard any more" in error
+    assert code == 3 and "system.interface_control uart_3 was refused: the device did not answer any more" in error
     assert not at.written(system.InterfaceControl.read(types.CommInterface.UART_3)).protocols_incoming
 
 

@@ -376,7 +376,7 @@ def test_sentences_as_a_table(path: Path, tmp_path: Path) -> None:
     rows = table(mip("export", path, "nmea", "-o", "-")[1])
     assert len(rows) == 1 and rows[0]["type"] == "GGA" and rows[0]["time"].startswith("2024-01-06T23:59:42.")
     (tmp_path / "none").write_bytes(log(0.5))
-    error = f"mip export: {tmp_path / 'none'} has no NMEA sentences with a right checksum\n"
+    error = f"mip export: {tmp_path / 'none'} has no NMEA sentences with a correct checksum\n"
     assert mip("export", tmp_path / "none", "nmea", "-o", "-") == (1, "", error)
 
 

@@ -93,7 +93,7 @@ def test_the_file_of_a_model_that_is_not_known(tmp_path: Path) -> None:
         'title: "3DM-XY9: INS"\n'
         "model_number: 6999\n"
         "description: Device with the model number 6999.\n"
-        "incomplete: [Only what the device itself told is known.]\n"
+        "incomplete: [Only what the device itself reported is known.]\n"
         "evidence:\n"
         "  - kind: listed\n"
     )
@@ -435,7 +435,7 @@ def test_an_answer_that_is_missing_is_reported() -> None:
     with Device(LivePort(device, speed=50), timeout=0.2) as link:
         it = listing.ask(link, "PORT", said.append)
     missing = "3dm.get_imu_base_rate"
-    assert said == [f"the device has not answered {missing} in time; what {missing} tells is left out"]
+    assert said == [f"the device has not answered {missing} in time; the data of {missing} is left out"]
     assert it.base_rates == {0x82: 500} and len(it.descriptors) == len(device.known)
 
 

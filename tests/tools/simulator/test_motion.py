@@ -289,7 +289,7 @@ def test_descriptions_that_are_wrong(text: str, message: str) -> None:
         ("47,8\n47.1,8,400", "", ":1: 2 numbers; a waypoint has latitude, longitude, height and optionally speed"),
         ("47,8,400\n47,8,500", "", "waypoints 1 and 2 are at the same place; remove one"),
         ("47,8,400\n47.1,8,400\n47,8,400", "",
-         "at waypoint 2 the way turns back by 180 degrees; put another waypoint beside it"),
+         "at waypoint 2 the path turns back by 180 degrees; put another waypoint beside it"),
         ("47,8,400\n47.0001,8,500", "",
          "from waypoint 1 the path climbs 100 m in 11 m; put the waypoints farther apart"),
         ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8, 400; use degrees, with a latitude of -89 to 89"),

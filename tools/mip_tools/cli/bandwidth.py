@@ -24,9 +24,9 @@ line. Allow headroom for replies to commands: 80 % of the line is a good limit.
 
 #: Rates that serial ports commonly have.
 COMMON = (9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600, 1_000_000, 3_000_000)
-#: Bits on the line for a byte: a start bit and a stop bit come with it.
+#: Bits on the line for each byte, with its start bit and stop bit.
 BITS = 10
-#: Moments after which a pattern of packets must repeat itself to be counted.
+#: The longest repeating pattern of packets that is counted, in moments.
 MOST = 100_000
 
 
@@ -113,7 +113,7 @@ def load(number: int, streams: list[Stream], base: float = 0) -> Load:
             due = sum(s.size for s in own if tick % round(base / s.rate) == 0)
             packets += math.ceil(due / MAX_PAYLOAD)
         packets *= base / period
-    else:  # rates that are not in step: at worst, the fields of each come in packets of their own
+    else:  # the rates are not aligned: at worst, the fields of each come in packets of their own
         packets = sum(rates)
     return Load(number, own, packets, packets * OVERHEAD + sum(s.size * s.rate for s in own))
 
@@ -184,7 +184,7 @@ def _field(within: str, name: str) -> tuple[int, type[Field]]:
 
 
 def _adjusted(stream: Stream, profile: Any) -> Stream:
-    """The rate that the device can have, which is its base rate by a whole number."""
+    """A stream at the rate that the device can send: its base rate divided by a whole number."""
     kind = named(stream.name).kind
     if not profile.has(stream.set, kind.DESCRIPTOR):
         raise Failure(f"{profile.title} does not send {stream.name} in {show.set_name(stream.set)}")
@@ -193,7 +193,7 @@ def _adjusted(stream: Stream, profile: Any) -> Stream:
         return stream
     if stream.rate > base * 1.000001:
         raise Failure(
-            f"{profile.title} sends {show.set_name(stream.set)} with {base:g} Hz at most, not {stream.rate:g}"
+            f"{profile.title} sends {show.set_name(stream.set)} at {base:g} Hz at most, not {stream.rate:g}"
         )
     actual = base / profile.decimation(stream.set, stream.rate)
     return stream._replace(rate=actual)

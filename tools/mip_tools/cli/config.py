@@ -173,7 +173,7 @@ def _named(place: Place, profile: Any) -> str:
 
 @contextmanager
 def _talk(port: str, options: argparse.Namespace) -> Iterator[Talk]:
-    """A device that sends nothing meanwhile, and goes on afterwards, also after an interrupt."""
+    """An idle device, which resumes its streams afterwards, also after an interrupt."""
     with (
         signals.handled(signals.interrupt),
         ports.opened(port, options) as link,

@@ -28,8 +28,8 @@ examples:
   mip cut log.bin -o imu.bin --only sensor                 without other sets
   mip cut log.bin -o clean.bin                             without noise and damaged packets
 
-A part holds whole packets, unchanged, without the bytes between them. --only and --without take
-fields out of packets. A packet without a time has that of the one before.
+A part contains whole packets, unchanged, without the bytes between them. --only and --without
+remove fields from packets. A packet without a time has that of the packet before it.
 """
 
 

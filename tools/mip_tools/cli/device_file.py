@@ -16,7 +16,7 @@ from .yaml_text import YamlFile, child, listed, parsed, plain, quoted, word
 SHARED = 0xFF
 #: The keys of an entry of the evidence that a new list replaces.
 OWN = ("kind", "firmware", "date", "fields", "undefined")
-NEW = "Only what the device itself told is known."
+NEW = "Only what the device itself reported is known."
 
 
 @dataclass(frozen=True)
@@ -172,7 +172,7 @@ def _port(port: ToldPort) -> str:
 
 
 def new(facts: Facts, folder: Path) -> str:
-    """The text of a file for a device: what a known one lists, or the profile of one that is not known."""
+    """The text of a new file: the fields that a known device lists, or the profile of an unknown one."""
     it = facts.model
     known = it.profile is not None or _elsewhere(it.id, folder)
     schema = "device_extension" if known else "device"

@@ -28,7 +28,7 @@ examples:
 
 At a port, it asks the device for its identity and then only listens; no setting is changed. In a
 log, gaps are named with their causes: line damage, overload, pause, reset, clock step, changed
-format. Filter warnings are those of the last data and of the whole log.
+format. Filter warnings are listed for the last data and for the whole log.
 
 exit status: 0 if nothing is wrong, 1 if something is
 """
@@ -75,7 +75,7 @@ def run(options: argparse.Namespace) -> int:
     return 1 if any(f.cause not in _NOTES for f in said) else 0
 
 
-#: Findings that are nothing wrong.
+#: Findings that are not faults.
 _NOTES = ("unknown device", "no timestamps")
 
 

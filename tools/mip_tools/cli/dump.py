@@ -63,7 +63,7 @@ def run(options: argparse.Namespace) -> int:
     damage = ""
     for piece in _given(given or b"") if explain else _arriving(options):
         if piece is None:
-            sys.stdout.flush()  # whoever reads it sees what has arrived
+            sys.stdout.flush()  # so that its reader sees what has arrived
             continue
         if piece.packet is None:
             bytes_skipped += len(piece.data)
@@ -93,7 +93,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _skipped(piece: Piece, as_json: bool) -> str:
-    """The line of bytes outside packets."""
+    """The line for bytes outside packets."""
     if as_json:
         return json.dumps({"offset": piece.offset, "skipped": piece.data.hex()})
     return f"{piece.offset:08x} {show.skipped(piece.data)}"
@@ -104,7 +104,7 @@ def _none_shown(packets: int) -> None:
 
 
 def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
-    """Are these files of which only lines or objects are wanted, and is NumPy there?"""
+    """Are only lines or objects of files wanted, and is NumPy installed?"""
     if explain or options.tree or options.raw or options.skipped or options.count is not None:
         return False
     if not all(not inputs.is_port(name) and inputs.is_log(name) for name in options.input):
@@ -113,7 +113,7 @@ def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
 
 
 def _fast(options: argparse.Namespace, selection: Selection, device: str | None) -> int | None:
-    """Shows whole files; None if they have no packet, which needs a look at each byte."""
+    """Shows whole files; None if they have no packet, so that the other way must find the cause."""
     from .lines import Lines, Objects, lines
 
     packets, shown, form = 0, 0, Objects(device) if options.json else Lines(device)

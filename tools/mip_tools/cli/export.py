@@ -217,7 +217,7 @@ def _sentences(options: argparse.Namespace, log: Log) -> Sequence[Series]:
     check_clock(options.time, clock)
     table = between.table(log, clock)
     if not len(table):
-        raise Failure(f"{options.file} has no NMEA sentences with a right checksum")
+        raise Failure(f"{options.file} has no NMEA sentences with a correct checksum")
     return Time(options.time, clock).of(table.columns)
 
 

@@ -120,7 +120,7 @@ class Topic(NamedTuple):
 
     @classmethod
     def of(cls, kind: Occurrence, named: bool) -> Topic:
-        """That of a field."""
+        """The topic of a field."""
         text = json.dumps(schema(kind.kind, named))
         return cls(f"/mip/{kind.name.replace('.', '/')}", f"mip.{kind.name}", text)
 
@@ -131,7 +131,7 @@ def encoded(field: Field, named: bool) -> bytes:
 
 
 class _Counted:
-    """Output that knows its place, even if it is a pipe."""
+    """Output with a position, even if it is a pipe."""
 
     def __init__(self, out: IO[bytes]) -> None:
         self._out, self._size = out, 0

@@ -24,7 +24,7 @@ from .selection import Selection
 
 
 def require(form: str) -> None:
-    """Raises Failure if the package is missing that writes bags."""
+    """Raises Failure if the package that writes bags is missing."""
     Types()
 
 

@@ -22,8 +22,8 @@ examples:
   mip fields                          the descriptor sets
   mip fields sensor                   the fields of a set
   mip fields sensor.scaled_accel      one field; 0x80:0x04 or a vendor's name also find it
-  mip fields --search temperature     what has this word
-  mip fields 3dm --device 3dm-gx5-15  what a device has
+  mip fields --search temperature     all fields with this word
+  mip fields 3dm --device 3dm-gx5-15  only the fields of a device
 """
 
 
@@ -79,7 +79,7 @@ def _chosen(options: argparse.Namespace) -> list[Occurrence]:
 
 
 def _nothing(options: argparse.Namespace) -> str:
-    """Why no field is found, and what may be meant."""
+    """Reports why no field is found, and suggests names."""
     if options.search is None or options.name is not None or options.device is not None:
         return "no field matches all words; use fewer"
     words = {word for k in _all() for word in re.split(r"[._]", k.name)}
@@ -186,7 +186,7 @@ def _type(kind: Any) -> list[str]:
 
 
 def as_json(one: Occurrence) -> dict[str, Any]:
-    """A field as JSON has it."""
+    """A field for JSON."""
     number, kind = one
     known = info(kind)
     return {

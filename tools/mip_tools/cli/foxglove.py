@@ -24,7 +24,7 @@ from .samples import Sample
 PROTOCOLS = ["foxglove.websocket.v1", "foxglove.sdk.v1"]
 #: The address at which Foxglove expects a server.
 USUAL = "127.0.0.1:8765"
-#: Messages that wait for a slow client; if there are more, these are left out.
+#: Messages that may wait for a slow client; if there are more, all that wait are dropped.
 _WAITING = 4096
 _DATA = struct.Struct("<BIQ")
 
@@ -61,7 +61,7 @@ class Server:
             return any(channel in client.subscribed.values() for client in self._clients)
 
     def close(self) -> None:
-        """Sends what waits, and leaves all clients."""
+        """Sends the queued messages, and disconnects all clients."""
         with self._lock:
             for client in self._clients:
                 client.end()
@@ -81,7 +81,7 @@ class Server:
                         client.said(json.loads(said))
         except (ValueError, KeyError, TypeError):
             connection.close(1008, "not a message of the protocol")
-        except closed:  # without a farewell
+        except closed:  # without a closing handshake
             pass
         finally:
             with self._lock:
@@ -100,7 +100,7 @@ class _Client:
         threading.Thread(target=self._write, daemon=True).start()
 
     def said(self, message: dict[str, Any]) -> None:
-        """Handles a request of the client; others are for capabilities that the server does not offer."""
+        """Handles subscriptions; other requests are for capabilities that the server does not offer."""
         if message["op"] == "subscribe":
             self.subscribed |= {int(one["id"]): int(one["channelId"]) for one in message["subscriptions"]}
         elif message["op"] == "unsubscribe":
@@ -113,7 +113,7 @@ class _Client:
                 self.put(_DATA.pack(1, number, moment) + data)
 
     def put(self, item: str | bytes | None) -> None:
-        """Sends it when the others are sent; None is the end."""
+        """Queues a message behind the others; None is the end."""
         with self._some:
             if len(self._waiting) >= _WAITING:
                 self._waiting = deque(one for one in self._waiting if not isinstance(one, bytes))
@@ -121,7 +121,7 @@ class _Client:
             self._some.notify()
 
     def end(self) -> None:
-        """Sends what waits, and no more."""
+        """Ends the connection after the queued messages."""
         self.put(None)
 
     def _write(self) -> None:
@@ -145,7 +145,7 @@ def _advertised(channels: list[dict[str, Any]]) -> str:
 
 @contextmanager
 def serving(server: Server, place: str) -> Iterator[str]:
-    """Accepts clients at HOST:PORT; its URL. Raises Failure."""
+    """Accepts clients at HOST:PORT; yields its URL. Raises Failure."""
     host, _, port = place.rpartition(":")
     if not host or not port.isdigit():
         raise Misuse(f"'{place}' is not HOST:PORT; Foxglove looks at {USUAL}")

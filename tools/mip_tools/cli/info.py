@@ -19,8 +19,8 @@ examples:
   mip info log.bin --json | jq '.fields[].name'
 
 Rates are in Hz by the timestamps in the packets, gaps left out. A gap is an interval of more than
-1.5 times the usual one between packets of a set. Damaged packets begin like one, but have a wrong
-checksum or no end.
+1.5 times the usual one between packets of a set. A damaged packet begins like a packet, but has a
+wrong checksum or no end.
 """
 
 
@@ -133,7 +133,7 @@ def hz(rate: float | None) -> str:
 
 
 def duration(seconds: float) -> str:
-    """A duration for people."""
+    """A duration as readable text."""
     if seconds < 60:
         return f"{seconds:.3f} s"
     minutes, rest = divmod(seconds, 60)
@@ -145,7 +145,7 @@ def duration(seconds: float) -> str:
 
 
 def as_json(name: str, report: Report) -> dict[str, Any]:
-    """The report as JSON has it; times in ns, since 1970 if the clock has a date."""
+    """The report for JSON; times in ns, since 1970 if the clock has a date."""
     return {
         "file": name,
         "bytes": report.size,

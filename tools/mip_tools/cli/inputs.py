@@ -53,7 +53,7 @@ def exists(name: str) -> bool:
 
 
 def hex_bytes(words: list[str]) -> bytes | None:
-    """The bytes that these words give in hexadecimal digits; None if they are something else."""
+    """The bytes that these words contain in hexadecimal; None if they are something else."""
     text = " ".join(words).encode("utf-8", "replace")
     return _plain(text) if _HEX.fullmatch(text.strip()) else None
 
@@ -89,7 +89,7 @@ def pieces(name: str, progress: bool = True) -> Iterator[Piece]:
 
 
 def arriving(name: str, progress: bool = True) -> Iterator[Piece | None]:
-    """The same; None when it may take a while until more arrives, again and again until it does."""
+    """The same, with None again and again while nothing arrives."""
     scanner = Scanner()
     source = chunks(name, progress)
     for chunk in _waited_for(source) if name == "-" else source:
@@ -182,7 +182,7 @@ def seekable(name: str) -> Iterator[str]:
 
 
 def _read(file: IO[bytes]) -> Iterator[bytes]:
-    read = getattr(file, "read1", file.read)  # what has come, without waiting for more
+    read = getattr(file, "read1", file.read)  # what has arrived, without waiting for more
     while chunk := read(CHUNK):
         yield chunk
 
@@ -195,7 +195,7 @@ def _is_text(first: bytes) -> bool:
 def _converted(source: Iterator[bytes], name: str) -> Iterator[bytes]:
     first = next(source, b"")
     while len(first) < 16 and _TEXT.fullmatch(first) and (more := next(source, b"")):
-        first += more  # a port may give one byte at first
+        first += more  # the first read may return one byte only
     if not _is_text(first):
         yield first
         yield from source
@@ -216,7 +216,7 @@ def _converted(source: Iterator[bytes], name: str) -> Iterator[bytes]:
 
 
 class Progress:
-    """The progress of a long task, on standard error if that is a terminal: how much, how fast, and how long yet."""
+    """The progress of a long task, its speed and the time left, on standard error if that is a terminal."""
 
     def __init__(self, size: int) -> None:
         self._size = size
@@ -262,7 +262,7 @@ def _shown(file: IO[bytes]) -> Iterator[bytes]:
 
 
 def readable(size: float) -> str:
-    """A number of bytes for people."""
+    """A number of bytes with a unit: `12 kB`."""
     for unit in ("B", "kB", "MB", "GB"):
         if size < 1000 or unit == "GB":
             return f"{size:.0f} {unit}" if unit == "B" else f"{size:.3g} {unit}"

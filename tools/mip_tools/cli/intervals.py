@@ -16,12 +16,12 @@ GAP = 1.5
 KEPT = 10
 
 
-#: Steps shorter than this, in nanoseconds, that differ also differ in seconds.
+#: Below this many nanoseconds, steps that differ also differ as floats in seconds.
 _EXACT = 2**51
 
 
 class Place(NamedTuple):
-    """Something between two packets: seconds, and where the second one begins."""
+    """A gap or a jump between two packets: its seconds, and where the second packet begins."""
 
     seconds: float
     offset: int
@@ -42,7 +42,7 @@ class Intervals:
     _sums: Counter[int] = field(default_factory=Counter)
 
     def add_all(self, times: Any, offsets: Any) -> None:
-        """The same for arrays of NumPy, in the order of the log: as `add` for each."""
+        """Adds packets as arrays of NumPy, in the order of the log, as `add` does one by one."""
         import numpy as np
 
         if self.last is None and len(times):
@@ -73,7 +73,7 @@ class Intervals:
             self._keep(Place(int(steps[i]) / SECOND, int(offsets[i]), int(times[i])))
 
     def add(self, time: int, offset: int) -> None:
-        """One more packet, at a time in ns."""
+        """Adds a packet, at a time in ns."""
         self.count += 1
         if self.last is None:
             self.first = time
@@ -99,7 +99,7 @@ class Intervals:
 
     @property
     def usual(self) -> float | None:
-        """The middle one of the intervals in seconds."""
+        """The median interval, in seconds."""
         total = sum(self._bins.values())
         passed = 0
         for place in sorted(self._bins):

@@ -1,4 +1,4 @@
-"""The lines of `mip dump` for whole files, by columns: the same as of packet by packet, but faster."""
+"""The lines of `mip dump` for whole files, by columns: the same as packet by packet, but faster."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def _lines(log: Log, piece: Piece, selection: Selection, form: Lines | Objects) 
         texts += _fields(log, piece, number, descriptor, runs, packet, offset, form)
     where = np.concatenate(packets)
     order = np.lexsort((np.concatenate(offsets), where))
-    ordered = np.array([*texts, ""], object)[order].tolist()  # one more, so that all texts are one dimension
+    ordered = np.array([*texts, ""], object)[order].tolist()  # one more item keeps the array one-dimensional
     counts = np.bincount(where, minlength=len(piece.at))
     ends = np.cumsum(counts)
     shown = counts > 0 if not selection.everything else np.ones(len(piece.at), bool)

@@ -25,7 +25,7 @@ RATES = {
 RATE, SPEED, PROTOCOLS = "3dm.get_base_rate", "base.comm_speed", "system.interface_control"
 EXTENDED = "base.get_extended_descriptors"
 
-#: Numbers of ports that are not ports.
+#: The port number that means all ports.
 _ALL = "all"
 _WORDS = {"uart": "UART", "usb": "USB"}
 
@@ -44,7 +44,7 @@ class ToldPort:
 
     @property
     def virtual(self) -> bool:
-        """Is it USB, or perhaps USB? It has a baud rate in name only."""
+        """Is it a USB port, or may it be one? Then its baud rate has no effect."""
         return self.name.split()[0] in ("USB", "Main")
 
 
@@ -109,7 +109,7 @@ class _Questions:
         self._listed: frozenset[Key] = frozenset()
 
     def greet(self) -> None:
-        """Is there a device? One that refuses a ping is one."""
+        """Checks that a device answers, if only with a NACK. Raises Failure."""
         try:
             self._link.request(command_type("base.ping")())
         except Refused:
@@ -121,7 +121,7 @@ class _Questions:
             raise Failure(f"{self.name}: {error}") from None
 
     def carried_out(self, command: str) -> bool | None:
-        """Did the device do it? None if it has not answered."""
+        """Did the device carry out the command? None if it has not answered."""
         try:
             self._link.request(command_type(command)())
         except Refused:
@@ -157,7 +157,7 @@ class _Questions:
             raise Failure(f"{self.name}: {error}") from None
 
     def optional(self, command: str, *values: Any, function: str = "") -> Any:
-        """The response to a command that the device lists; None if there is none, as for a port that it has not."""
+        """The response to a command that the device lists; None if there is none, as for a port that it lacks."""
         kind = _known(command)
         if kind is None:
             return None
@@ -168,7 +168,7 @@ class _Questions:
         except Refused:
             return None
         except MipError as error:
-            self.complain(f"{error.detail}; what {command} tells is left out")
+            self.complain(f"{error.detail}; the data of {command} is left out")
             return None
 
     def _lists(self, command: str) -> bool:

@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     from ..columns.tables import Form
     from .foxglove import Server
 
-#: What is looked at before the first line, for the clock and the columns: seconds and bytes, from the first packet on.
+#: Data that is read before the first line, for the clock and the columns: seconds and bytes, from the first packet on.
 PREVIEW = 1.0
 _MOST = 1 << 20
 
-#: Those that are written.
+#: Formats that are written to the output.
 FORMATS = ("jsonl", "csv", "mcap")
 
 
@@ -112,7 +112,7 @@ def _write_table(
     finally:
         if left_out:
             names = ", ".join(sorted(left_out))
-            print(f"mip {options.command}: no columns, because they came later: {names}; name them", file=sys.stderr)
+            print(f"mip {options.command}: no columns for fields that came later: {names}; name them", file=sys.stderr)
 
 
 def _kinds(log: Any, form: Form) -> list[Occurrence]:
@@ -138,7 +138,7 @@ def _preview(arriving: Iterator[Piece | None]) -> list[Piece]:
 
 
 def _flushing(pieces: Iterator[Piece | None], out: IO[bytes]) -> Iterator[Piece]:
-    """Lets readers have what is written before it waits for more."""
+    """Flushes the output before it waits for more."""
     for piece in pieces:
         if piece is None:
             out.flush()

@@ -56,7 +56,7 @@ class Report:
 
     @property
     def times(self) -> dict[int, Intervals]:
-        """Set -> when its packets came, by that clock."""
+        """Set -> the times of its packets, by that clock."""
         return self.clocks[self.clock] if self.clock else {}
 
 

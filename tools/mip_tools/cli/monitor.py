@@ -91,7 +91,7 @@ class Latest:
         self.packets = self.skipped = 0
 
     def add(self, piece: Piece, now: float) -> None:
-        """What has arrived."""
+        """Adds what has arrived."""
         if piece.packet is None:
             self.skipped += len(piece.data)
             return
@@ -208,7 +208,7 @@ class _Screen:
         sys.stdout.flush()
 
     def close(self) -> None:
-        """The terminal is as before; the last values stay."""
+        """Restores the terminal; the last values stay."""
         if self._terminal:
             sys.stdout.write("\x1b[?25h\x1b[?1049l")
             if self._last:

@@ -20,7 +20,7 @@ def packet(offset: int, given: Packet, fields: Iterable[Found], device: str | No
 
 
 def joined(offset: int, number: int, fields: Iterable[str], rest: dict[str, str] | None = None) -> str:
-    """The same of the texts of its fields, and what follows them."""
+    """A packet from the texts of its fields, and the keys after them."""
     head = f'{{"offset": {offset}, "set": {_set(number)}, "fields": [{", ".join(fields)}]'
     return head + "".join([f", {json.dumps(name)}: {json.dumps(text)}" for name, text in (rest or {}).items()]) + "}"
 

@@ -15,7 +15,7 @@ from typing import IO, TextIO
 from ..errors import Failure, Misuse
 from . import signals
 
-#: Bytes in a name that every usual file system takes.
+#: The longest file name that every common file system allows, in bytes.
 _LONGEST = 255
 
 
@@ -76,7 +76,7 @@ def _whole_path(name: str, keep: bool, replace: bool) -> Iterator[Path]:
 
 
 def _is_output(name: str) -> bool:
-    """Is it what standard output leads to, such as /dev/stdout?"""
+    """Is it the same file as standard output, such as /dev/stdout?"""
     try:
         return os.path.samestat(os.stat(name), os.fstat(sys.stdout.fileno()))
     except (OSError, ValueError):  # there is no such file yet, or standard output is not a file
@@ -105,7 +105,7 @@ def _target(name: str) -> tuple[Path, bool]:
 
 
 def _beside(path: Path) -> Path:
-    """A name for the part, which is not too long where that of the file is not."""
+    """A free name for the part; it is not too long if that of the file is not."""
     number = os.getpid()
     while True:
         end, begin = f".{number}.part", path.name
@@ -118,7 +118,7 @@ def _beside(path: Path) -> Path:
 
 
 def _failed(name: str, error: OSError, more: str = "") -> Exception:
-    """A pipe whose reader has stopped is not a failure."""
+    """The exception to raise: a Failure, unless the reader of a pipe has stopped."""
     if isinstance(error, BrokenPipeError):
         return error
     return Failure(f"{name} cannot be written: {error.strerror or error}{more}")

@@ -23,7 +23,7 @@ examples:
   mip plot log.bin sensor.scaled_accel.z filter_data.llh_position      in a window
   mip plot log.bin gnss_1.llh_position.latitude filter_data.llh_position.latitude --together
 
-The ending of the file chooses the format: png, svg, pdf. Values that their flags say are not valid
+The ending of the file chooses the format: png, svg, pdf. Values whose flags mark them as invalid
 are left out. Enumerations and flags are shown as numbers.
 """
 FORMATS = ("png", "svg", "pdf")
@@ -146,7 +146,7 @@ def _split(name: str) -> tuple[Occurrence, list[str]]:
         except (Failure, UnknownName) as error:
             last = last or (error if isinstance(error, Failure) else None)
             continue
-        return field(begin), parts[count:]  # what several sets have is refused here
+        return field(begin), parts[count:]  # raises Misuse if several sets have it
     raise last or Misuse(f"'{name}' is not a field")
 
 

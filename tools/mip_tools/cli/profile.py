@@ -1,4 +1,4 @@
-"""`mip profile`: what a device tells of itself, as a file for a specification."""
+"""`mip profile`: writes what a device reports of itself as a file for a specification."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from .selection import Selection
 
 
 class Sample(NamedTuple):
-    """A field of a log, and when it was."""
+    """A field of a log, with its packet and its time."""
 
     packet: int
     offset: int
@@ -28,7 +28,7 @@ class Sample(NamedTuple):
 
 
 def survey(pieces: Iterable[Piece | None], selection: Selection) -> tuple[list[Occurrence], str | None]:
-    """The types of the fields that a log has and a selection wants, by number; and its best clock."""
+    """The types of the selected fields that a log has, by number; and its best clock."""
     first: dict[Occurrence, tuple[int, int]] = {}
     single: set[tuple[int, int]] = set()  # has one layout, and is known
     clocks: set[str] = set()
@@ -74,7 +74,7 @@ class Timeline:
 def samples(
     pieces: Iterable[Piece], wanted: Sequence[Occurrence] | None, selection: Selection, clock: str | None
 ) -> Iterator[list[Sample]]:
-    """The fields of these types, or of all, that a selection has; those of one packet together."""
+    """The selected fields of these types, or of all; those of one packet together."""
     line = Timeline(clock)
     number = -1
     selected = None if wanted is None else set(wanted)
@@ -103,7 +103,7 @@ def samples(
 
 
 def kept(packets: Iterator[list[Sample]], invalid: str) -> Iterator[list[Sample]]:
-    """Without fields of which a value is not valid, if `invalid` says that these are dropped."""
+    """Drops fields that have an invalid value, if `invalid` is "drop"."""
     if invalid != "drop":
         return packets
     return (left for p in packets if (left := [s for s in p if valid(s.value)]))

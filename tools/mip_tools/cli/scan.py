@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..binding import MAX_PAYLOAD, OVERHEAD, Packet, Parser
 
-#: Bytes that tell what becomes of a packet that begins with the first of them.
+#: The number of bytes that decide whether a packet begins with the first of them.
 REACH = MAX_PAYLOAD + OVERHEAD + 1
 _MOST = 1 << 16  # skipped bytes that are kept
 
@@ -59,13 +59,13 @@ class Damaged:
             del self._run[: self._counted(len(self._run) - REACH)]
 
     def end(self) -> None:
-        """A packet follows, or nothing."""
+        """Ends a run: a packet follows, or nothing."""
         if self._run:
             self._counted(len(self._run))
             self._run.clear()
 
     def _counted(self, stop: int) -> int:
-        """Counts those that begin before a place; returns where to go on."""
+        """Counts those that begin before a place; returns where to continue."""
         run, at = self._run, 0
         while at < stop:
             found = run.find(b"\x75\x65", at)

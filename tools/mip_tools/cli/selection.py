@@ -82,7 +82,7 @@ class Selection:
 
     @property
     def named(self) -> bool:
-        """Are there any names of what is wanted?"""
+        """Are the wanted fields named?"""
         return bool(self._only)
 
     @property

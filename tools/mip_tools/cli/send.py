@@ -58,7 +58,7 @@ def shielded(given: list[str]) -> list[str]:
 
 
 def _bare(word: str) -> str:
-    """A word without what `shielded` has added; options with numbers leave it out themselves."""
+    """A word without the space that `shielded` has added; options with numbers ignore it themselves."""
     return word[1:] if word.startswith(" -") else word
 
 

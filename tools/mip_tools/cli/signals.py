@@ -13,7 +13,7 @@ Handler = Callable[[int, "FrameType | None"], None]
 
 @contextmanager
 def handled(handler: Handler) -> Iterator[None]:
-    """They call a function, except those that are ignored, as with nohup."""
+    """Makes them call a function, except those that are ignored, as with nohup."""
     before = {}
     try:
         for name in ("SIGINT", "SIGTERM", "SIGHUP"):

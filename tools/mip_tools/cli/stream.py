@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 EPILOG = """\
 examples:
-  mip stream /dev/ttyACM0                            all that comes, a line for each instant
+  mip stream /dev/ttyACM0                            all data, a line for each instant
   mip stream /dev/ttyACM0 sensor.scaled_accel sensor.scaled_gyro --rate 100
   mip stream /dev/ttyACM0 sensor.scaled_accel@100 sensor.scaled_mag@20 --format csv | head
   mip stream localhost:5000 --format mcap -o drive.mcap --duration 60
@@ -78,7 +78,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _serve(options: argparse.Namespace, arriving: Iterator[Piece | None], selection: Selection) -> int:
-    """Lets Foxglove connect."""
+    """Serves the data to Foxglove."""
     from . import foxglove
 
     if options.output != "-":
@@ -184,7 +184,7 @@ def _arriving(options: argparse.Namespace, rates: Rates, at_port: bool) -> Itera
 
 
 def _counted(pieces: Iterator[Piece | None], most: int | None) -> Iterator[Piece | None]:
-    """Until there are so many packets."""
+    """Ends after `most` packets."""
     count = 0
     for piece in pieces:
         yield piece

@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def check_clock(wanted: str | None, clock: str) -> None:
-    """Raises Failure if the log has not the times that are wanted."""
+    """Raises Failure if the log lacks the times that are wanted."""
     if wanted in ("utc", "unix") and not clocks.dated(clock or None):
         raise Failure("the log has no dates; use --time clock, --time start or --time none")
     if wanted in ("start", "clock") and not clock:
@@ -37,7 +37,7 @@ def check_clock(wanted: str | None, clock: str) -> None:
 
 
 class Time:
-    """The time of rows, as it is wanted."""
+    """The column of times, in the wanted form."""
 
     def __init__(self, wanted: str | None, clock: str) -> None:
         self._seconds = wanted in ("unix", "start", "clock") and bool(clock)

@@ -1,4 +1,4 @@
-"""Typed values, as values of parameters."""
+"""Converts words of a command line to values of parameters."""
 
 from __future__ import annotations
 
@@ -101,13 +101,13 @@ def _assigned(kind: type[Command], wanted: list[Parameter], words: list[str]) ->
 
 
 def value(p: Parameter, text: str, before: Mapping[str, Any], set: int | None = None) -> Any:
-    """The value of a text for a parameter; `before` has the parameters before it, `set` is that of fields it names."""
+    """Converts a text for a parameter; `before` has the parameters before it, `set` is that of fields it names."""
     set = _set_of(p, before, set)
     if p.kind == "switch":
         tag = before.get(p.tag)
         case = p.cases.get(int(tag)) if tag is not None else None
         if case is None:
-            raise Misuse(f"{p.name} has nothing to be given for {p.tag}={tag}")
+            raise Misuse(f"{p.name} takes no value for {p.tag}={tag}")
         return value(case, text, before, set)
     if text[:1] in "[{" and text:
         try:

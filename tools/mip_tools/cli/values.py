@@ -25,12 +25,12 @@ def names(value: int) -> str:
 
 
 def number(value: float, scalar: str) -> str:
-    """A number as text, with as many digits as its type on the wire has."""
+    """A number as text, with the precision of its type on the wire."""
     return shortest(value) if scalar == "float" else repr(value)
 
 
 def plain(value: Described, named: bool, device: str | None = None) -> dict[str, Any]:
-    """A field as strict JSON has it, numbers with as many digits as they have on the wire."""
+    """A field for strict JSON; numbers have the precision of their type on the wire."""
     values = value.to_dict(names=named, json=True, device=device)
     _shorten(value.INFO.members, values)
     return values

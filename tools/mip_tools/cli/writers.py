@@ -72,7 +72,7 @@ def parquet(out: IO[bytes]) -> Iterator[Write]:
 
 
 def parquet_writer(out: Any, schema: Any) -> Any:
-    """Floats are hardly ever the same twice: they take less without dictionaries, and with their bytes apart."""
+    """Floats rarely repeat: they are smaller without dictionaries and with their bytes split into streams."""
     pa: Any = import_module("pyarrow")
     floats = [field.name for field in schema if pa.types.is_floating(field.type)]
     alone = {*floats, "time", "offset"}
@@ -127,7 +127,7 @@ def npz(out: IO[bytes]) -> Iterator[Write]:
 
 
 class _Arrays:
-    """Arrays that grow in files, so that a log of any size needs little memory. Texts are rare, and kept."""
+    """Arrays that grow in files, so that a log of any size needs little memory. Texts, which are rare, stay in it."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder

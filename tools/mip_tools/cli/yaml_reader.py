@@ -1,4 +1,4 @@
-"""Reads a YAML file of people; each mistake with its place and the remedy."""
+"""Reads YAML files that people write; reports each mistake with its place and the remedy."""
 
 from __future__ import annotations
 

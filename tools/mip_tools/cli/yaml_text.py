@@ -43,12 +43,12 @@ class YamlFile:
 
     def replace(self, node: Any, text: str) -> None:
         start, end = node.start_mark.index, self.end(node)
-        if end <= start:  # nothing stands there
+        if end <= start:  # the value is empty
             start, text = end, f" {text}"
         self._edit(start, end, text)
 
     def add_item(self, sequence: Any, block: list[str], flow: str) -> None:
-        """One more item at the end of a list: its lines, or the same in one line if the list is in brackets."""
+        """Adds an item at the end of a list: its lines, or the same in one line if the list is in brackets."""
         if sequence.flow_style:
             self._add_to_flow(sequence, flow)
             return
@@ -56,7 +56,7 @@ class YamlFile:
         self._add_lines(sequence, [f"{indent}- {block[0]}", *(f"{indent}  {line}" for line in block[1:])])
 
     def add_key(self, mapping: Any, block: list[str], flow: str) -> None:
-        """One more key at the end of a mapping."""
+        """Adds a key at the end of a mapping."""
         if mapping.flow_style:
             self._add_to_flow(mapping, flow)
         else:
@@ -64,7 +64,7 @@ class YamlFile:
             self._add_lines(mapping, [f"{indent}{line}" for line in block])
 
     def replace_item(self, node: Any, block: list[str], flow: str) -> None:
-        """Another mapping in place of an item of a list. Comments in the old one come before it."""
+        """Replaces an item of a list with another mapping. Comments in the old one are moved before it."""
         start, end = node.start_mark.index, self.end(node)
         if node.flow_style:
             self._edit(start, end, flow)
@@ -97,19 +97,19 @@ class YamlFile:
         return "\r\n" if "\r\n" in self.text else "\n"
 
     def _add_to_flow(self, node: Any, text: str) -> None:
-        """Behind the last item, before whatever follows it up to the bracket."""
+        """Adds an item after the last one, before whatever follows it up to the bracket."""
         items = _children(node)
         at = self.end(items[-1]) if items else node.start_mark.index + 1
         self._edit(at, at, f", {text}" if items else text, node is self.root)
 
     def _add_lines(self, node: Any, lines: Iterable[str]) -> None:
-        """Behind the last line of a node, with the comment in it."""
+        """Adds lines after the last line of a node and the comment in it."""
         at = self.text.find("\n", self.end(node))
         at = len(self.text) if at < 0 else at - (self.text[at - 1] == "\r")
         self._edit(at, at, "".join(f"{self.newline}{line}" for line in lines), node is self.root)
 
     def end(self, node: Any) -> int:
-        """The end of a node: PyYAML takes the comments behind a block for a part of it."""
+        """The end of a node, without the comments after it, which PyYAML counts as part of a block."""
         items = _children(node)
         if items and not node.flow_style:
             return self.end(items[-1])
@@ -154,7 +154,7 @@ def composed(text: str, path: Path, more: str = "") -> Any:
 
 
 def kind_of(node: Any) -> str:
-    """mapping, sequence or scalar."""
+    """The kind of a node: mapping, sequence or scalar."""
     return getattr(node, "id", "nothing")
 
 
@@ -184,7 +184,7 @@ def plain(node: Any) -> Any:
 
 
 def parsed(text: str, path: Path) -> Any:
-    """The same of a text."""
+    """The values in a text."""
     return plain(composed(text, path))
 
 
@@ -192,7 +192,7 @@ def parsed(text: str, path: Path) -> Any:
 
 
 def word(text: str) -> str:
-    """A text as YAML has it: as it is, or in quotes.
+    """A text in YAML: as it is, or in quotes.
 
     >>> word("3DM-GQ7-GNSS/INS"), word("12"), word("a: b"), word("1.0.07"), word("-x"), word("no")
     ('3DM-GQ7-GNSS/INS', '"12"', '"a: b"', '1.0.07', '"-x"', '"no"')

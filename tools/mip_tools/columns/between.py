@@ -17,7 +17,7 @@ from .tables import Series, Table, time_column
 if TYPE_CHECKING:
     from .log import Log
 
-#: Bytes of the log that are looked at together.
+#: Bytes of the log that are searched at once.
 PART = 1 << 23
 
 
@@ -26,11 +26,11 @@ class Gap(NamedTuple):
 
     offset: int  # in the file
     data: bytes
-    goes_on: bool  # it continues the gap before
+    goes_on: bool  # it continues the previous gap
 
 
 class Gaps:
-    """Finds those of a log, piece by piece."""
+    """Finds the gaps of a log, piece by piece."""
 
     def __init__(self) -> None:
         self._free = 0  # the end of the last packet
@@ -51,7 +51,7 @@ class Gaps:
 
 
 def sentences(log: Log) -> Iterator[tuple[int, str]]:
-    """The NMEA sentences of a log with a right checksum, and where each begins in the file."""
+    """The NMEA sentences of a log with a correct checksum, and where each begins in the file."""
     gaps, finder = Gaps(), Sentences()
     fed, places = 0, [(0, 0)]  # bytes that were given before a gap, and where it begins
     for part in log.parts(PART):

@@ -98,7 +98,7 @@ class Column(Generic[F]):
 
     @cached_property
     def titles(self) -> Mapping[str, str]:
-        """The name of each column in the specification: as in tables, whatever Python calls it."""
+        """The name of each column in the specification, as in tables; that in Python may differ."""
         parameters = info(self.type).parameters
         return dict(zip((name for name, _ in described(parameters, "")), _titles(parameters, "")))
 
@@ -108,7 +108,7 @@ class Column(Generic[F]):
 
     def valid(self, name: str) -> Array:
         """Is each value valid, according to its flags? Shape (rows,), or (rows, elements) if each
-        has its flag.
+        element has its own flag.
 
         Without a flag, every value is. Values that are absent are not.
         """

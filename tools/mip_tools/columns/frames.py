@@ -61,7 +61,7 @@ def nmea(log: Log, library: str, time: str | None) -> Any:
 
 
 def data_of(log: Log) -> list[Kind]:
-    """All data that a log has, but for timestamps."""
+    """All data fields that a log has, except timestamps."""
     found = tables.survey(log, Form(wanted=lambda set, descriptor: set >= 0x80))[0]
     return [one for one in found if timestamps.clock_of(max(one[0], 0x80), one[1].DESCRIPTOR) is None]
 
@@ -101,7 +101,7 @@ def library(name: str) -> Any:
 
 
 def objects(one: Series) -> list[Any]:
-    """The values as Python has them; None where there is none."""
+    """The values as Python objects; None where there is none."""
     items = [item.tolist() if isinstance(item, np.ndarray) else item for item in one.values]
     if one.mask is None:
         return items

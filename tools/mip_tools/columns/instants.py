@@ -20,7 +20,7 @@ class Fields(NamedTuple):
 
     offset: Array  # of their packets in the file
     time: Array  # of their packets, in nanoseconds; NONE where these have no valid timestamp of their own
-    once: bool  # an instant has one: those of further packets state the same
+    once: bool  # an instant has one: those of further packets are the same
 
 
 class Instants(NamedTuple):
@@ -72,7 +72,7 @@ def _first(packets: Array, fields: Sequence[Fields]) -> Array:
 
 
 def _near(places: Array) -> Array:
-    """The first of those that are near to each other, for places in their order."""
+    """For each of these places, which are sorted, the first of those that are near to each other."""
     first, at = places.copy(), 0
     while at < len(places):
         end = int(np.searchsorted(places, places[at] + TOGETHER, side="right"))

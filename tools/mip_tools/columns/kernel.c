@@ -1,5 +1,5 @@
 /* The innermost loops of reading a log as columns. `native.py` calls them, if this file has been compiled, by
- * their names; `scan.py` and `walk.py` do the same without. Callers give arrays that are large enough.
+ * their names; without it, `scan.py` and `walk.py` do the same. Callers pass arrays that are large enough.
  *
  * Plain C99, but for the few lines that make it a module of Python, so that any of its build tools can compile it.
  */
@@ -20,7 +20,7 @@
 enum {
     HEAD = 4,
     OVERHEAD = 6,
-    KINDS = 1024, /* different fields that are told apart at most: as in native.py */
+    KINDS = 1024, /* most different fields that are distinguished: as in native.py */
     BITS = 12,
     SLOTS = 1 << BITS /* of the table that finds them */
 };
@@ -43,8 +43,8 @@ static int64_t packet_size(const uint8_t *data, int64_t left)
     return data[size - 2] == (uint8_t)a && data[size - 1] == (uint8_t)b ? size : 0;
 }
 
-/* Where the packets begin and end that begin in `first` ... `limit`; returns their number. Packets
- * never overlap; with `overlap` all that look like one are found.
+/* Finds the packets that begin in `first` ... `limit`: where each begins and ends; returns their
+ * number. Packets never overlap; with `overlap` all that look like one are found.
  */
 API int64_t mip_packets(const uint8_t *data, int64_t first, int64_t limit, int64_t length,
                         int64_t overlap, int32_t *begin, int32_t *end)
@@ -91,7 +91,7 @@ static int32_t number_of(uint32_t key, uint32_t *keys, int64_t *count, uint16_t 
 
 /* All fields of packets, in the order of the log: the packet of each, where in its payload the data
  * begin, and the number of its key. `keys` are set << 16 | descriptor << 8 | length, in the order in
- * which they come first, `counts` how many fields each has. Returns the number of keys, or -1 if
+ * which they first occur, `counts` how many fields each has. Returns the number of keys, or -1 if
  * there are more than KINDS, or more fields than `room`.
  */
 API int64_t mip_fields(const uint8_t *data, const int32_t *begin, int64_t packets, int64_t room,
@@ -141,7 +141,7 @@ API void mip_sort(const uint16_t *number, const int32_t *packet, const uint8_t *
     }
 }
 
-/* As many bytes of each of these fields, one row for each. Every `item` bytes are turned round. */
+/* Copies `size` bytes of each of these fields, a row for each, and reverses every `item` bytes. */
 API void mip_gather(const uint8_t *data, const int32_t *begin, const int32_t *packet,
                     const uint8_t *offset, int64_t rows, int64_t size, int64_t item, uint8_t *out)
 {

@@ -40,12 +40,12 @@ def _layout(kind: type[Field]) -> Layout | None:
 
 
 def _constant(kind: type[Structure]) -> bool:
-    """Has any value one value only?"""
+    """Is any value a constant?"""
     return any(isinstance(what, int) or (_inner(what) and _constant(_inner(what))) for _, _, what in kind._LAYOUT)
 
 
 def _inner(what: Any) -> Any:
-    """The structure that a row of a layout has, or an array of which it has."""
+    """The structure in a row of a layout, alone or as an array."""
     what = what.kind if isinstance(what, wire.Items) else what
     return what if wire.is_structure(what) else None
 
@@ -77,14 +77,14 @@ def _scalars(dtype: np.dtype[Any]) -> Iterator[np.dtype[Any]]:
 
 
 def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple[dict[str, Array], Array | None]:
-    """The columns of some rows of bytes, and which rows are right, if not all are: constants differ.
+    """The columns of some rows of bytes, and which rows have the right constants, if not all do.
 
-    `turned` says that items of one size have the order of this machine already.
+    `turned` says that items of one size have the byte order of this machine already.
     """
     if not shape.dtype.itemsize:
         return {}, None
     record = rows.reshape(-1).view(shape.dtype)
-    if shape.base is not None:  # turned in one go, in place
+    if shape.base is not None:  # all are byte-swapped at once, in place
         if not turned and sys.byteorder == "little":
             rows.reshape(-1).view(shape.base.newbyteorder("=")).byteswap(inplace=True)
         record = rows.reshape(-1).view(shape.dtype.newbyteorder("="))

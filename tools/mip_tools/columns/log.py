@@ -33,7 +33,7 @@ Invalid: TypeAlias = Literal["keep", "mask", "drop"]
 Method: TypeAlias = Literal["linear", "nearest", "last"]
 Library: TypeAlias = Literal["pandas", "polars", "pyarrow"]
 
-_PIECE = 1 << 20  # bytes that are looked at together
+_PIECE = 1 << 20  # bytes that are read at once
 #: Packets whose places are kept, so that they are found only once: some 250 MB. Those behind them
 #: are found again for each request.
 _KEPT = 10_000_000
@@ -92,7 +92,7 @@ class Log:
         return f"<Log {name}: bytes {self.begin} to {self.end}>"
 
     def _repr_html_(self) -> str:
-        """For notebooks: what is in it."""
+        """The contents, for notebooks."""
         rows = "".join(
             f"<tr><td>{escape(one.name)}</td><td style='text-align: right'>{one.count}</td>"
             f"<td style='text-align: right'>{'' if one.rate is None else f'{one.rate:.4g}'}</td></tr>"
@@ -340,10 +340,10 @@ class Log:
         """A data frame at a fixed rate, "100Hz", "10ms" or a number in Hz; of some types, or of all data.
 
         The rows are at whole multiples of the step. `method` is "linear", "nearest" or "last", the value
-        before. Linear are numbers that are not whole; angles in rad or deg take the short way round, and
-        quaternions are normalized. Whole numbers, flags, text and matrices are those before. Values that
-        their flags say are not valid, and those of packets without a timestamp, do not count; there is
-        no value where the next ones are more than 2.5 usual intervals of their field apart.
+        before. "linear" applies to floats; angles in rad or deg take the short way round, and quaternions
+        are normalized. Integers, flags, text and matrices keep the value before. Values whose flags mark
+        them as invalid, and those of packets without a timestamp, are ignored; there is no value where
+        the next ones are more than 2.5 usual intervals of their field apart.
         After a pause of more than 10 s, or if time goes back so far, the rows begin anew.
 
         All times are those of one clock, as for `frame`. Times of a set that does not have it are

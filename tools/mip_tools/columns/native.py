@@ -30,7 +30,7 @@ class Fields(NamedTuple):
 
 
 class Kernel:
-    """The functions of the compiled code. None of them keeps the lock of the interpreter."""
+    """The functions of the compiled code. All of them release the lock of the interpreter."""
 
     def __init__(self, path: Path) -> None:
         """Raises OSError if it cannot be loaded, AttributeError if it is something else."""
@@ -74,7 +74,7 @@ class Kernel:
         return [Fields(key >> 16, key >> 8 & 255, (key & 255) - 2, packet[a:b], offset[a:b]) for key, a, b in bounds]
 
     def gather(self, data: Array, at: Array, packet: Array, offset: Array, item: int, rows: Array) -> None:
-        """The bytes of fields, one row for each. They consist of items of so many bytes, which are turned round."""
+        """Copies the bytes of fields, one row for each, and reverses every `item` bytes of them."""
         packet = packet.astype(np.int32, copy=False)
         places = (_at(data), _at(at), _at(packet), _at(offset))
         self._gather(*places, len(rows), rows.shape[1], item, _at(rows))
@@ -86,7 +86,7 @@ def _at(array: Array) -> int:
 
 
 def found(folder: Path = Path(__file__).parent) -> Kernel | None:
-    """The compiled code, if it is there and of this machine."""
+    """The compiled code, if it is there and built for this machine."""
     for suffix in EXTENSION_SUFFIXES:
         path = folder / f"_kernel{suffix}"
         try:

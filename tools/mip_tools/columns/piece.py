@@ -1,4 +1,4 @@
-"""A part of a log that is looked at together."""
+"""A part of a log that is read at once."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ NOTHING = np.zeros(0, np.uint8)
 
 
 class Piece:
-    """The packets that begin in it, and their fields as soon as they are asked for."""
+    """The packets that begin in it, and their fields once they are requested."""
 
     __slots__ = ("_sets", "at", "begin", "data", "end", "number", "runs", "size")
 
@@ -22,12 +22,12 @@ class Piece:
         self.size = size  # bytes that the packets begin in
         self.number = number  # of the first packet
         self.at, self.end = at, end  # of packets, in the piece
-        self.data = NOTHING  # its bytes, while it is looked at
+        self.data = NOTHING  # its bytes, while it is read
         self.runs: list[Run] | None = None
         self._sets: Array | None = None
 
     def sets(self) -> Array:
-        """The descriptor sets of the packets. For the first time while it is looked at."""
+        """The descriptor sets of the packets. The first call must be made while the piece has its bytes."""
         if self._sets is None:
             self._sets = self.data[self.at + 2]
         return self._sets

@@ -56,7 +56,7 @@ class Reader:
         self._where = Where(self._set or 0)
 
     def _in(self, number: int) -> bool:
-        """Have packets of a set this field?"""
+        """Can packets of a set have this field?"""
         if number not in self._known:
             types = registry.types(number, self._kind.DESCRIPTOR)
             self._known[number] = self._set in (None, number) and self._kind in types
@@ -117,7 +117,7 @@ class Reader:
         return next(iter(present), None)
 
     def column(self) -> Column[Any]:
-        """What was added."""
+        """The column of all that was added."""
         values: dict[str, Any]
         right = None
         if self._rows is None or self._layout is None:

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
 METHODS = ("linear", "nearest", "last")
 _SECOND = 1_000_000_000
-#: Where no packet has a time for so long, or time goes back so far, the grid ends and a new one begins.
+#: Where no packet has a time for this long, or time goes back this far, the grid ends and a new one begins.
 PAUSE = 10 * _SECOND
-#: A value is known for so many usual intervals of its field.
+#: A value remains valid for this many usual intervals of its field.
 _USUAL = 2.5
 _CIRCLES = {"rad": 2 * np.pi, "deg": 360.0}
 _QUATERNION = ("w", "x", "y", "z")
@@ -103,7 +103,7 @@ def _usual(time: Array) -> float:
 
 
 def _sampled(group: list[Series], time: Array, here: Array, grid: Array, method: str, reach: float) -> list[Series]:
-    """A group of columns on a grid; what is further away than `reach` nanoseconds counts no more."""
+    """A group of columns on a grid; values further away than `reach` nanoseconds are not used."""
     there = here.copy()
     for one in group:
         if one.mask is not None:
@@ -111,7 +111,7 @@ def _sampled(group: list[Series], time: Array, here: Array, grid: Array, method:
     rows = np.flatnonzero(there)
     rows = rows[np.argsort(time[rows], kind="stable")]
     when = time[rows]
-    last = np.ones(len(when), bool)  # of several at one time
+    last = np.ones(len(when), bool)  # the last one of several at one time
     last[:-1] = when[1:] != when[:-1]
     rows, when = rows[last], when[last]
     if not len(rows):
@@ -120,7 +120,7 @@ def _sampled(group: list[Series], time: Array, here: Array, grid: Array, method:
         return [one._replace(values=values, mask=gone) for one, values in zip(group, empty)]
     left = np.clip(np.searchsorted(when, grid, side="right") - 1, 0, len(rows) - 1)
     right = np.clip(left + 1, 0, len(rows) - 1)
-    right = np.where(when[left] >= grid, left, right)  # it is there exactly, or nothing is before it
+    right = np.where(when[left] >= grid, left, right)  # there is a value at that very time, or none before it
     before, after = when[left] <= grid, when[right] >= grid
     floats = all(one.values.dtype.kind == "f" and one.values.ndim == 1 for one in group) and len(group) < 9
     if method == "linear" and floats:

@@ -21,7 +21,7 @@ class Rows:
         """`end` is where the log ends, in bytes."""
         self._size, self._end = shape.dtype.itemsize, end
         item = 1 if shape.base is None else shape.base.itemsize
-        #: Have items of one size, which are big-endian in the log, the order of this machine?
+        #: Do items of one size, which are big-endian in the log, have the byte order of this machine?
         self.turned = item == 1 or (native.kernel is not None and sys.byteorder == "little")
         self._item = item if self.turned else 1
         self._room = np.empty((0, self._size), np.uint8)

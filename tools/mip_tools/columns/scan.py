@@ -15,7 +15,7 @@ REACH = MAX_PAYLOAD + OVERHEAD - 1
 #: Bytes behind a piece that must be there, for packets and for whole words of the last of them.
 AHEAD = REACH + 8
 
-_PART = 1 << 18  # bytes that are searched at once: what is computed of them stays in the cache
+_PART = 1 << 18  # bytes that are searched at once: intermediate results stay in the cache
 
 
 def packets(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
@@ -146,7 +146,7 @@ def _sums(words: Array) -> tuple[Array, Array]:
 
 
 def gather(data: Array, at: Array, size: int) -> Array:
-    """As many bytes at each of these places, one row for each; the places must be inside."""
+    """`size` bytes at each of these places, one row for each; the places must be inside."""
     if not size or not len(at):
         return np.zeros((len(at), size), np.uint8)
     rows: Array = np.ndarray((len(data) - size + 1,), f"V{size}", data, 0, (1,))[at]

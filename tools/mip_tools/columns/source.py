@@ -11,12 +11,12 @@ import numpy as np
 
 from .scan import Array
 
-#: A read maps so many bytes around it at most, also some that were given back before.
+#: Reading a byte maps up to this many bytes around it, also some that were given back before.
 _AROUND = 1 << 21
 
 
 class Source:
-    """Bytes that are looked at piece by piece."""
+    """Bytes that are read piece by piece."""
 
     def __init__(self, given: Any) -> None:
         self._map: mmap.mmap | None = None
@@ -83,5 +83,5 @@ class Source:
         if self._map is not None:
             try:
                 self._map.close()
-            except BufferError:  # some other part of the program still looks at it
+            except BufferError:  # some other part of the program still uses it
                 pass

@@ -81,7 +81,7 @@ class _Part(NamedTuple):
 
 
 def apart(kind: type[Field]) -> bool:
-    """Is a shared field of several sets a field of each of them? The timestamps of one instant are the same."""
+    """Is a shared field counted apart in each set? Timestamps are not: those of one instant are equal."""
     return not listed(kind) and kind.SET != 0 and timestamps.clock_of(0x80, kind.DESCRIPTOR) is None
 
 
@@ -355,7 +355,7 @@ def _spread(one: _Values, left: Array, place: Array, count: int) -> Series:
 
 
 class Aligned:
-    """Rows of one type only, with the last values of the others, also of parts before."""
+    """Rows of one type only, with the last values of the others, also from earlier parts."""
 
     def __init__(self, base: int) -> None:
         """`base` is the number of the type."""

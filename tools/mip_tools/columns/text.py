@@ -81,7 +81,7 @@ def csv_values(one: Series) -> tuple[str, list[Any]]:
 
 
 def json_values(one: Series) -> tuple[str, list[Any]]:
-    """The same for JSON: numbers with as many digits as they have on the wire; what JSON has no number for is null."""
+    """The same for JSON: numbers with as many digits as they have on the wire; null for NaN and infinity."""
     values = one.values
     if values.ndim > 1:
         form, flat = json_values(Series("", values.reshape(-1), None, {}))
@@ -136,7 +136,7 @@ def quoted(text: str) -> str:
 def shortest(numbers: Array) -> Array:
     """As doubles, the decimals with the fewest digits that are these numbers of four bytes.
 
-    The same as `text.shortest` of the package makes of each. With 6 to 9 digits, they are whole numbers
+    The result equals that of `text.shortest` of the package. With 6 to 9 digits, they are whole numbers
     below 2**53 that are divided by an exact power of ten: so they are the nearest double.
     """
     with np.errstate(invalid="ignore"):  # of NaNs that signal

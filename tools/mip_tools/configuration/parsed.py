@@ -1,4 +1,4 @@
-"""Settings from the text of a file; each mistake with its place and the remedy."""
+"""Reads settings from a file; reports each mistake with its place and the remedy."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ class _Reader(YamlReader):
     def members(
         self, what: str, node: Any, members: list[Parameter], required: set[str], given: dict[str, Any], set: int | None
     ) -> dict[str, Any]:
-        """The values of parameters, so that each finds those that it depends on."""
+        """The values of parameters, read in such an order that each finds those that it depends on."""
         before = len(self.mistakes)
         nodes = self.keys(node, [p.name for p in members], f"'{what}'")
         unknown = len(self.mistakes) > before  # perhaps what seems to be missing
@@ -238,7 +238,7 @@ class _Reader(YamlReader):
             raise Wrong(node, str(failure)) from None
 
     def check(self, p: Parameter, value: Any, node: Any, set: int | None) -> None:
-        """Is it a value that a device can have?"""
+        """Raises Wrong if a device cannot have this value."""
         if self.device is not None and p.refers == "field" and not self.sends(set, int(value)):
             raise Wrong(node, f"this device does not have the field '{node.value}'; remove it")
         known = numbers(p, set, self.profile)

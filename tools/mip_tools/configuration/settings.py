@@ -15,8 +15,8 @@ from ..simulator.codes import READ, SAVE, WRITE
 from ..simulator.facts import AFFECTED, COMMANDS, DATA_SETS, FUNCTIONS, PORTS, VALUES, Behavior, difference
 from ..simulator.settings import Key, home, keys
 
-#: Effects of settings in the order in which they are changed: streams come behind what they show, and what may end
-#: the conversation comes last.
+#: Effects of settings in the order in which they are changed: streams come after what they show, and settings that
+#: may end the conversation come last.
 STREAMS = ("format", "sentences", "switch")
 LINK = ("protocols", "communication_mode", "baud_rate")
 _ORDER = (*STREAMS, *LINK)
@@ -69,7 +69,7 @@ def behavior(kind: type[Command]) -> Behavior:
 def settings() -> dict[str, type[Command]]:
     """The commands that can be written, read and saved, by their names.
 
-    What a command does only once is not a setting, and neither is a command whose values all select an instance.
+    A command that acts only once is not a setting, and neither is a command whose values all select an instance.
     """
     found: dict[str, type[Command]] = {}
     for _, kind in registry.all_types():
@@ -80,7 +80,7 @@ def settings() -> dict[str, type[Command]]:
 
 
 def parameters(kind: type[Any]) -> list[Parameter]:
-    """The parameters that make up a setting: not the function, nor what follows from the rest, nor what is reserved."""
+    """The parameters of a setting, without the function, derived ones and reserved ones."""
     return [p for p in info(kind).parameters if p.name != "function" and not p.derived and not p.reserved]
 
 
@@ -113,7 +113,7 @@ def _letters(kind: type[Command], profile: Device) -> set[str]:
 
 
 def in_order(places: Iterable[Place]) -> list[Place]:
-    """In the order in which they are changed."""
+    """Sorts settings into the order in which they are changed."""
 
     def rank(place: Place) -> int:
         effect = behavior(place.kind).effect
@@ -123,7 +123,7 @@ def in_order(places: Iterable[Place]) -> list[Place]:
 
 
 def ends_talk(place: Place) -> bool:
-    """Could the device not be heard any more when this setting changes?"""
+    """Can a change of this setting cut the connection to the device?"""
     return behavior(place.kind).effect in LINK
 
 
@@ -137,7 +137,7 @@ def response_names(response: type[Any]) -> dict[str, str]:
 
 
 def places(kind: type[Command], profile: Device) -> Iterator[tuple[Place, bool]]:
-    """The instances to ask a device for; true for one behind which there may be no more, if the device refuses it."""
+    """The instances to ask a device for; True for one after which there may be no more, if the device refuses it."""
     names = keys(kind)
     values: list[list[int]] = []
     for name in names:
@@ -188,12 +188,12 @@ def named(p: Parameter, profile: Device) -> dict[int, str]:
 
 
 def on(p: Parameter, profile: Device) -> Parameter:
-    """A parameter on a device; as usual, if the package has no such device."""
+    """A parameter on a device; unchanged if the package has no such device."""
     return p.on(profile.id) if profile.id in DEVICES else p
 
 
 def _most(limit: str | None, profile: Device) -> int:
-    """How many instances a device may have; of one that does not state it, as many as any other device has."""
+    """How many instances a device may have; if its profile does not state it, as many as any other device has."""
     own = profile.limits.get(limit or "")
     if own is not None:
         return int(own.value)
@@ -215,7 +215,7 @@ class _Record:
 
 # --------------------------------------------------------------------------- devices
 
-#: A device that nothing is known of.
+#: A device of which nothing is known.
 UNKNOWN = Device("", "", "", None, (), {})
 
 

@@ -16,13 +16,13 @@ from .settings import Place, can, ends_talk, in_order, listed, of, parameters, p
 if TYPE_CHECKING:
     from ..binding import DeviceAtPort
 
-#: Seconds in which a device that streams sends something. One that sends less does no harm while it is asked.
+#: A device that is silent for so many seconds need not be set to idle: rare data does not disturb the conversation.
 QUIET = 0.3
 #: Seconds until a device has changed its baud rate.
 SETTLE = 0.3
 #: The number of attempts to send a command without a reply.
 ATTEMPTS = 2
-#: How often what other settings have changed meanwhile is written again.
+#: How often settings that others have changed meanwhile are written again.
 ROUNDS = 3
 
 #: Settings and their values, as commands that would write them.
@@ -30,7 +30,7 @@ Held = dict[Place, Any]
 
 
 class Talk:
-    """A device that is asked for its settings, and given them."""
+    """Reads and writes the settings of a device."""
 
     def __init__(self, link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> None:
         """Finds out which device it is. Raises Failure."""
@@ -70,7 +70,7 @@ class Talk:
         return None if response is None else written(place, response)
 
     def request(self, command: Any) -> Any:
-        """The response to a command. Raises Failure if there is no answer, and MipError for one that is of no use."""
+        """The response to a command. Raises Failure if there is no answer, and MipError for one that cannot be used."""
         for attempt in range(ATTEMPTS):
             try:
                 return self.link.request(command)
@@ -85,10 +85,10 @@ class Talk:
     # ----------------------------------------------------------------- writing
 
     def push(self, wanted: Held) -> Pushed:
-        """Gives the device these settings, in the order that is safe; those that it has already are not written.
+        """Writes these settings to the device in a safe order, except those that it has already.
 
-        What the device refuses is tried again once others are written, on which it may depend, and so is what others
-        have changed.
+        Settings that the device refuses are tried again once others, on which they may depend, are written, and so are
+        settings that others have changed.
         """
         done = Pushed()
         ordered = in_order(wanted)
@@ -101,13 +101,13 @@ class Talk:
         return done
 
     def _write(self, places: list[Place], wanted: Held, done: Pushed) -> bool:
-        """Writes those of the settings that the device does not have. Did it take any?"""
+        """Writes those of the settings that the device does not have. Did it accept any?"""
         now = self.read_all({place: wanted[place] for place in places})
         changes = [place for place in places if differs(now[place], wanted[place])]
         return any([self._change(place, wanted[place], now[place], done) for place in changes])
 
     def _change(self, place: Place, command: Any, before: Any, done: Pushed) -> bool:
-        """Writes one setting. Did the device take it?"""
+        """Writes one setting. Did the device accept it?"""
         try:
             if ends_talk(place):
                 self._change_link(command, before)
@@ -124,7 +124,7 @@ class Talk:
         return True
 
     def _change_link(self, command: Any, before: Any) -> None:
-        """Changes how the device is reached, and takes it back if it is not heard any more.
+        """Changes a setting of the connection, and restores the former value if the device does not answer any more.
 
         An interrupt waits until this is settled. Raises Refused, Lost, and Failure if the device remains silent.
         """
@@ -132,15 +132,15 @@ class Talk:
         with signals.handled(held):
             heard = self._changed_link(command, before)
             if not heard and not self._taken_back(before):
-                said = f"{self.port} is not heard since {command.NAME} was written, and not after it was taken back"
+                said = f"{self.port} has not answered since {command.NAME} was written, nor after it was written back"
                 raise Failure(f"{said}; switch the device off and on: nothing has been saved", listing.SILENT)
         if held.waits:
             raise KeyboardInterrupt
         if not heard:
-            raise Lost("the device was not heard any more; the former value is back")
+            raise Lost("the device did not answer any more; the former value is back")
 
     def _changed_link(self, command: Any, before: Any) -> bool:
-        """Writes a setting of the line. Does the device answer still?"""
+        """Writes a setting of the line. Does the device still answer?"""
         rate, old = getattr(command, "baud", None), self.link.baud
         if rate is not None and old is not None:
             return self._changed_baud(command, before, rate, old)
@@ -151,7 +151,7 @@ class Talk:
         return self.heard()
 
     def _changed_baud(self, command: Any, before: Any, rate: int, old: int) -> bool:
-        try:  # before the device is told: can the port follow?
+        try:  # before the command is sent: does the port support this rate?
             self.link.baud = rate
             self.link.baud = old
         except (OSError, ValueError) as error:
@@ -159,7 +159,7 @@ class Talk:
         try:
             self.link.change_baud(command)
             return True
-        except NoAnswer:  # it may hear at the new rate without being heard
+        except NoAnswer:  # it may receive at the new rate although its replies are lost
             self.link.baud = rate
             self.link.send(before)
             time.sleep(SETTLE)
@@ -167,7 +167,7 @@ class Talk:
             return False
 
     def _taken_back(self, before: Any) -> bool:
-        """Writes the former value, also to a device that is not heard: it may still hear."""
+        """Writes the former value, also if no reply arrives: the device may still receive."""
         for _ in range(ATTEMPTS):
             self.link.send(before)
             if self.heard():
@@ -212,7 +212,7 @@ class Talk:
     @staticmethod
     @contextmanager
     def idle(link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> Iterator[None]:
-        """A device that sends data is idle meanwhile, and streams afterwards; any other is left alone."""
+        """Sets a device that sends data to idle, and resumes it afterwards; leaves any other alone."""
         if link.next(timeout=QUIET) is None:
             yield
             return
@@ -230,11 +230,11 @@ class Pushed:
     def __init__(self) -> None:
         self.written: set[Place] = set()
         self.refused: dict[Place, str] = {}
-        self.different: dict[Place, Any] = {}  # what they are in place of what was written
+        self.different: dict[Place, Any] = {}  # the values read back, where they are not those written
 
 
 def why(error: Refused) -> str:
-    """The reason of a device in words."""
+    """The reason for a NACK, in words."""
     number = int(error.code)
     known = next((v for v in info(AckCode).values if v.value == number), None)
     return f"{known.name} ({number}): {known.text}" if known else f"code {number}"
@@ -253,5 +253,5 @@ def written(place: Place, response: Any) -> Any:
 
 
 def differs(a: Any, b: Any) -> bool:
-    """Are these two different values of a setting? What does not count for a device does not differ."""
+    """Are these two different values of a setting? They are compared as bytes on the wire."""
     return a is None or b is None or bool(a.encode() != b.encode())

@@ -64,7 +64,7 @@ def _set(p: Parameter, beside: Mapping[str, Any]) -> int | None:
 
 
 class Beside:
-    """Values by their names, as a parameter finds those beside it."""
+    """Values by name, in the form in which a parameter looks up those beside it."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         self._values = values

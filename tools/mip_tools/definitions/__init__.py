@@ -1,4 +1,4 @@
-"""A package made of own definitions when the tools start: of a `mip.json`, in place of a generated package.
+"""A package made from a `mip.json` when the tools start, in place of a generated package.
 
 Its runtime is that of the generated package. Each of its other modules is built when it is first imported, with the
 classes that a generated module would have.
@@ -22,7 +22,7 @@ from .document import Document
 #: The name of the package.
 NAME = "mip_definitions"
 
-#: Module -> what fills it. Those of descriptor sets are added for each file.
+#: Module -> the function that fills it. Those of descriptor sets are added for each file.
 _BUILDERS: dict[str, Callable[[Document, ModuleType], None]] = {
     "_clocks": modules.clocks,
     "_index": modules.index,
@@ -62,7 +62,7 @@ class Finder(MetaPathFinder, Loader):
         return spec_from_loader(fullname, self) if home in self.builders else None  # else in the folder
 
     def get_source(self, fullname: str) -> str:
-        """The source of `help` and of the texts of the package."""
+        """The source from which `help` and the package take their texts."""
         return prose.source(self.document, fullname.rpartition(".")[2])
 
     def exec_module(self, module: ModuleType) -> None:

@@ -1,4 +1,4 @@
-"""Classes of fields: what they are, how they are called, and what answers a command."""
+"""Classes of fields, with the constructors of commands and the responses to them."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ class Fields(Records):
         return content
 
     def constructor(self, f: Item, call: Item, function: Item) -> Any:
-        """The way to make a command for a function, with the parameters that it takes."""
+        """The constructor of a command for a function, with the parameters that it takes."""
         parameters = {p["name"]: p for p in f["parameters"]}
         required = [parameters[name] for name in call["required"]]
         optional = [parameters[name] for name in call["optional"]]
@@ -91,7 +91,7 @@ class Fields(Records):
             later = [q for q in optional[i:] if q in addable]
             if p in addable:
                 passed.append(f"{member(p['name'])}={member(p['name'])}")
-            elif "reserved" in p and later:  # it is sent with what comes behind it
+            elif "reserved" in p and later:  # it is sent with the parameters after it
                 names[f"_o{i}"] = default(p, False)
                 passed.append(f"{member(p['name'])}=_o{i} if {member(later[0]['name'])} is not None else None")
         exec(f"def made({', '.join(['cls', *asked])}): return cls({', '.join(['_function', *passed])})", names)
@@ -100,7 +100,7 @@ class Fields(Records):
         return names["made"]
 
     def condition(self, c: Item) -> Callable[[Any], bool]:
-        """Whether a command has a value; of a Boolean everything but 0 is true."""
+        """Whether a command has a value; for a Boolean, everything but 0 is true."""
         name, value = self.document.member(c["parameter"]), c["value"]
         if c["label"] in ("true", "false"):
             return lambda command: bool(getattr(command, name)) == bool(value)
@@ -126,7 +126,7 @@ class Fields(Records):
         return expected
 
     def matches(self, f: Item) -> Any:
-        """Whether data can be those of a field: by their size, and constants in them."""
+        """Whether data can be those of a field, by their size and the constants in them."""
         signature = constants(f)
         others = [g["min_size"] for g in self.document.layouts(f) if {*constants(g)} <= {*signature}]
         least = f["min_size"] if min(others) < f["min_size"] else 0

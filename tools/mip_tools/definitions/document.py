@@ -1,4 +1,4 @@
-"""A `mip.json`, with what its names refer to, and what Python calls these."""
+"""A `mip.json`, the items that its names refer to, and their names in Python."""
 
 from __future__ import annotations
 

@@ -150,10 +150,10 @@ class Meaning:
         member = self.document.member(v["member"]) if "member" in v else ""
         return self.parameters.Variant(by, keys, changes, member)
 
-    # ----------------------------------------------------------------- what vouches for a value
+    # ----------------------------------------------------------------- valid flags
 
     def flags(self, paths: Iterable[str], record: Item, device: str | None = None) -> tuple[Any, ...]:
-        """What says that a value is valid; nothing if the device decides which bit it is, and is not known."""
+        """The flags that mark a value as valid; none if the bit depends on the device, which is not known."""
         found = []
         for path in paths:
             name, _, bit = path.partition(".")

@@ -117,7 +117,7 @@ def _call(document: Document, name: str) -> Any:
 
 
 def simulation(document: Document) -> dict[str, Any]:
-    """What virtual devices show and do, as `simulation.json` of a generated package says it."""
+    """The behavior of virtual devices, in the form of `simulation.json` of a generated package."""
     given = document.content["simulation"]
     return {
         "functions": {f["letter"]: f["value"] for f in document.content["functions"]},
@@ -236,5 +236,5 @@ def _behavior(b: Item) -> Item:
     return entry
 
 
-#: What is written as pairs.
+#: Keys whose content is written as pairs.
 _PAIRS = ("arguments", "all", "instances", "key", "initial", "answers")

@@ -112,7 +112,7 @@ class Records:
         return content
 
     def vectors(self, p: Item) -> Iterator[Any]:
-        """The vectors that a value may be, or may be several of."""
+        """The vectors that a value, or each item of an array, may be."""
         found = [p, *(c["parameter"] for c in p.get("cases", ()) if "parameter" in c)]
         names = [q["type"] for q in found if self.document.types.get(q.get("type", ""), {}).get("kind") == "vector"]
         return (self.document.get(name) for name in dict.fromkeys(names))
@@ -141,7 +141,7 @@ class Records:
     # ----------------------------------------------------------------- layouts
 
     def layout(self, operations: list[Item]) -> tuple[tuple[Any, ...], int | None]:
-        """The rows, and how many are always there, if not all."""
+        """The rows, and how many are always present, if not all."""
         rows, always = list[Any](), None
         for o in operations:
             if o["kind"] == "group":
@@ -226,7 +226,7 @@ def default(p: Item, absent: bool) -> Any:
 
 
 def by_name(held: list[Item], absent: set[str], i: int) -> bool:
-    """A default before members without one: given by name only."""
+    """Is it a default before members without one? Then it is passed by name only."""
     p = held[i]
     later = (default(q, q["name"] in absent) for q in held[i + 1 :])
     return default(p, p["name"] in absent) is not _NONE and any(value is _NONE for value in later)

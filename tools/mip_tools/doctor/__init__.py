@@ -1,1 +1,1 @@
-"""What is wrong with a stream, and why: `mip doctor`."""
+"""`mip doctor`: finds faults of a stream, and their causes."""

@@ -11,14 +11,14 @@ from itertools import chain
 CAUSES = {
     "line damage": "bytes were changed or lost on the way; check cable, baud rate and grounding",
     "overload": "the device left out packets while others came; send less, or raise the baud rate: `mip bandwidth`",
-    "pause": "nothing came, and nothing was damaged: the device was idle, unplugged, or not recorded",
-    "reset": "the device started anew; check its power supply",
+    "pause": "no data arrived, and none was damaged: the device was idle, unplugged, or not recorded",
+    "reset": "the device restarted; check its power supply",
     "clock step": "the time jumped, but data did not pause; the time source was set or found",
     "changed format": "the message format was changed",
 }
 
 
-#: Fields of a new format do not come in the same packets.
+#: Changes of a format that are so many bytes apart are one: its fields are not all in the same packets.
 _NEAR = 4096
 
 
@@ -74,12 +74,12 @@ def _slack(cause: str, other: str) -> int:
     return _NEAR if cause == other == "changed format" else 0
 
 
-#: What explains others comes first.
+#: Causes that explain others come first.
 _RANK = {"reset": 0, "clock step": 1, "line damage": 2, "changed format": 3, "pause": 4, "overload": 5}
 
 
 def explains(cause: str, other: str) -> bool:
-    """Can a gap, or a format that changes with a reset, be what the cause brings about?"""
+    """Can the cause explain another one: a gap, or a change of format with a reset?"""
     if other in ("pause", "overload"):
         return _RANK[cause] < _RANK[other]
     return cause == "reset" and other in ("clock step", "changed format")

@@ -1,4 +1,4 @@
-"""What is said of a stream: each finding with its cause and its remedy."""
+"""The findings about a stream, each with its cause and its remedy."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _SELDOM = 0.02
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that is wrong: what it is called, what was seen, what to do."""
+    """One fault: its name, what was seen, and what to do."""
 
     cause: str
     text: str

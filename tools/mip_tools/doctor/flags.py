@@ -1,4 +1,4 @@
-"""The bits of data that warn of something: how often they are set."""
+"""Counts how often the warning bits in data are set."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .examined import Key, Warned
 
 
 class Flags:
-    """Counts them, by set and descriptor."""
+    """The counts of warning bits, by set and descriptor."""
 
     def __init__(self, device: str | None) -> None:
         self._device = device
@@ -23,7 +23,7 @@ class Flags:
         self.unnamed: list[str] = []
 
     def watch(self, key: Key, kind: Any) -> None:
-        """From now on counts those of a type of field, if it has any."""
+        """Starts to count the warning bits of a type of field, if it has any."""
         places = [] if kind is None else list(self._places(kind))
         if places:
             self._watched[key] = _Watched(kind, places)
@@ -42,7 +42,7 @@ class Flags:
                 yield p.attribute, bits
 
     def add(self, log: Log) -> None:
-        """Counts those of the next part of a log."""
+        """Counts the bits in the next part of a log."""
         columns = log.columns([(number, one.kind) for (number, _), one in self._watched.items()])
         for one, column in zip(self._watched.values(), columns):
             if len(column):

@@ -1,4 +1,4 @@
-"""A part of a log, as its examination needs it."""
+"""A part of a log, prepared for its examination."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Part:
     def __init__(self, log: Log, known: Collection[Key]) -> None:
         """`known` are the fields that came before."""
         self.log = log
-        #: The others: each with its first occurrence.
+        #: All other fields, each with its first occurrence.
         self.new: dict[Key, Found] = {}
         #: Of each, a place in a packet: fields are in this order.
         self.order: dict[Key, int] = {}
@@ -43,7 +43,7 @@ class Part:
                 self.new[key] = first(piece, runs)
 
     def complete(self) -> None:
-        """All pieces were added."""
+        """Computes the attributes below, once all pieces are added."""
         nothing = (np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, np.uint8))
         #: Where the packets begin and end in the file.
         self.at, self.end, sets = (np.concatenate(parts) for parts in zip(nothing, *self._places))
@@ -59,7 +59,7 @@ class Part:
         return times.read(self.log, number, clock)
 
     def valid(self, number: int, clock: str) -> tuple[Array, Array]:
-        """Packets of a set with valid ones, and their times."""
+        """The packets of a set with valid timestamps, and their times."""
         stamps = times.read(self.log, number, clock)
         right = stamps.value != times.NONE
         return stamps.packet[right], stamps.value[right]
@@ -81,11 +81,11 @@ class Line:
 
     @property
     def last(self) -> int | None:
-        """The last one."""
+        """The last time."""
         return int(self._time[-1]) if len(self._time) else self._before
 
     def at(self, offset: int) -> int | None:
-        """The last one of the packets up to a place in the file."""
+        """The last time of the packets up to a place in the file."""
         count = int(np.searchsorted(self._at, offset, side="right"))
         return int(self._time[count - 1]) if count else self._before
 

@@ -1,4 +1,4 @@
-"""Why there is no connection to a device, or less data than wanted."""
+"""Finds out why there is no connection to a device, or less data than wanted."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ from .findings import Finding
 
 #: Bits on a serial line for a byte.
 _BITS = 10
-#: A line that is used more is full.
+#: The used share of a line above which it is full.
 FULL = 0.9
-#: A rate is reached if so much of it is.
+#: The share of a rate from which on it is reached.
 _REACHED = 0.95
 
 
@@ -157,7 +157,7 @@ def why_not_open(name: str, error: BaseException) -> Finding:
 
 
 def _others() -> str:
-    """The serial ports that there are."""
+    """The existing serial ports."""
     try:
         listing: Any = import_module("serial.tools.list_ports")
     except ImportError:

@@ -9,15 +9,15 @@ import numpy as np
 
 from ..columns.scan import Array
 
-#: So many equal intervals are a rhythm.
+#: The number of equal intervals that make a rhythm.
 STEADY = 5
 #: Intervals that differ by less are equal.
 EQUAL = 0.1
-#: An interval of so many times the usual one is a gap.
+#: An interval of this many times the usual one is a gap.
 GAP = 1.5
-#: So many intervals are compared at once.
+#: The number of intervals that are compared at once.
 _WINDOW = 1024
-#: No interval is longer: the difference of two of them fits into 64 bits, too.
+#: The longest interval: the difference of two of them still fits into 64 bits.
 _LONGEST = 1 << 61
 
 
@@ -55,7 +55,7 @@ class Rhythm:
         self._gaps: list[Gap] = []
 
     def follow(self, times: Array, moment: Callable[[int], Moment]) -> Iterator[tuple[int, Gap | Change]]:
-        """What is known with more packets, and with which of them. `moment` has each of them."""
+        """The gaps and changes that more packets reveal, each with the number of the packet. `moment` describes one."""
         if not len(times):
             return
         before, self.last = self.last, moment(len(times) - 1)
@@ -75,7 +75,7 @@ class Rhythm:
                 at += 1
 
     def _as_usual(self, steps: Array) -> int:
-        """Takes the first of these intervals, as many as go on as the last one, and tell nothing new."""
+        """Counts the first of these intervals, as long as they equal the last one and the usual one."""
         if self.usual is None or self._gaps or not self._count:
             return 0
         same = np.abs(steps - self._run) < EQUAL * self._run
@@ -85,7 +85,7 @@ class Rhythm:
         return count
 
     def _add(self, step: int, before: Moment, now: Moment) -> list[Gap | Change]:
-        """What is known with one more interval."""
+        """The gaps and changes that one more interval reveals."""
         if self._count and abs(step - self._run) < EQUAL * self._run:
             self._count += 1
         else:
@@ -103,7 +103,7 @@ class Rhythm:
 
 
 def differences(times: Array) -> Array:
-    """The time from each one to the next, as far as that is not absurdly long."""
+    """The time from each one to the next, limited to the longest interval."""
     about = np.diff(times.astype(np.float64))
     steps: Array = np.where(np.abs(about) < _LONGEST, np.diff(times), np.copysign(_LONGEST, about).astype(np.int64))
     return steps

@@ -1,4 +1,4 @@
-"""The bytes between packets: NMEA sentences, and what is neither."""
+"""The bytes between packets: NMEA sentences and damage."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ class Skipped:
         self.sentences = 0
         self._gaps = Gaps()
         self._begin = self._end = 0
-        self._others = b""  # what is no sentence
+        self._others = b""  # bytes outside sentences
         self._count = 0  # of these bytes
         self._line = b""  # the last line, which may go on
 
     def add(self, piece: Piece) -> Iterator[Damage]:
-        """The damage that is complete, as more follows."""
+        """The damage that a following packet completes."""
         for gap in self._gaps.of(piece):
             if not gap.goes_on:
                 yield from self._complete(False)

@@ -24,9 +24,9 @@ from .skipped import Damage, Skipped
 
 #: Bytes of the log that are examined together.
 PART = 1 << 23
-#: A field has stopped, or was started, if it is so many of its intervals and seconds away from the end or the begin.
+#: A field has stopped, or was started, if it is this many intervals and seconds away from the end or the beginning.
 _AWAY, _AWAY_SECONDS = 5, 1.0
-#: The time by one clock and that by another may drift apart by so much between two packets.
+#: The times of two clocks may drift apart by this much between two packets.
 _STEP = SECOND // 20
 #: A shorter gap is not a pause.
 _SHORT = 0.5
@@ -57,7 +57,7 @@ class _Set:
 
 
 class _Noted(NamedTuple):
-    """An event, and where it becomes known: the packet, and the place in it."""
+    """An event, and where it is detected: the packet, and the place in it."""
 
     at: int
     order: int
@@ -128,7 +128,7 @@ class Examination:
             self._noted.append(_Noted(begin, 0, Event("line damage", begin, end, None, details=[text])))
 
     def _note(self, line: Line) -> None:
-        """Keeps the events that have become known, with their times, in the order in which they became so."""
+        """Keeps the detected events with their times, in the order in which they were detected."""
         for noted in sorted(self._noted, key=lambda noted: noted[:2]):
             noted.event.time = line.at(noted.at)
             self._keep(noted.event)
@@ -260,7 +260,7 @@ class Examination:
         return Moment(int(beats[row]), int(part.at[packet]), int(part.end[packet]), others)
 
     def _gap(self, number: int, gap: Gap, known: int) -> Event:
-        """A gap, as it is known when a packet begins that comes in time again."""
+        """The event of a gap, which is detected when a packet arrives on time again, at offset `known`."""
         seconds = (gap.after.time - gap.before.time - gap.usual) / SECOND
         # When all pause, each other set may still have a packet at the begin and one at the end.
         sets = sum(one.first < known for one in self._sets.values())

@@ -1,6 +1,6 @@
 """Many logs as one partitioned Parquet data set, decoded in parallel with Dask.
 
-A run that was interrupted goes on where it was, and no row is there twice: docs/fleet.md of mipgen.
+An interrupted run continues where it stopped, and no row is there twice: docs/fleet.md of mipgen.
 """
 
 from __future__ import annotations

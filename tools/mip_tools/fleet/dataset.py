@@ -3,9 +3,9 @@
     OUT/_manifest.json                     what counts: the files, the logs that are in them, the options
     OUT/_catalogue.parquet                 a row for each log and descriptor set: device, times, rates, gaps
     OUT/clock=gps/field=…/NAME.parquet     the rows
-    OUT/_work/                             of a run that is not finished
+    OUT/_work/                             files of an unfinished run
 
-A file appears under its name when it is complete, and the name follows from what is in it: to make it again changes
+A file appears under its name when it is complete, and the name follows from its content: to make it again changes
 nothing. Only what the manifest lists counts; it is replaced as a whole.
 """
 
@@ -163,7 +163,7 @@ def unlisted(folder: Path, manifest: Manifest) -> list[Path]:
 
 @contextmanager
 def alone(folder: Path) -> Iterator[None]:
-    """While it lasts, no other run changes the folder. Raises Failure if one does."""
+    """Keeps other runs from changing the folder meanwhile. Raises Failure if one does."""
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "_lock", "ab") as file:
         try:
@@ -174,7 +174,7 @@ def alone(folder: Path) -> Iterator[None]:
 
 
 def _lock(number: int) -> None:
-    """Held until the process ends, however it does."""
+    """Takes a lock that is held until the process ends, in whatever way."""
     try:
         import fcntl
     except ImportError:

@@ -27,7 +27,7 @@ FACTS = "facts.json"
 
 
 def decoded(work: Work, log: sources.Log, identity: str) -> dict[str, Any]:
-    """Its facts, which are also in `facts.json` beside the fragments."""
+    """Decodes a log; returns its facts, which are also in `facts.json` beside the fragments."""
     done = work.folder / identity
     with_facts = done / FACTS
     if not with_facts.exists():
@@ -49,7 +49,7 @@ def decoded(work: Work, log: sources.Log, identity: str) -> dict[str, Any]:
 
 
 def _facts(source: Log) -> dict[str, Any]:
-    """Its entry in the catalogue. Raises ValueError if it is not a log."""
+    """The entry of a log in the catalogue. Raises ValueError if it is not a log."""
     report = examine(source)
     if not report.packets:
         raise ValueError("it has no MIP packets")

@@ -17,7 +17,7 @@ from ..errors import Failure
 from . import dataset, pack, tasks
 from .sources import Log, device_in, found
 
-#: Gets what is done of how many, and what these are.
+#: Called with the number done, the total, and a word for the items.
 Progress = Callable[[int, int, str], object]
 
 
@@ -95,7 +95,7 @@ class _Run:
                 raise Failure(f"{folder} was made with {said}; use the same, or another folder")
 
     def begin(self) -> None:
-        """Takes back what an interrupted run had moved already."""
+        """Moves back the files that an interrupted run had moved already."""
         for path in dataset.unlisted(self.folder, self._before):
             clock, name = dataset.belongs(path)
             back = self.work / dataset.home(clock, name) / path.name
@@ -110,7 +110,7 @@ class _Run:
                 part.write_text(said, "utf-8")
 
     def sort(self, logs: Sequence[Log]) -> None:
-        """Which logs are new, known, or neither?"""
+        """Sorts the logs into new, known and changed ones."""
         names = {one.name: one for one in self._before.logs}
         identities = {one.identity for one in self._before.logs}
         for log in logs:
@@ -122,7 +122,7 @@ class _Run:
             if identity in identities:
                 self.built.known.append(log.name)
             elif log.name in names:
-                self.built.failed[log.name] = "it has changed since it was added; its rows are those of before"
+                self.built.failed[log.name] = "it has changed since it was added; its rows are the earlier ones"
             else:
                 identities.add(identity)
                 self.new.append((log, identity, size))
@@ -166,7 +166,7 @@ class _Run:
             self._packed.append(path)
 
     def end(self) -> None:
-        """Moves the new files to their places, and lets them count."""
+        """Moves the new files to their places, and writes the manifest."""
         manifest = self.built.manifest
         manifest.failed = self.built.failed
         manifest.logs.sort(key=lambda one: one.name)
@@ -183,7 +183,7 @@ class _Run:
         dataset.cleared(self.folder)
 
     def _write_catalogue(self) -> None:
-        """Adds the rows of the new logs; what is there of logs that do not count is replaced."""
+        """Adds the rows of the new logs, and removes those of logs that do not count."""
         import pyarrow as pa
         import pyarrow.parquet as parquet
 
@@ -203,7 +203,7 @@ class _Run:
     def _done(
         self, client: Any, function: Callable[..., Any], jobs: Sequence[tuple[str, tuple[Any, ...]]], what: str
     ) -> Iterator[tuple[str, Any]]:
-        """The results, or the exceptions, as they come."""
+        """The results, or the exceptions, as they arrive."""
         completed: Any = import_module("dask.distributed").as_completed
         futures = {client.submit(function, *job, pure=False): key for key, job in jobs}
         for count, future in enumerate(completed(list(futures)), 1):
@@ -236,7 +236,7 @@ def _dates(each: dict[str, Any]) -> dict[str, Any]:
 def _why(error: BaseException) -> str:
     """A reason in one line."""
     if type(error).__name__ == "KilledWorker":
-        return "the workers that read it ended again and again: out of memory, or the file changed meanwhile"
+        return "the workers that read it crashed repeatedly: out of memory, or the file changed meanwhile"
     return " ".join(f"{type(error).__name__}: {error}".split())
 
 

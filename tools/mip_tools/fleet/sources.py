@@ -16,7 +16,7 @@ from typing import IO, Any, cast
 
 from ..errors import Misuse
 
-#: Bytes at the beginning and at the end by which a log is known, with its size.
+#: Bytes at the beginning and at the end that, with its size, identify a log.
 _ENDS = 1 << 16
 
 
@@ -33,7 +33,7 @@ class Log:
         return "://" in self.place
 
     def identity(self) -> tuple[str, int]:
-        """What is the same for the same log under any name, and its size. Raises OSError."""
+        """An identity that does not depend on the name, and the size. Raises OSError."""
         with self._opened() as file:
             size = file.seek(0, 2)
             said = hashlib.sha256(b"%d" % size)
@@ -44,7 +44,7 @@ class Log:
 
     @contextmanager
     def local(self) -> Iterator[str]:
-        """A path of it on this machine; of a URL, a copy for as long. Raises OSError."""
+        """A path of it on this machine; for a URL, that of a temporary copy. Raises OSError."""
         if not self.remote:
             yield self.place
             return

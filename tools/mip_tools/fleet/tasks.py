@@ -1,4 +1,4 @@
-"""What workers do. Modules that need the generated package are imported after it has been chosen."""
+"""The tasks of workers. Modules that need the generated package are imported after it has been chosen."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Pack:
 
 
 def decode(work: Work, log: Log, identity: str) -> dict[str, Any]:
-    """Makes the fragments of a log; returns its facts, or `failed`, why there are none."""
+    """Makes the fragments of a log; returns its facts, or the reason, `failed`, why there are none."""
     binding.use(work.package)
     from .decode import decoded
 
@@ -48,7 +48,7 @@ def decode(work: Work, log: Log, identity: str) -> dict[str, Any]:
 
 
 def pack(work: Pack) -> tuple[int, int]:
-    """Makes a file of rows; returns how many these are, and their bytes in memory."""
+    """Makes a file of rows; returns their number, and their bytes in memory."""
     from .pack import packed
 
     return packed(work)

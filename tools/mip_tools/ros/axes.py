@@ -13,19 +13,19 @@ NOT_ROTATED: Quaternion = (1.0, 0.0, 0.0, 0.0)
 
 
 def body(v: Sequence[float]) -> Vector:
-    """Forward, left, up of forward, right, down: y and z change their signs."""
+    """Converts forward, right, down to forward, left, up: y and z change their signs."""
     x, y, z = v
     return x, -y, -z
 
 
 def world(v: Sequence[float]) -> Vector:
-    """East, north, up of north, east, down."""
+    """Converts north, east, down to east, north, up."""
     north, east, down = v
     return east, north, -down
 
 
 def attitude(q: Sequence[float]) -> Quaternion:
-    """The rotation from the body of REP 103 to ENU, of the attitude in NED that a device sends."""
+    """The rotation from the body of REP 103 to ENU, from the attitude in NED that a device sends."""
     w, x, y, z = q
     length = sqrt(2 * (w * w + x * x + y * y + z * z)) or 1.0
     return (w + z) / length, (x + y) / length, (x - y) / length, (w - z) / length

@@ -1,4 +1,4 @@
-"""Standard messages of ROS 2 of the data fields of a packet.
+"""Standard messages of ROS 2, made from the data fields of a packet.
 
 The values of a message are a dictionary; what it leaves out is zero. Fields that a specification or a packet does not
 have are left out of messages, and a message without its first value is not made.
@@ -14,8 +14,8 @@ from ..binding import EnumInfo, Field, info
 from ..simulator import earth
 from . import axes
 
-STANDARD_GRAVITY = 9.80665  # m/s^2 in g
-TESLA = 1e-4  # in gauss
+STANDARD_GRAVITY = 9.80665  # m/s^2 per g
+TESLA = 1e-4  # per gauss
 UNKNOWN = [-1.0, *[0.0] * 8]  # covariance of what a message does not have, as sensor_msgs defines it
 
 #: The status in NavSatStatus of each fix type.
@@ -105,7 +105,7 @@ class Converter:
             yield Message(f"/{set}/fix", "sensor_msgs/msg/NavSatFix", f"{set}_antenna", made)
 
     def _odometry(self, fields: Fields) -> Iterator[Message]:
-        # Uncertainties may be sent more rarely, and in other packets, than what they are about.
+        # Uncertainties may be sent more rarely, and in other packets, than their values.
         self._filter |= {name: field for name, field in fields.items() if name.endswith("_uncertainty")}
         place, turned = fields.get("filter_data.llh_position"), fields.get("filter_data.attitude_quaternion")
         if place is None or turned is None or not _valid(place, "latitude") or not _valid(turned, "q"):

@@ -10,7 +10,7 @@ from typing import Protocol
 from ..binding import Parser
 from .endpoints import Scramble
 
-#: Bytes that wait for a client that reads slowly; beyond that, the oldest packets are dropped.
+#: Bytes that may wait for a slow client; beyond that, the oldest packets are dropped.
 CAPACITY = 32768
 #: A line that was idle may send this much at once, in seconds of its baud rate.
 BURST = 0.005
@@ -85,7 +85,7 @@ class Channel:
         self._queue.append(self._garble(chunk) if self._garble and self._mismatch else chunk)
         self._size += len(chunk)
         while self._size > self._capacity and len(self._queue) > 1:
-            first = 1 if self._started else 0  # what has begun is finished
+            first = 1 if self._started else 0  # a chunk that is sent in part is finished
             lost = self._queue[first]
             if lost is self._queue[-1]:
                 break
@@ -101,10 +101,10 @@ class Channel:
     def send(self, now: float) -> float | None:
         """Writes what may be written.
 
-        Returns when to go on: a time of the clock if the baud rate limits, infinity if nothing is
-        left, None as soon as the client has room. Raises OSError if the client is gone.
+        Returns when to continue: a time of the clock if the baud rate limits, infinity if nothing
+        is left, None as soon as the client has room. Raises OSError if the client is gone.
         """
-        if self.peer.flushed():  # what waits is as old
+        if self.peer.flushed():  # the queued bytes are as old as the discarded ones
             self._queue.clear()
             self._size = self._started = 0
         rate = self._baud / 10 * self._pace if self._baud else 0.0  # 8N1: ten bits for a byte

@@ -1,4 +1,4 @@
-"""Whether a device takes the values of a command: ranges, named values, instances."""
+"""Checks whether a device accepts the values of a command: ranges, named values, instances."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SAME = Difference()
 
 
 def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
-    """Raises Refused. `keys` select an instance of a setting; others than writes may have dummy values in the rest."""
+    """Raises Refused. `keys` select an instance of a setting. Values that are not required may be dummies."""
     function = getattr(command, "function", None) if command.REQUIRED else None
     required = 0 if function is None else command.REQUIRED.get(function, 0)
     for number, p in enumerate(reflection.info(type(command)).parameters):
@@ -74,7 +74,7 @@ def _instances(command: Command, profile: Device, function: int | None) -> None:
             continue
         value = behavior.translate.get(name, {}).get(value, value)
         if what == DATA_SETS:
-            known = value in data_sets(profile) or not data_sets(profile)  # a profile may not tell them
+            known = value in data_sets(profile) or not data_sets(profile)  # a profile may not list them
         elif what == PORTS:
             known = any(port.id == value for port in profile.ports)
         elif what == AFFECTED:  # 0 may mean all of them where no value is given or asked
@@ -134,7 +134,7 @@ def inside(p: Parameter, value: float, differs: Difference) -> bool:
     """Is it within the limits of a parameter?"""
     least = p.minimum if differs.minimum is None else differs.minimum
     most = p.maximum if differs.maximum is None else differs.maximum
-    if p.scalar == "float":  # a limit is inside as the number that the parameter can hold: pi is rounded up
+    if p.scalar == "float":  # limits are rounded as the parameter's values are: pi is rounded up
         least, most = (None if x is None else single_from_bits(single_to_bits(float(x))) for x in (least, most))
     return (
         math.isfinite(value)

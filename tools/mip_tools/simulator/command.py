@@ -134,7 +134,7 @@ def run(options: argparse.Namespace) -> int:
     with ExitStack() as stack:
         file = _log(options, stack)
         logs: list[Log | None] = [None] * len(wanted)
-        if file is not None:  # in which several devices have numbers
+        if file is not None:  # several devices are numbered in it
             numbers = ({"device": i} if wanted[1:] else {} for i in range(1, len(wanted) + 1))
             logs = [json_log(file, **number) for number in numbers]
         server = Server(
@@ -270,7 +270,7 @@ def _endpoints(options: argparse.Namespace, profile: Device) -> list[Endpoint]:
 
 
 def _different(endpoints: list[Endpoint]) -> None:
-    """No two terminals have one path."""
+    """Raises Misuse if two terminals have the same path."""
     paths = [e.path for e in endpoints if e.path]
     for path in paths:
         if paths.count(path) > 1:

@@ -24,7 +24,7 @@ ALWAYS = ("communication_mode", "device_status")
 
 
 def carry_out(device: VirtualDevice, link: Link, packet: Packet) -> Iterator[tuple[RawField, Group, Outcome]]:
-    """Each command with its answer, which is empty if it is silent, and what follows."""
+    """Each command, its answer, which may be empty, and its outcome."""
     try:
         for raw in packet:
             try:

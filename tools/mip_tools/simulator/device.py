@@ -72,9 +72,9 @@ class VirtualDevice:
 
         `start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
 
-        `events`: what happens at given times, as an outage of GNSS.
+        `events`: events at given times, such as a GNSS outage.
 
-        `trace` is told of every packet, before faults: "command", "answer" or "data", and the bytes.
+        `trace` is called for every packet, before faults, with "command", "answer" or "data", and the bytes.
         """
         self.profile: Device = device_named(profile) if isinstance(profile, str) else profile
         self.seed: int = seed
@@ -97,7 +97,7 @@ class VirtualDevice:
         self.ready_at = 0
         self._busy_until: int | None = None  # a command takes its time; others wait
         self._waiting: list[tuple[Link, Packet]] = []
-        self._behind: list[Callable[[], None]] = []  # what the answer of this command leads to
+        self._behind: list[Callable[[], None]] = []  # actions that follow the answer to this command
         self.trace = trace
         self._streams: list[Stream] = []
         self._encoders: dict[tuple[int, int, str], Encoder] = {}
@@ -138,12 +138,12 @@ class VirtualDevice:
         return self.script.plugged
 
     def unplug(self) -> None:
-        """All connections end."""
+        """Ends all connections."""
         for link in list(self.links):
             self.disconnect(link)
 
     def drive(self, pin: int, level: bool) -> None:
-        """An external signal sets the level of a pin, which counts while the pin is an input.
+        """Sets the level of a pin from outside, which has an effect while the pin is an input.
 
         Raises ValueError if the device has no such pin.
         """
@@ -154,7 +154,7 @@ class VirtualDevice:
             self.events.changed(pin, level)
 
     def wave(self, pin: int, hertz: float) -> None:
-        """A square wave at a pin, low at first. Raises ValueError if the device has no such pin."""
+        """Drives a pin with a square wave, low at first. Raises ValueError if the device has no such pin."""
         self._check(pin)
         change = [(1, pin)]
         self._waves.append(Stream(2 * hertz, change, self._change, self.now, self.now))
@@ -173,7 +173,7 @@ class VirtualDevice:
         self.run_until(self.now + round(seconds * SECOND))
 
     def run_until(self, time: int) -> None:
-        """Time passes up to this moment, with everything that is due by then."""
+        """Advances time up to this moment, with everything that is due by then."""
         while (due := self.next) is not None and due <= time:
             self._move(due)
             self.script.run(due)
@@ -198,7 +198,7 @@ class VirtualDevice:
 
     @property
     def next(self) -> int | None:
-        """When something happens next without the host."""
+        """The time at which something happens next without the host."""
         times = [stream.next for stream in (*self._streams, *self._waves)]
         times += [link.next for link in self.links if link.next is not None]
         times += [link.heard + SILENCE for link in self.links if link.parser.pending]
@@ -264,7 +264,7 @@ class VirtualDevice:
                 self._answer(link, packet)
 
     def _answer(self, link: Link, packet: Packet) -> None:
-        """Carries out the commands of a packet in order; what they lead to follows the answers."""
+        """Carries out the commands of a packet in order; actions that follow them come after the answers."""
         if self._busy_until is not None:
             if len(self._waiting) < MOST_WAITING:
                 self._waiting.append((link, packet))
@@ -292,7 +292,7 @@ class VirtualDevice:
             self._go_on()
 
     def _go_on(self) -> None:
-        """A command is answered: what it leads to happens, and the commands that wait are next."""
+        """Runs the actions that follow an answered command, then the commands that wait."""
         self._busy_until = None
         while self._behind:
             self._behind.pop(0)()
@@ -300,7 +300,7 @@ class VirtualDevice:
             self._answer(*self._waiting.pop(0))
 
     def pause(self, time: int) -> None:
-        """No data for a while."""
+        """Sends no data for some time."""
         for stream in self._streams:
             stream.skip(self.now + time)
         self.events.skip(self.now + time)
@@ -314,14 +314,14 @@ class VirtualDevice:
         ]
 
     def apply(self, at: Place, kept: Command | None) -> None:
-        """A setting has changed by itself: its effect follows."""
+        """Runs the effect of a setting that has changed by itself."""
         command = kept if kept is not None else self.settings.factory(command_type(at[0]), asking(*at))
         outcome = act(self, command, None, None)
         if outcome.after is not None:
             outcome.after()
 
     def restore(self, at: Place, saved: bool) -> None:
-        """A setting has its saved value again, or its factory default."""
+        """Gives a setting its saved value, or its factory default."""
         kept = self.settings.load(at) if saved else None
         if not saved:
             self.settings.reset(at)
@@ -336,7 +336,7 @@ class VirtualDevice:
             self.restore(at, saved=function == LOAD)
 
     def _settle(self) -> None:
-        """All effects of the settings that the device starts with."""
+        """Runs all effects of the settings that the device starts with."""
         self.world.restart()
         for name, behavior in COMMANDS.items():
             if self.knows(name) and (behavior.effect in views.ORIENTATIONS or behavior.effect in FILTER_EFFECTS):
@@ -360,7 +360,7 @@ class VirtualDevice:
         return (kind.SET, kind.DESCRIPTOR) in self.known
 
     def disable_trigger(self, instance: int) -> None:
-        """The mode of a trigger is the default again."""
+        """Resets the mode of a trigger to its default."""
         self.events.keep_mode(instance, None)
         for name, behavior in COMMANDS.items():
             if behavior.effect == "trigger_mode":
@@ -378,7 +378,7 @@ class VirtualDevice:
         self._streams = [] if quiet else formats.streams(self, max(self.now, self.ready_at))
 
     def encoder(self, set: int, descriptor: int, channel: str = "") -> Encoder:
-        """Makes the data of a field for this moment. Each channel counts from when it last sent a field."""
+        """The encoder of a field. Each channel counts from the time at which it last sent the field."""
         encoder = self._encoders.get((set, descriptor, channel))
         if encoder is None:
             kind = registry.types(set, descriptor)[0]
@@ -388,11 +388,11 @@ class VirtualDevice:
         return encoder
 
     def send_data(self, set: int, wanted: Iterable[int], link: Link | None = None) -> None:
-        """One set of data: fields by their descriptors; those that the device does not know are left out."""
+        """Sends fields of a data set, by their descriptors; those that the device does not have are left out."""
         self.send_fields(set, [self.encoder(set, x) for x in wanted if self.sends(set, x)], link)
 
     def send_fields(self, set: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:
-        """Fields in as few packets as they fit into, to one host or to all."""
+        """Sends fields in as few packets as possible, to one host or to all."""
         fields = [field for encode in encoders for field in encode()]
         if self.faults is not None:
             fields = self.faults.data(self.now, set, fields)
@@ -408,14 +408,14 @@ class VirtualDevice:
     # ----------------------------------------------------------------------- bytes
 
     def _send(self, data: bytes, link: Link | None, protocol: int) -> None:
-        """Data, to one host or to all whose ports give out the protocol."""
+        """Sends data to one host, or to all whose ports send the protocol."""
         self._tell("data", data)
         for other in self.links if link is None else (link,):
             if other.gives & protocol or link is not None:
                 self._transmit(other, data)
 
     def _transmit(self, link: Link, data: bytes, delay: int = 0) -> None:
-        """What is late meets the faults of the line when it is sent, so that the line keeps its order."""
+        """Sends bytes, now or late. Late ones get the faults of the line when they are sent, which keeps the order."""
         if delay > 0:
             link.hold(self.now + delay, data)
             return

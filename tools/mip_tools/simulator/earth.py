@@ -23,7 +23,7 @@ LIGHT = 299792458.0
 
 SECOND = 1_000_000_000
 WEEK = 604_800 * SECOND
-LAST_WEEK = 0xFFFF  # that data show; in the year 3236
+LAST_WEEK = 0xFFFF  # the last one that data can show, in the year 3236
 _EPOCH = datetime(1980, 1, 6)
 _LEAPS = [datetime.fromisoformat(day) for day, _ in LEAP_SECONDS]
 #: GPS times in nanoseconds from which on UTC is 1, 2, 3 … seconds behind.
@@ -122,7 +122,7 @@ def geopotential(height: float) -> float:
 def atmosphere(height: float) -> tuple[float, float, float]:
     """Temperature in degrees Celsius, pressure in mbar, density in kg/m^3 at a geopotential height.
 
-    US Standard Atmosphere of 1976; above its end the values of the end.
+    US Standard Atmosphere of 1976; beyond its range, the values at the end of the range.
     """
     h = min(max(height, -5000.0), 84852.0)
     base, t0, p0, lapse = next((layer for layer in reversed(_LAYERS) if h >= layer[0]), _LAYERS[0])

@@ -1,7 +1,7 @@
 """Effects of commands besides storing a setting, by their names in `spec/simulation`.
 
-An effect of a plain command takes place when the command arrives. An effect of a setting is done
-whenever the setting changes, before it is kept; it may refuse.
+The effect of a plain command takes place when the command arrives. The effect of a setting takes place
+whenever the setting changes, before it is kept; it may refuse the change.
 """
 
 from __future__ import annotations
@@ -132,7 +132,7 @@ def _poll_sentences(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _factory_streaming(device: VirtualDevice, call: Call) -> Outcome:
-    """A format with a few fields of each set, in place of the present formats or behind them."""
+    """A format with a few fields of each set, in place of the present formats or after them."""
     formats.factory(device, keep=call.values["action"] != 0)
     return Outcome(after=device.arrange)
 
@@ -242,7 +242,7 @@ def _trigger_mode(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _pin(device: VirtualDevice, call: Call) -> Outcome:
-    """A pin that becomes an output has the level of its behavior; with a pull-up, an input is high."""
+    """Gives a new output the level of its behavior; an input with a pull-up is high."""
     pin, behavior = call.values["pin"], call.values["behavior"].name
     if call.values["feature"].name == "GPIO" and behavior in ("OUTPUT_LOW", "OUTPUT_HIGH"):
         device.world.pins[pin] = behavior == "OUTPUT_HIGH"
@@ -270,7 +270,7 @@ def _nothing(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _of_filter(name: str) -> Effect:
-    """An effect of a value, which refuses nothing; `kind` names the aiding measurement that a command is."""
+    """An effect that never refuses its values; `kind` is the kind of aiding measurement of a command."""
 
     def effect(device: VirtualDevice, call: Call) -> Outcome:
         kind = call.command.NAME.replace(".", "_")

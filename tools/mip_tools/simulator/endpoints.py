@@ -40,7 +40,7 @@ class Endpoint:
     port: str | None = None
     """The port of the device, as its profile calls it; None: its main port."""
     device: int = 0
-    """Which of several devices."""
+    """The number of the device, from 0."""
 
 
 def pty_at(path: str, port: str | None = None) -> Endpoint:
@@ -65,7 +65,7 @@ def _at_host(kind: str, text: str, port: str | None) -> Endpoint:
     return Endpoint(kind, host=host.strip("[]") or DEFAULT_HOST, number=int(digits), port=port)
 
 
-#: The kinds of endpoints, and what reads the place of each.
+#: The kinds of endpoints, and the function that reads the place of each.
 KINDS: dict[str, Callable[[str, str | None], Endpoint]] = {"pty": pty_at, "tcp": tcp_at, "udp": udp_at}
 
 
@@ -196,7 +196,7 @@ class Client:
         self._socket = connection
         connection.setblocking(False)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        # What waits here is old when it is read: no more of it than a device would keep.
+        # Bytes that wait here are old when they are read: no more of them than a device would keep.
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 32768)
         peer = connection.getpeername()
         self.name = f"{peer[0]}:{peer[1]}"
@@ -259,7 +259,7 @@ class Listener:
 class Udp:
     """A UDP port. What the device sends goes to the host that has sent the last datagram; without one it is lost."""
 
-    #: Bytes of a datagram: what passes most networks in one piece.
+    #: Bytes of a datagram that most networks pass in one piece.
     MOST = 1400
 
     def __init__(self, host: str, number: int) -> None:
@@ -284,7 +284,7 @@ class Udp:
         return data
 
     def write(self, data: bytes | memoryview) -> int:
-        """One datagram, of whole packets where there are several."""
+        """Sends one datagram, of whole packets if it has several."""
         if self._client is None:
             return len(data)
         if len(data) > self.MOST:
@@ -315,7 +315,7 @@ def _address(host: str, number: int) -> str:
 
 
 def _bound(kind: str, host: str, number: int) -> socket.socket:
-    """A socket at this address that does not block, for TCP one that listens. Raises Failure."""
+    """A socket at this address that does not block; for TCP, it listens. Raises Failure."""
     wanted = socket.SOCK_STREAM if kind == "tcp" else socket.SOCK_DGRAM
     try:
         family, type, protocol, _, address = socket.getaddrinfo(

@@ -1,6 +1,6 @@
 """The estimation filter of a device: its states, and the errors of what it estimates.
 
-What it shows is the truth plus an error. Errors and variances change by the same steps, those of a Kalman filter for
+An estimate is the truth plus an error. Errors and variances change by the same steps, those of a Kalman filter for
 each axis, so that the errors are as large as the uncertainties say: they grow without aiding, and shrink with it.
 """
 
@@ -20,7 +20,7 @@ from .state import State, euler
 if TYPE_CHECKING:
     from .world import World
 
-#: Of the filter, and of GNSS receivers.
+#: The step of the filter, and of GNSS receivers, in nanoseconds.
 STEP = SECOND // 5
 #: Steps at once; a longer time is divided into as many.
 MOST_STEPS = 3000
@@ -47,7 +47,7 @@ WARNED = (0.03, inf, 0.2, 10.0, 1.0)
 HIGH_GYRO_BIAS, WRONG_OFFSET = 0.01, 0.5
 #: The random walk of the complementary filter's attitude, in rad per square root of a second.
 WANDERS = 1e-3
-#: Errors end here: so far away, nothing is known.
+#: The largest error: so far away, nothing is known.
 MOST = 1e12
 
 #: Headings that the user sends, as they are called by the commands.
@@ -138,7 +138,7 @@ class Filter:
     # ------------------------------------------------------------------ time
 
     def advance(self) -> None:
-        """Up to the time of the world."""
+        """Advances the filter to the time of the world."""
         if self._time is None:
             self._time = self._began
             if self._settled and not self.options.waits:
@@ -246,7 +246,7 @@ class Filter:
         self.aligned = True
 
     def set_attitude(self, state: State, roll: float | None, pitch: float | None, yaw: float | None) -> None:
-        """Levels itself, by gravity or as it is told; the heading counts from there."""
+        """Levels the filter, by gravity or as given; the heading counts from there."""
         true = euler(self._world.vehicle_of(state))
         left = self._world.gyro_bias_left
         for i, angle in enumerate((roll, pitch, yaw)):
@@ -263,13 +263,13 @@ class Filter:
         self.level = True
 
     def set_heading(self, state: State, yaw: float) -> None:
-        """The user specifies the heading."""
+        """Sets the heading to that of the user."""
         self.attitude[2].begin(NEW_HEADING, sqrt(self.attitude[2].r))
         self.attitude[2].error = remainder(yaw - self._yaw(state), 2 * pi)
         self.aligned = True
 
     def set_place(self, state: State, place: Vector, velocity: Vector) -> None:
-        """The user specifies the position and the velocity."""
+        """Sets the position and the velocity to those of the user."""
         wrong = self._from(state, place)
         for i, pair in enumerate(self.navigation):
             pair.begin(FIX[i], FIX_VELOCITY)
@@ -319,7 +319,7 @@ class Filter:
         return 0.0 if assumed is None else assumed - self._world.declination
 
     def _level(self, state: State, often: float) -> None:
-        """Gravity levels the attitude, less while the device accelerates; the velocity by GNSS does always."""
+        """Levels the attitude by gravity, less while the device accelerates, and by the velocity from GNSS, always."""
         if not self.level:
             return
         if self.options.gravity:
@@ -382,12 +382,12 @@ class Filter:
     # ------------------------------------------------------------------ what the user sends
 
     def stands(self) -> None:
-        """The user states that the device is stationary."""
+        """Applies the measurement that the device is stationary."""
         for pair in self.navigation if self.placed else ():
             pair.measure_rate(STANDS)
 
     def rests(self) -> None:
-        """The user states that the device does not turn."""
+        """Applies the measurement that the device does not turn."""
         for pair in self.attitude if self.level else ():
             pair.measure_rate(RESTS)
 
@@ -411,7 +411,7 @@ class Filter:
         self._hear(kind)
 
     def velocity(self, kind: str, velocity: Vector, deviations: Vector, axes: tuple[bool, ...] = (True,) * 3) -> None:
-        """North, east, down."""
+        """Applies a measured velocity: north, east, down."""
         true = self._world.state.velocity
         for i, pair in enumerate(self.navigation):
             if self.placed and axes[i] and kind not in self.options.disabled:
@@ -421,7 +421,7 @@ class Filter:
         self._hear(kind)
 
     def _take(self, kind: str, pair: Pair, wrong: float, deviation: float, snap: bool = False) -> None:
-        """A measurement that agrees with the estimate is used."""
+        """Uses a measurement if it agrees with the estimate."""
         if snap or pair.likely(wrong, deviation):
             pair.measure(deviation, wrong)
             self._used[kind] = True
@@ -454,7 +454,7 @@ class Filter:
 
     @property
     def _complete(self) -> bool:
-        """Has it reached the last of the states that this device can have?"""
+        """Has the filter reached the last of the states that this device can have?"""
         world = self._world
         if self._can_navigate and (world.has("gnss_1") or world.has("gnss_2")):
             return self.placed
@@ -462,12 +462,12 @@ class Filter:
 
     @property
     def state(self) -> tuple[str, ...]:
-        """As devices of one generation and the other call it."""
+        """The state, as devices of one generation and the other call it."""
         name = "full_nav" if self.placed else "ahrs" if self.aligned else "vertical_gyro" if self.level else "init"
         return name, "run_solution_valid" if self._complete else "init" if self.level else "startup", "init"
 
     def deviations(self) -> tuple[float, ...]:
-        """Of tilt, bias of the gyroscope, heading, position and velocity."""
+        """The deviations of tilt, gyroscope bias, heading, position and velocity."""
         roll, pitch, yaw = self.attitude
         return (
             sqrt(max(roll.p, pitch.p)), sqrt(max(roll.r, pitch.r)), sqrt(yaw.p),
@@ -514,7 +514,7 @@ class Filter:
         return tuple(sorted({names[kind] for kind in self._used if kind in names}))
 
     def aids(self) -> Iterator[Aid]:
-        """The measurements that it knows, of the device and of the user."""
+        """The measurements that the filter knows, of the device and of the user."""
         receivers = self._receivers
         for receiver in (1, 2):
             if self._world.has(f"gnss_{receiver}"):
@@ -548,7 +548,7 @@ class Complementary:
 
     @property
     def errors(self) -> Vector:
-        """Of roll, pitch and yaw."""
+        """The errors of roll, pitch and yaw."""
         now, noise = self._world.now, self._world.noise
         passed = STEP / SECOND * 1000 if self._time is None else (now - self._time) / SECOND
         if self._time is None or now - self._time >= STEP:

@@ -59,7 +59,7 @@ class Events:
         self.reset()
 
     def reset(self) -> None:
-        """The device has started: nothing is active."""
+        """Deactivates everything, as the device has started."""
         self._triggers: dict[int, Trigger] = {}
         self._actions: dict[int, Action] = {}
         self._pins: dict[int, Given] = {}
@@ -69,7 +69,7 @@ class Events:
         self.arrange()
 
     def arrange(self) -> None:
-        """Follows the settings. What is configured as before keeps its state."""
+        """Follows the settings. A trigger or an action that is configured as before keeps its state."""
         device = self._device
         self._pins = {given["pin"]: given for given in device.settings_of("pin")}
         self._triggers = _kept(self._triggers, device.settings_of("trigger"), Trigger)
@@ -99,11 +99,11 @@ class Events:
 
     @property
     def next(self) -> int | None:
-        """When the next event cycle is."""
+        """The time of the next event cycle."""
         return None if self._cycle is None else self._cycle.next
 
     def run(self, time: int) -> None:
-        """The event cycle of this moment, if there is one."""
+        """Runs the event cycle of this moment, if there is one."""
         if self._cycle is not None and self._cycle.next <= time:
             self._cycle.fire()
 
@@ -116,14 +116,14 @@ class Events:
         return found is not None and found.active
 
     def keep_mode(self, instance: int, mode: Command | None) -> None:
-        """The mode to which a trigger returns after a test pulse; None: the new mode is permanent."""
+        """Keeps the mode to which a trigger returns after a test pulse; None: the new mode is permanent."""
         if mode is None:
             self._earlier.pop(instance, None)
         else:
             self._earlier.setdefault(instance, mode)
 
     def changed(self, pin: int, level: bool) -> None:
-        """The level of a pin has changed from outside."""
+        """Handles a change of a pin's level from outside."""
         given = self._pins.get(pin)
         if given is None or given["feature"].name != "TIMESTAMP":
             return
@@ -133,7 +133,7 @@ class Events:
     # ----------------------------------------------------------------------- the cycle
 
     def _update(self, _: Any) -> None:
-        """Triggers first, as actions depend on them; those that combine others after the others."""
+        """Updates triggers first, as actions depend on them; those that combine others come after those."""
         self._end_pulses()
         for combining in (False, True):
             for instance, trigger in sorted(self._triggers.items()):
@@ -218,7 +218,7 @@ class Events:
             pins[pin] = not pins[pin]
 
     def _stream(self, instance: int, action: Action, trigger: Trigger) -> None:
-        """One packet when the trigger becomes active; with a decimation, more while it is."""
+        """Sends a packet when the trigger becomes active; with a decimation, more while it is."""
         given, now = action.given, self._device.now
         if not trigger.active:
             action.start = None
@@ -234,7 +234,7 @@ class Events:
             self._send(instance, given, moment)
 
     def _send(self, instance: int, given: Given, moment: int) -> None:
-        """A packet as of the moment when the trigger became active."""
+        """Sends a packet with the time at which the trigger became active."""
         device, world, channel = self._device, self._device.world, f"action {instance}"
         if device.idle or device.direct:
             return
@@ -248,7 +248,7 @@ class Events:
 
 
 def _kept(old: dict[int, Any], settings: Iterable[Given], make: Any) -> dict[int, Any]:
-    """Instance -> what it is; those whose arguments are as before are the same objects."""
+    """Instance -> trigger or action; those whose arguments are as before are the same objects."""
     kept = {}
     for given in settings:
         if given["type"]:

@@ -31,7 +31,7 @@ class FieldValues:
     parameters: dict[str, Value] = field(default_factory=dict)
 
 
-#: What instances may be other than numbers up to a limit: ports, data sets, and the data that the command affects.
+#: Instances that are not numbers up to a limit: ports, data sets, and the data that the command affects.
 PORTS, DATA_SETS, AFFECTED = "ports", "data_sets", "affected"
 
 
@@ -102,9 +102,9 @@ _KNOWN = _tuples(data("simulation.json"))
 FUNCTIONS: dict[str, int] = _KNOWN["functions"]
 #: Quantities -> the noise of the sensors that measure them: density, drift, period.
 NOISE: dict[str, dict[str, float]] = _KNOWN["noise"]
-#: Data fields and responses -> what their values show.
+#: Data fields and responses -> their values.
 VALUES = {name: _shown(row) for name, row in _KNOWN["values"].items()}
-#: Commands -> what they do besides storing a setting.
+#: Commands -> their effects besides storing a setting.
 COMMANDS = {name: _behavior(row) for name, row in _KNOWN["commands"].items()}
 
 

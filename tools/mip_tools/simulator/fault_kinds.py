@@ -55,7 +55,7 @@ KINDS: dict[str, Kind] = {
     "wrong_descriptor": Kind("response", "the response has an unknown descriptor"),
     "wrong_size": Kind("response", "the response is shorter than any layout of it"),
     "other_response": Kind("response", "the response is that of another command"),
-    "garbage": Kind("response", "the response holds random data, in a packet with a correct checksum"),
+    "garbage": Kind("response", "the response contains random data, in a packet with a correct checksum"),
     "longer_response": Kind("response", "bytes follow the parameters of the response", 8, "bytes"),
     "command_lose": Kind("byte", "a byte is lost on the way to the device"),
     "command_change": Kind("byte", "a byte is changed on the way to the device"),
@@ -98,10 +98,10 @@ _PART = re.compile(r"(?P<kind>[a-z_]+)(?:=(?P<rate>[^:@]+)(?::(?P<amount>[^:@]+)
 
 
 def parse_faults(text: str) -> dict[str, Plan]:
-    """What the command line says: "lose=0.001,noise=0.01:16,lose_answer@3". Raises Failure.
+    """Parses faults of the command line: "lose=0.001,noise=0.01:16,lose_answer@3". Raises Failure.
 
-    KIND=RATE is a probability, KIND=RATE:AMOUNT also says how much at most, KIND@N strikes at the
-    Nth chance. `all` stands for every kind.
+    KIND=RATE is a probability, KIND=RATE:AMOUNT also limits the amount, KIND@N happens at the Nth
+    chance. `all` stands for every kind.
 
     >>> parse_faults("noise=0.01:16,noise@3")
     {'noise': Plan(rate=0.01, amount=16.0, places=frozenset({3}))}

@@ -1,4 +1,4 @@
-"""Faults on demand between a device and its host, by seed, and a log of them."""
+"""Reproducible faults between a device and its host, and a log of them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .fault_log import Injected, json_log
 
 __all__ = ["Faults", "Injected", "json_log", "parse_faults"]
 
-#: In this order they happen to a packet.
+#: Kinds in the order in which they happen to a packet.
 _DAMAGE = ("lose", "cut", "change", "double")
 _INSERTED = ("noise", "nmea", "false_header", "unknown_set")
 
@@ -33,13 +33,13 @@ class Faults:
     """Injects faults into what a device sends and receives.
 
     Each keyword is a kind of fault of `fault_kinds.KINDS` with its rate, a probability, or with
-    (rate, amount). `script` strikes at exact places. The same seed and the same traffic give the
+    (rate, amount). `script` has faults at exact places. The same seed and the same traffic give the
     same faults; a kind of fault does not change when others happen.
 
         faults = Faults(seed=1, lose=0.01, noise=(0.1, 32), script=["lose_answer@3"])
 
-    Noise and false headers are only ever between packets, and never make a receiver that searches
-    again behind a false start lose a packet: what is not logged as damaged arrives intact.
+    Noise and false headers are only ever between packets, and never cost a receiver that searches
+    again after a false start a packet: packets not logged as damaged arrive intact.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class Faults:
         self._taken = 0
 
     def add(self, plans: Iterable[Mapping[str, Plan]]) -> None:
-        """From now on, there are these faults beside those that there always are, and no others."""
+        """Replaces the faults that were added before; those of the constructor remain."""
         self._plans = dict(self._always)
         for more in plans:
             self._plans.update(more)
@@ -101,7 +101,7 @@ class Faults:
         return int(self._plans[kind].amount)
 
     def _seconds(self, kind: str) -> int:
-        """A duration in nanoseconds, a good part of the longest one."""
+        """A random duration in nanoseconds, 10 % to 100 % of the longest one."""
         most = self._plans[kind].amount
         return int(self._random[kind].uniform(0.1, 1.0) * most * 1e9)
 
@@ -143,7 +143,7 @@ class Faults:
         return parts
 
     def forget(self, now: int, line: Hashable = None) -> None:
-        """The line has been cut: bytes in transit are lost."""
+        """Loses the bytes in transit on a line that has been cut."""
         at = self._lines.pop(line, _Line())
         for arrival, packet in at.late:
             if arrival > now:
@@ -177,10 +177,10 @@ class Faults:
         return body, False
 
     def _apart(self, now: int, at: _Line, before: bytes, body: bytes, right: list[bytes]) -> bytes:
-        """What comes before a packet, so that nothing makes up a packet with it by accident.
+        """Adds zeros to the bytes before a packet, if they would form a packet with it by accident.
 
-        A false start takes in the packets behind it until it is complete. Once in 65536 times its
-        checksum is right by accident; bytes in between prevent this. Lost bytes may be replaced by
+        A false start swallows the packets after it until it is complete. Once in 65536 times its
+        checksum is correct by accident; bytes in between prevent this. Lost bytes may be replaced by
         equal ones in the same way.
         """
         wanted, spare = at.hidden + right, 0
@@ -204,7 +204,7 @@ class Faults:
     def _timed(
         self, now: int, at: _Line, before: bytes, body: bytes, struck: list[str], packet: bytes
     ) -> list[tuple[int, bytes]]:
-        """A line keeps its order: a delay also delays what follows."""
+        """The parts of a stream with their delays. A line keeps its order: a delay also delays what follows."""
         first = max(at.free - now, 0)
         if "delay_packet" in struck:
             later = self._seconds("delay_packet")
@@ -221,7 +221,7 @@ class Faults:
         at.late = [entry for entry in at.late if entry[0] > now]
         if parts[-1][0] and packet[:2] == SYNC:
             at.late.append((now + parts[-1][0], packet))
-        if parts[-1][0]:  # what comes at that very moment comes after it
+        if parts[-1][0]:  # bytes due at that very moment come after it
             at.free = now + parts[-1][0] + 1
         return [part for part in parts if part[1]]
 

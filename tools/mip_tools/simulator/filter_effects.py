@@ -1,6 +1,6 @@
-"""What commands do to the filter, the receivers and the calibration of sensors, by their names in `spec/simulation`.
+"""Effects of commands on the filter, the receivers and the calibration of sensors, by their names in `spec/simulation`.
 
-A setting changes what is computed from now on: the filter first goes on to the present.
+A setting changes what is computed from now on: the filter first advances to the present.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def _sensor_range(device: VirtualDevice, v: Values) -> None:
 
 
 def _low_pass(device: VirtualDevice, v: Values) -> None:
-    """The cutoff of one field; of all in the set, or of all, if it is 0."""
+    """Sets or removes the cutoff of one field."""
     cutoffs = device.world.cutoffs
     at = (int(v["set"]), int(v["field"]))
     cutoffs.pop(at, None)
@@ -73,19 +73,19 @@ def _odometer(device: VirtualDevice, v: Values) -> None:
 
 
 def _point(device: VirtualDevice, v: Values) -> None:
-    """The point whose position and velocity are shown."""
+    """Sets the point whose position and velocity are shown."""
     device.world.offset = tuple(v["offset"])
 
 
 def _antenna(device: VirtualDevice, v: Values) -> None:
-    """The offset of a new device is right; a setting that differs from it is wrong by that."""
+    """Sets the error of an antenna offset: its difference from that of a new device, which is right."""
     receiver = v["receiver"] if v["receiver"] in (1, 2) else receiver_of(v["receiver"])
     if receiver:
         device.world.filter.options.offsets[receiver] = tuple(v["offset"])
 
 
 def _tare(device: VirtualDevice, v: Values) -> None:
-    """The vehicle is level now, or points north: the angles of these axes are 0."""
+    """Sets the angles of these axes to 0: the vehicle is level now, or points north."""
     world, axes = device.world, _names(v["axes"])
     if axes:
         angles = (0.0 if name in axes else x for name, x in zip(("roll", "pitch", "yaw"), euler(world.dcm)))
@@ -146,7 +146,7 @@ def _filter_run(device: VirtualDevice, v: Values) -> None:
 
 
 def _initialization(device: VirtualDevice, v: Values) -> None:
-    """Angles are in degrees."""
+    """Sets the options of initialization; angles are in degrees."""
     o = device.world.filter.options
     o.waits, o.given, o.alignment = bool(v["wait"]), v["given"].name, _names(v["alignment"])
     o.attitude = (radians(v["roll"]), radians(v["pitch"]), radians(v["heading"]))
@@ -163,7 +163,7 @@ def _automatic(device: VirtualDevice, v: Values) -> None:
 
 
 def _attitude(device: VirtualDevice, v: Values) -> None:
-    """The user specifies all angles, or the heading alone."""
+    """Sets all angles to those of the user, or the heading alone."""
     world = device.world
     if "roll" in v or not world.filter.level:
         world.filter.set_attitude(world.state, v.get("roll"), v.get("pitch"), v["heading"])
@@ -226,7 +226,7 @@ def _turns(device: VirtualDevice, v: Values) -> None:
 
 
 def _noise(name: str) -> Act:
-    """A deviation that the filter assumes."""
+    """Sets a deviation that the filter assumes."""
 
     def act(device: VirtualDevice, v: Values) -> None:
         given = v["noise"]
@@ -257,7 +257,7 @@ def _heading_measured(device: VirtualDevice, v: Values) -> None:
 
 
 def _position_measured(device: VirtualDevice, v: Values) -> None:
-    """In degrees and metres."""
+    """Applies a position in degrees and metres."""
     place = _radians((v["latitude"], v["longitude"], v["height"]))
     device.world.filter.position(v["kind"], place, tuple(v["uncertainty"]))
     if "velocity" in v:
@@ -265,7 +265,7 @@ def _position_measured(device: VirtualDevice, v: Values) -> None:
 
 
 def _fixed_position_measured(device: VirtualDevice, v: Values) -> None:
-    """In Earth-fixed coordinates; their deviations are taken for those along north, east and down."""
+    """Applies an Earth-fixed position; its deviations are used as those along north, east and down."""
     device.world.filter.position(v["kind"], earth.llh(*v["position"]), tuple(v["uncertainty"]))
 
 
@@ -287,7 +287,7 @@ def _pressure_measured(device: VirtualDevice, v: Values) -> None:
 
 
 def _velocity_measured(device: VirtualDevice, v: Values) -> None:
-    """North, east, down."""
+    """Applies a velocity along north, east and down."""
     device.world.filter.velocity(v["kind"], tuple(v["velocity"]), tuple(v["uncertainty"]))
 
 
@@ -298,13 +298,13 @@ def _fixed_velocity_measured(device: VirtualDevice, v: Values) -> None:
 
 
 def _body_velocity_measured(device: VirtualDevice, v: Values) -> None:
-    """In the vehicle frame."""
+    """Applies a velocity in the vehicle frame."""
     velocity = earth.turned_back(device.world.dcm, tuple(v["velocity"]))
     device.world.filter.velocity(v["kind"], velocity, tuple(v["uncertainty"]))
 
 
 def _speed_measured(device: VirtualDevice, v: Values) -> None:
-    """Forward; a vehicle moves neither sideways nor up in its own frame."""
+    """Applies a forward speed; a vehicle moves neither sideways nor up in its own frame."""
     velocity = earth.turned_back(device.world.dcm, (v["speed"], 0.0, 0.0))
     device.world.filter.velocity(v["kind"], velocity, (max(v["uncertainty"], 1e-3),) * 3)
 

@@ -16,10 +16,10 @@ from .streams import Stream
 if TYPE_CHECKING:
     from .device import VirtualDevice
 
-#: The rate in Hz of sets whose data come as they arise.
+#: The rate in Hz of sets whose data is sent as it arises.
 RATE_AS_THEY_ARISE = 1.0
 
-#: What factory streaming asks for of each set, at this rate in Hz.
+#: The number of fields of each set in factory streaming, and their rate in Hz.
 FACTORY_FIELDS, FACTORY_RATE = 4, 10
 
 
@@ -85,7 +85,7 @@ def _keeper(device: VirtualDevice, set: int) -> Any:
 
 
 def factory(device: VirtualDevice, keep: bool) -> None:
-    """Message formats with the first fields of each set, in place of the present ones or behind them."""
+    """Message formats with the first fields of each set, in place of the present ones or after them."""
     for set in sorted(data_sets(device.profile)):
         kind = _keeper(device, set)
         if kind is None:

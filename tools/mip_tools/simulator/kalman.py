@@ -17,12 +17,12 @@ class Pair:
         self.error = self.rate = self.p = self.pr = self.r = 0.0
 
     def begin(self, deviation: float, of_rate: float) -> None:
-        """Anew, with errors of these deviations."""
+        """Starts anew, with errors of these deviations."""
         self.p, self.pr, self.r = deviation * deviation, 0.0, of_rate * of_rate
         self.error, self.rate = deviation * self.gauss(), of_rate * self.gauss()
 
     def predict(self, time: float, noise: float, of_rate: float) -> None:
-        """Time passes. Both have white noise: variances per second."""
+        """Advances time. `noise` and `of_rate` are variances of white noise per second."""
         change = sqrt(of_rate * time) * self.gauss()
         rest = sqrt((noise + of_rate * time * time / 12) * time) * self.gauss()
         self.error += (self.rate + change / 2) * time + rest
@@ -32,7 +32,7 @@ class Pair:
         self.r += of_rate * time
 
     def measure(self, deviation: float, wrong: float | None = None) -> None:
-        """The quantity is measured with a deviation. `wrong`: how wrong it is; if left out, by chance."""
+        """Applies a measurement of the quantity. `wrong` is its error; by default, a random one."""
         d = (deviation * self.gauss() if wrong is None else wrong) - self.error
         s = self.p + deviation * deviation
         k, kr = self.p / s, self.pr / s
@@ -57,7 +57,7 @@ class Pair:
         return d * d <= LIKELY * (self.p + deviation * deviation)
 
 
-#: Square of the deviations within which a measurement is used.
+#: The square of the number of deviations within which a measurement is used.
 LIKELY = 25.0
 
 __all__ = ["Pair"]

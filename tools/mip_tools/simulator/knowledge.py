@@ -14,7 +14,7 @@ from .facts import COMMANDS
 if TYPE_CHECKING:
     from .device import VirtualDevice
 
-#: Descriptors in one response, beside its acknowledge.
+#: Descriptors in one response, besides its acknowledge.
 MOST_DESCRIPTORS = 124
 
 Context = dict[str, Any]  # the values of the command, and the arguments of its effect
@@ -113,7 +113,7 @@ RANGES: dict[int, Sequence[tuple[int, float]]] = {
 
 
 def _receivers(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int, str]]:
-    """Number, set of the data, and what it is."""
+    """Number, set of the data, and description."""
     sets = sorted(data_sets(device.profile) & {context["only"], context["first"], context["second"]})
     return [(i, set, f"Simulated receiver {i}".ljust(32)) for i, set in enumerate(sets, 1)]
 

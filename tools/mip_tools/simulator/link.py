@@ -31,7 +31,7 @@ class Link:
         self._order = 0
 
     def write(self, data: bytes) -> None:
-        """The host sends bytes; the device acts at once."""
+        """Sends bytes from the host; the device acts at once."""
         if self.closed:
             raise ConnectionError(f"the device has closed the link to its port '{self.port}'; connect again")
         self._receive(self, bytes(data))
@@ -49,12 +49,12 @@ class Link:
 
     @property
     def on_the_way(self) -> bytes:
-        """Bytes that the device has sent and that have not arrived, as a slow port has many."""
+        """Bytes that the device has sent and that have not arrived, of which a slow port has many."""
         return b"".join(data for _, _, data in sorted(self._late))
 
     @property
     def next(self) -> int | None:
-        """When delayed bytes arrive, or the device has to send something."""
+        """The time at which delayed bytes arrive, or the device has to send something."""
         return min((queue[0][0] for queue in (self._late, self._held) if queue), default=None)
 
     def held(self, now: int) -> int:
@@ -62,7 +62,7 @@ class Link:
         return max((time - now for time, _, _ in self._held), default=0)
 
     def hold(self, time: int, data: bytes) -> None:
-        """The device has something to send at that time."""
+        """Keeps bytes that the device has to send at that time."""
         self._order += 1
         heapq.heappush(self._held, (time, self._order, data))
 
@@ -74,7 +74,7 @@ class Link:
         return due
 
     def send(self, now: int, parts: list[tuple[int, bytes]]) -> None:
-        """The device sends bytes, each after a delay in nanoseconds. Without room, it drops them whole."""
+        """Sends bytes from the device, each after a delay in nanoseconds. Without room, all are dropped."""
         size = sum(len(data) for _, data in parts)
         if self.closed or (self._capacity is not None and self.waiting + size > self._capacity):
             self.dropped += 1
@@ -87,12 +87,12 @@ class Link:
                 heapq.heappush(self._late, (now + delay, self._order, data))
 
     def arrive(self, now: int) -> None:
-        """Bytes that were late by then arrive."""
+        """Delivers the delayed bytes that are due."""
         while self._late and self._late[0][0] <= now:
             self._ready += heapq.heappop(self._late)[2]
 
     def clear(self) -> None:
-        """The device discards what it was about to send, as in a reset; bytes already on the way
+        """Discards what the device was about to send, as in a reset; bytes already on the way
         arrive."""
         self._held.clear()
         self.parser = Parser()

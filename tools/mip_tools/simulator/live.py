@@ -9,7 +9,7 @@ from ..binding import READ_TIMEOUT
 from .device import VirtualDevice
 from .streams import SECOND
 
-#: Seconds of the clock that are made up for at once; more are lost, as while a debugger is at work.
+#: Seconds of the clock that are caught up at once; more are lost, for example in a debugger.
 LATE = 1.0
 
 
@@ -19,8 +19,8 @@ class LivePort:
         with Device(LivePort(VirtualDevice("3dm-cv7-gnss-ins"))) as device:
             device.request(Ping())
 
-    The virtual device lives while the port is open: leave it alone meanwhile, as other threads use
-    it. It may have one such port.
+    While the port is open, do not use the virtual device yourself, as other threads do. It may have
+    one such port.
     """
 
     def __init__(self, device: VirtualDevice, port: str | None = None, *, speed: float = 1.0) -> None:

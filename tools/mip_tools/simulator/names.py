@@ -1,4 +1,4 @@
-"""Numbers of the names that the specification has."""
+"""Numbers for names of the specification."""
 
 from __future__ import annotations
 

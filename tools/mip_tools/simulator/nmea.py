@@ -153,7 +153,7 @@ def _msrr(world: World, fix: _Fix) -> Iterator[str]:
 class _Sentence(NamedTuple):
     make: Callable[[World, _Fix], Iterator[str]]
     sources: tuple[str, ...]
-    talker: bool = True  # is it free?
+    talker: bool = True  # can it be chosen?
 
 
 _GNSS = tuple(name for name, receiver in _SOURCES.items() if receiver is not None)
@@ -201,7 +201,7 @@ def sentences(entries: Iterable[Entry], world: World) -> bytes:
 
 
 def checksum(text: str) -> str:
-    """Of what is between `$` and `*`.
+    """The checksum of the text between `$` and `*`.
 
     >>> checksum("PMSRA,221336.93,-0.172,-0.681,3.072")
     '5D'

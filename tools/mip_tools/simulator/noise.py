@@ -36,7 +36,7 @@ class Noise:
         self._kept: dict[int, Values] = {}
 
     def integral(self, now: int) -> Values:
-        """Since the first time that it was asked; a time before the last one is taken for that."""
+        """The integral since the first call; a time before the last one gives the last result."""
         if self._time is None:
             self._time = now
         passed = (now - self._time) / SECOND
@@ -62,7 +62,7 @@ class Noise:
         return self._integral
 
     def before(self, then: int, now: int) -> Values:
-        """The integral at a time before now, which may never have been asked for."""
+        """The integral at a time before now, which may not have been requested then."""
         last = self.integral(now)
         if then not in self._kept:
             passed = max(now - then, 0) / SECOND
@@ -76,13 +76,13 @@ class Noise:
             del self._kept[next(iter(self._kept))]
 
     def white(self, deviation: float) -> Values:
-        """More white noise, of which nothing else knows."""
+        """Additional white noise, independent of all else."""
         return tuple([deviation * self._gauss(0.0, 1.0) for _ in self._axes])
 
 
 @lru_cache(64)
 def _change(passed: float, drift: float, period: float) -> tuple[float, float, float, float, float]:
-    """What a Gauss-Markov process does in a time: how much of it is left, what it adds to its integral, the deviation
+    """A Gauss-Markov process after a time: how much of it is left, what it adds to its integral, the deviation
     of its change, what the change adds to the integral, and the deviation of the rest."""
     lost = -expm1(-passed / period)
     decay = 1 - lost

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 PROTOCOLS = {"MIP": 1, "NMEA": 1 << 8, "RTCM": 1 << 9, "SPARTN": 1 << 24}
 MIP, NMEA = PROTOCOLS["MIP"], PROTOCOLS["NMEA"]
 
-#: Limits on the number of ports, beside the main one, that take a protocol in.
+#: Limits on the number of ports, besides the main one, that receive a protocol.
 PARSERS = {
     "MIP": "mip_input_ports",
     "NMEA": "nmea_input_ports",
@@ -92,7 +92,7 @@ def baud_rates(device: VirtualDevice) -> dict[str, int]:
 
 
 def arrange(device: VirtualDevice) -> None:
-    """The links follow the settings of their ports."""
+    """Applies the settings of the ports to their links."""
     given = {port.name: protocols(device, port) for port in device.profile.ports}
     bauds = baud_rates(device)
     for link in device.links:

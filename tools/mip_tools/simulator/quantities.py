@@ -169,7 +169,7 @@ def _earth_fixed(part: int) -> Function:
 
 
 def _of_quaternion(w: World, _: Any) -> tuple[float, ...]:
-    """The deviation of each of its elements at most: half that of the whole rotation."""
+    """An upper bound of the deviation of each element: half that of the whole rotation."""
     return (hypot(*_deviation(0, 0)(w, None)) / 2,) * 4
 
 
@@ -340,12 +340,12 @@ _SURROUNDINGS: dict[str, Function] = {
 
 QUANTITIES: dict[str, Function] = {**_TIME, **_SENSORS, **_MOTION, **_SURROUNDINGS, **GNSS}
 
-#: Those that count from the last time: their item must be an `Output`.
+#: Quantities that count from the last output: their item must be an `Output`.
 INTERVALS = frozenset(
     ("reference.delta", "external.delta", "ticks.delta", "delta.rotation", "delta.velocity", "delta.matrix")
 )
 
-#: Means since the last output: so is their item, one for each field.
+#: Means since the last output: their item is an `Output`, too, one for each field.
 MEANS = frozenset(
     name
     for name in QUANTITIES

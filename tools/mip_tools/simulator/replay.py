@@ -57,7 +57,7 @@ class Replay:
     """
 
     def __init__(self, path: str | Path, *, loop: bool = False, rate: float | None = None) -> None:
-        """`rate`: how often in Hz the most frequent set comes, for a log without times."""
+        """`rate`: the rate in Hz of the most frequent set, for a log without times."""
         try:
             data = Path(path).read_bytes()
         except OSError as error:
@@ -125,7 +125,7 @@ class Replay:
         counts = Counter(name for clocks in said for name in clocks)
         if not counts:
             if rate is None:
-                raise MotionError(f"replay: {path} has no times; say how often its packets come: rate=HZ")
+                raise MotionError(f"replay: {path} has no times; state the rate of its packets: rate=HZ")
             return _even(packets, rate)
         clock = max((GPS, REFERENCE), key=lambda name: counts[name])
         known: list[tuple[int, int]] = []  # number of the packet, time
@@ -193,7 +193,7 @@ def _even(packets: Sequence[Packet], rate: float) -> list[int]:
 
 
 def _clocks(packet: Packet) -> dict[str, int]:
-    """The clocks of a packet in ns, GPS time since its epoch. One that is not valid runs nevertheless."""
+    """The clocks of a packet in ns, GPS time since its epoch. An invalid clock runs nevertheless."""
     clocks: dict[str, int] = {}
     for raw in _fields(packet):
         reference = _shown(raw.set, raw.descriptor, raw.data, (REFERENCE,), valid=False)

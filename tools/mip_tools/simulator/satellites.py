@@ -116,7 +116,7 @@ def velocity(s: Satellite, t: float) -> Vector:
 
 
 def _line(s: Satellite, t: float, antenna: Vector) -> tuple[Vector, float, float]:
-    """The vector from an antenna to where the satellite sent what arrives now, its length, and the travel time."""
+    """The vector from an antenna to where the satellite sent the signal that arrives now, its length, and the delay."""
     delay, length = 0.075, 0.0
     line = (0.0, 0.0, 0.0)
     for _ in range(3):
@@ -167,7 +167,7 @@ def without(satellites: Sequence[Seen], constellations: frozenset[str]) -> tuple
 
 
 def ephemerides(satellites: Sequence[Seen], constellation: str, gps: int) -> tuple[Ephemeris, ...]:
-    """Of the satellites in view of one constellation: the last ones with a reference time before now."""
+    """The latest ephemerides of the satellites in view of one constellation."""
     step = (1800 if constellation == "glonass" else 7200) * SECOND
     time = gps // step * step
     return tuple(Ephemeris(s.number, s.of, s.satellite, time) for s in only(satellites, constellation))

@@ -1,4 +1,4 @@
-"""Scenario files: devices with their ports and motions, and what happens to them."""
+"""Scenario files: devices with their ports and motions, and the events that affect them."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Scenario:
 
 
 def read_scenario(path: Path) -> Scenario:
-    """Raises Failure, which names all mistakes with their places."""
+    """Reads a scenario. Raises Failure, which names all mistakes with their places."""
     return _Reader(path).scenario()
 
 

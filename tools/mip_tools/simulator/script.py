@@ -1,4 +1,4 @@
-"""Scripted events: what happens to a device and its surroundings at given times."""
+"""Scripted events, which affect a device and its surroundings at given times."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ class ScriptedEvent:
 
     event: str
     at: float
-    """Since the start of the simulation."""
+    """The time since the start of the simulation."""
     duration: float | None = None
     """None: until the end of the simulation; a restart has none."""
     every: float | None = None
     """The time from one such event to the next; None: it happens once."""
     field: Vector = (0.0, 0.0, 0.0)
-    """Of a magnetic disturbance, in gauss, along the axes of the sensor."""
+    """The field of a magnetic disturbance, in gauss, along the axes of the sensor."""
     faults: str = ""
     """In the form of `mip simulate --fault`."""
 
     def check(self) -> None:
-        """Raises ValueError or Failure if it cannot be."""
+        """Raises ValueError or Failure if the event is impossible."""
         if self.event not in KINDS:
             raise ValueError(f"'{self.event}' is not a scripted event; there are {', '.join(KINDS)}")
         parse_faults(self.faults)
@@ -56,7 +56,7 @@ class Script:
 
     @property
     def next(self) -> int | None:
-        """When the next event begins or ends."""
+        """The time at which the next event begins or ends."""
         return self._due[0][0] if self._due else None
 
     @property
@@ -65,7 +65,7 @@ class Script:
         return not any(e.event in ("disconnect", "unplug") for e in self._active)
 
     def run(self, now: int) -> None:
-        """Everything that is due by now."""
+        """Begins and ends the events that are due by now."""
         while self._due and self._due[0][0] <= now:
             time, _, event, begins = heapq.heappop(self._due)
             if begins:
@@ -88,7 +88,7 @@ class Script:
             self._plan(time + round(event.duration * SECOND), event, False)
 
     def _settle(self, event: ScriptedEvent, begins: bool) -> None:
-        """The device and its world are as the active events have them."""
+        """Applies the active events to the device and its world."""
         device, world = self._device, self._device.world
         active = [e for e in self._active if e.event == event.event]
         if device.faults is not None:

@@ -19,10 +19,10 @@ TURN = 0.02
 #: Seconds of the clock by which simulated time may be late before it gives up catching up, and
 #: for which clients may read what is left.
 LATE = 1.0
-#: Seconds of the clock by which data may be late, so that they come together at high rates.
+#: Seconds of the clock by which data may be late, so that it is sent in fewer pieces at high rates.
 GRAIN = 0.004
 
-#: Simulated nanoseconds after which what the device has sent is taken from it.
+#: Simulated nanoseconds after which the data sent by the device is collected.
 SLICE = SECOND // 100
 #: Clients of one TCP port.
 CLIENTS = 64
@@ -45,7 +45,7 @@ class Device(Protocol):
 
 
 class Together:
-    """Devices in the same time."""
+    """Devices that share the same time."""
 
     def __init__(self, devices: Sequence[Device]) -> None:
         self.devices = devices
@@ -56,7 +56,7 @@ class Together:
 
     @property
     def next(self) -> int | None:
-        """When something happens next without a host."""
+        """The time at which something happens next without a host."""
         return min((d.next for d in self.devices if d.next is not None), default=None)
 
     @property
@@ -147,7 +147,7 @@ class Server:
         self._ready(str(peer))
 
     def _plug(self) -> None:
-        """A device that is unplugged has no ports, until it is plugged in again."""
+        """Closes the ports of an unplugged device, and opens them when it is plugged in again."""
         for endpoint in self._endpoints:
             plugged = self._of(endpoint).plugged
             if plugged and endpoint not in self._plugged:
@@ -186,7 +186,7 @@ class Server:
             return
         self._selector.unregister(channel.peer)
         if channel.dropped:
-            # It may have no client: who has a terminal open is not known.
+            # It may have no client: whether a terminal is open is not known.
             packets = f"{channel.dropped} packet{'s' * (channel.dropped != 1)}"
             self._complain(f"{channel.peer}: {packets} dropped, as no client read them in time")
         self._of(endpoint).disconnect(channel.link)
@@ -230,7 +230,7 @@ class Server:
         self._drain()
 
     def _simulated(self, nanoseconds: float) -> float:
-        """The time that this takes on the simulated clock."""
+        """The seconds of the clock that so many simulated nanoseconds take."""
         return nanoseconds / SECOND / (self._speed or 1.0)
 
     @property
@@ -273,7 +273,7 @@ class Server:
         self._slip()
 
     def _slip(self) -> None:
-        """A time that cannot be caught up is lost: the machine was asleep, or is too slow."""
+        """Gives up time that cannot be caught up: the machine was asleep, or is too slow."""
         behind = self._clock() - self._origin - self._simulated(self._device.now)
         if self._free:
             self._origin += behind

@@ -84,7 +84,7 @@ class Settings:
 
     def __init__(self, profile: Device, storage: Path | None = None) -> None:
         self._profile = profile
-        # Behind a link, the file itself is replaced.
+        # If it is a link, the file that it leads to is replaced.
         self._storage = storage and Path(os.path.realpath(storage))
         self._current: dict[Place, Command] = {}
         self._saved: dict[Place, Command] = {}
@@ -119,14 +119,14 @@ class Settings:
         self._keep()
 
     def load(self, at: Place) -> Command | None:
-        """Back to the saved value; None if that is the factory default."""
+        """Returns to the saved value; None if that is the factory default."""
         self.reset(at)
         if at in self._saved:
             self._current[at] = self._saved[at]
         return self._saved.get(at)
 
     def reset(self, at: Place) -> None:
-        """Back to the factory default; a saved value stays saved."""
+        """Returns to the factory default; a saved value stays saved."""
         self._current.pop(at, None)
 
     def places(self, name: str) -> list[Place]:
@@ -179,7 +179,7 @@ class Settings:
 
     @staticmethod
     def _replace(storage: Path, text: str | None) -> None:
-        """Writes the file, whole or not at all; without a text, finds out whether it could. Raises Failure."""
+        """Writes the file, whole or not at all; without a text, checks that it can be written. Raises Failure."""
         new = storage.with_name(storage.name + ".new")
         try:
             new.write_text(text or "", "utf-8")

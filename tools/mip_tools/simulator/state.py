@@ -11,11 +11,11 @@ Quaternion = tuple[float, float, float, float]
 
 
 class MotionError(ValueError):
-    """A motion that is not possible, or a text or a file that describes none."""
+    """An impossible motion, or a text or a file that does not describe one."""
 
 
 def is_place(latitude: float, longitude: float, height: float) -> bool:
-    """Degrees and metres. At a pole there is no north; far below or above, no surroundings."""
+    """Can the device be there (degrees, metres)? A pole has no north; far above or below, there are no surroundings."""
     return abs(latitude) <= 89 and abs(longitude) <= 360 and -1e4 <= height <= 1e6
 
 
@@ -23,7 +23,7 @@ PLACES = "use degrees, with a latitude of -89 to 89, and a height of -10 to 1000
 
 
 def check_place(motion: str, latitude: float, longitude: float, height: float) -> None:
-    """Raises MotionError where a motion cannot be."""
+    """Raises MotionError if a motion cannot be at this place."""
     if not is_place(latitude, longitude, height):
         raise MotionError(
             f"{motion}: latitude {latitude:g}, longitude {longitude:g}, height {height:g} is not a place; {PLACES}"

@@ -99,7 +99,7 @@ class Track:
         self._drive()
 
     def _lay(self, points: list[Waypoint], speed: float, corner: float) -> None:
-        """Lines and arcs, and the way at which the height of each waypoint is reached."""
+        """Lays lines and arcs, with the distances at which the heights of the waypoints are reached."""
         plane, count = self._plane, len(points)
         places = []
         for p in points:
@@ -158,7 +158,7 @@ class Track:
             return 0.0, 0.0, 0.0
         if abs(turn) > SHARPEST:
             raise MotionError(
-                f"track: at waypoint {i + 1} the way turns back by {abs(degrees(turn)):.0f} degrees; "
+                f"track: at waypoint {i + 1} the path turns back by {abs(degrees(turn)):.0f} degrees; "
                 "put another waypoint beside it"
             )
         cut = min(corner * tan(abs(turn) / 2), before / 2, after / 2)
@@ -166,7 +166,7 @@ class Track:
         return cut, radius * abs(turn), (1 if turn > 0 else -1) / radius
 
     def _drive(self) -> None:
-        """The speed at each joint of two pieces, then the times."""
+        """Computes the speed at each joint of two pieces, then the times."""
         pieces, a = self._pieces, self._limit
         count = len(pieces)
         most = [min(pieces[i - 1].limit, pieces[i % count].limit) for i in range(count + 1)]
@@ -197,7 +197,7 @@ class Track:
         self._begin = sum(lap.duration for lap in self._first)
 
     def _hasten(self, speeds: list[float]) -> None:
-        """No joint faster than the one before and the acceleration allow."""
+        """Limits the speed at each joint to what the joint before it and the acceleration allow."""
         for i, piece in enumerate(self._pieces):
             speeds[i + 1] = min(speeds[i + 1], sqrt(speeds[i] ** 2 + 2 * self._limit * piece.length))
 

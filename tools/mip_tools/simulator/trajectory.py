@@ -36,15 +36,15 @@ _HEADING = re.compile(r"\s*([a-z]+)\s*(?:\[([^\]]*)\])?\s*\Z")
 
 
 class Curve:
-    """A smooth curve through values: cubic pieces with a slope at each value. At rest before and behind it."""
+    """A smooth curve through values: cubic pieces with a slope at each value. At rest before and after it."""
 
     def __init__(self, times: Sequence[float], values: Sequence[float], slopes: Sequence[float] | None = None) -> None:
-        """Without slopes, they are such that the curve never leaves the range of two neighbours."""
+        """The default slopes keep the curve within the range of two neighbours."""
         self.times, self.values = times, values
         self.slopes = _slopes(times, values) if slopes is None else slopes
 
     def at(self, t: float) -> Vector:
-        """The value, its rate and the rate of that."""
+        """The value, and its first and second derivatives."""
         i = bisect_right(self.times, t)
         if i == 0 or i == len(self.times):
             return self.values[min(i, len(self.times) - 1)], 0.0, 0.0
@@ -162,7 +162,7 @@ class Trajectory:
 
 
 def _unwound(angles: Sequence[float]) -> list[float]:
-    """Angles that go on beyond a whole turn."""
+    """Angles without jumps, which may exceed a whole turn."""
     found: list[float] = []
     for x in angles:
         found.append(x - 2 * pi * round((x - found[-1]) / (2 * pi)) if found else x)
@@ -237,7 +237,7 @@ class _Table:
         self._lines.append(number)
 
     def line(self, time: float) -> int:
-        """The line that holds at a time."""
+        """The line of the file that applies at a time."""
         return self._lines[max(0, bisect_right(self.times, time + 1e-9) - 1)]
 
 

@@ -28,15 +28,15 @@ _LETTERS = {
 #: The largest float of four bytes.
 LARGEST = (2 - 2**-23) * 2.0**127
 
-#: What clocks show: a log is not replayed for fields that show nothing else.
+#: Quantities of clocks: fields that show nothing else are not replayed from a log.
 _CLOCKS = ("gps.", "utc.", "reference.", "external.", "ticks.", "event.")
 
 
 def encoder(kind: type[Field], profile: Device, world: World, set: int, channel: str = "") -> Encoder:
-    """Gives the data of the fields to send now, without lengths and descriptors.
+    """The encoder returns the data of the fields to send now, without lengths and descriptors.
 
-    `set` is that of the packets. What counts from the last time that it
-    was sent does so for each channel on its own.
+    `set` is that of the packets. Quantities that count from the last
+    output do so for each channel on its own.
     """
     if not all(_packs(p) for p, _ in _flat(kind)):
         unchanging = _defaults(kind)
@@ -50,7 +50,7 @@ def encoder(kind: type[Field], profile: Device, world: World, set: int, channel:
     return lambda: motion.recorded(set, descriptor, world.time) or simulated()
 
 
-#: What a device has -> the quantity that one of its data fields then shows.
+#: A sensor or an estimate -> the quantity that a data field of a device that has it shows.
 _SENSES = {
     "mag": "measured.magnetic_field", "pressure": "measured.pressure", "position": "position.latitude",
     "gnss_1": "gnss_1.latitude", "gnss_2": "gnss_2.latitude",
@@ -249,7 +249,7 @@ def _constant(value: Value, type_: Any) -> Any:
 
 
 def _numbers(given: Any, letter: str, count: int) -> tuple[Any, ...]:
-    """As many numbers as there are elements; a single one applies to all."""
+    """One number for each element; a single one applies to all."""
     values = tuple(given) if isinstance(given, (tuple, list)) else (given,) * count
     kind = float if letter in "fd" else int
     return tuple(kind(x) for x in (values + (0,) * count)[:count])
@@ -264,7 +264,7 @@ def _vector(function: Function, factor: float, world: World) -> Reader:
 
 
 def _whole(function: Function, factor: float, letter: str, count: int, world: World) -> Reader:
-    """Whole numbers, rounded; beyond what the type holds, its limit."""
+    """A reader of whole numbers, rounded, and limited to the range of the type."""
     bits = 8 * struct.calcsize(letter)
     low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if letter.islower() else (0, (1 << bits) - 1)
 
@@ -278,7 +278,7 @@ def _whole(function: Function, factor: float, letter: str, count: int, world: Wo
 
 
 def _names(function: Function, type_: type[IntEnum] | type[IntFlag], world: World) -> Reader:
-    """Numbers of names; a quantity may be a number too."""
+    """A reader of the numbers of names; a quantity may be a number, too."""
 
     def read(item: Any) -> tuple[Any, ...]:
         value = function(world, item)

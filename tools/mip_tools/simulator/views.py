@@ -37,7 +37,7 @@ EULER, QUATERNION = 1, 2
 
 
 def matrix(effect: str, values: Values) -> Matrix:
-    """From the sensor to the vehicle. Some devices are given the inverse."""
+    """The matrix from the sensor to the vehicle. Some devices expect the inverse."""
     made = ORIENTATIONS[effect][0](values)
     return transposed(made) if values.get("inverse") else made
 

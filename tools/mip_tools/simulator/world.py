@@ -48,7 +48,7 @@ def _random(source: Random, limit: float) -> Vector:
 
 
 class Output:
-    """One stream's view of quantities that count from the last time that they were sent, or that are its mean."""
+    """One stream's view of quantities that count from the last output, or that are the mean since then."""
 
     __slots__ = ("attitude", "field", "filtered", "integrals", "previous", "rate", "velocity")
 
@@ -62,7 +62,7 @@ class Output:
         self.velocity: Vector = (0.0, 0.0, 0.0)
 
     def begin(self, world: World) -> None:
-        """Before a value is sent: after a start, it counts from one base period before."""
+        """Prepares for a value: after a start, it counts from one base period before."""
         if self.previous is None or self.previous < world.booted:
             period = round(SECOND / self.rate) if self.rate > 0 else SECOND
             self.previous = max(world.booted, world.now - period)
@@ -72,7 +72,7 @@ class Output:
             self.filtered = ()
 
     def end(self, world: World) -> None:
-        """After all values of a field are sent."""
+        """Ends an output, after all values of a field are sent."""
         self.previous = world.now
         self.attitude, self.velocity = world.state.quaternion, world.state.velocity
 
@@ -97,7 +97,7 @@ class Antenna:
 
 
 class Place(NamedTuple):
-    """Where the filter believes the point to be that the user has chosen."""
+    """The position that the filter estimates for the point chosen by the user."""
 
     latitude: float
     longitude: float
@@ -118,7 +118,7 @@ class World:
         self.noise = noise  # 0: none
         self.now = 0  # ns since the start
         self.booted = 0  # when the device was last restarted
-        self.time = 0.0  # the same in seconds
+        self.time = 0.0  # `now` in seconds
         self.gps = self.start  # ns since the GPS epoch
         self.pins: dict[int, bool] = {}  # levels of outputs, by pin from 1
         self.signals: dict[int, bool] = {}  # levels that come from outside
@@ -168,7 +168,7 @@ class World:
         return self.reference or self.start_place
 
     def move_to(self, nanoseconds: int) -> None:
-        """The time since the start."""
+        """Sets the time since the start."""
         self.now = nanoseconds
         self.time = nanoseconds / SECOND
         self.gps = self.start + nanoseconds
@@ -192,7 +192,7 @@ class World:
         return found
 
     def restart(self) -> None:
-        """The device restarts: its own clock is at 0, and its settings have yet to be applied."""
+        """Restarts the device: its own clock is at 0, and its settings have yet to be applied."""
         self.booted = self.now
         self.set_up()
         self.started = False
@@ -200,7 +200,7 @@ class World:
             self.filter = Filter(self, settled=False)
 
     def advance(self) -> None:
-        """What goes on by itself is at this time, before a setting changes it: unless the device is starting."""
+        """Advances the filter to this time before a setting changes, unless the device is starting."""
         if self.started:
             self.filter.advance()
 
@@ -217,7 +217,7 @@ class World:
         return self.pins.get(pin, self.signals.get(pin, pin in self.pulled_up))
 
     def output(self, set: int, quantity: str, rate: float, channel: str = "") -> Output:
-        """What all fields of a set that show a quantity count from: sending any of them restarts it.
+        """The output from which all fields of a set that show a quantity count: sending any of them restarts it.
 
         Channels count on their own: scheduled data, and each event action.
         """
@@ -293,7 +293,7 @@ class World:
 
     @property
     def accel_constant(self) -> Vector:
-        """The part of it that does not change."""
+        """The part of the bias that does not change."""
         return self._accel_error
 
     @property
@@ -317,7 +317,7 @@ class World:
 
     @property
     def accel_bias_left(self) -> Vector:
-        """The part that the setting does not remove."""
+        """The part of the bias that the setting does not remove."""
         return _sum(self.accel_error, _scaled(self.accel_bias, -1.0))
 
     @property
@@ -325,7 +325,7 @@ class World:
         return _sum(self.gyro_error, _scaled(self.gyro_bias, -1.0))
 
     def mean_noise(self, sensor: str, out: Any) -> Values | None:
-        """The noise of a sensor, its drift among it, in the mean since the last output; None: there is none."""
+        """The mean noise of a sensor since the last output, drift included; None: there is none."""
         added = self.added_noise(sensor, out)
         passed = (self.now - out.previous) / SECOND if added else 0.0
         return tuple([x / passed for x in added]) if added and passed > 0 else None
@@ -343,7 +343,7 @@ class World:
         return tuple([self.noise * (x - y) for x, y in zip(now, before)])
 
     def low_passed(self, sensor: str, out: Any, values: Values) -> Values:
-        """What the low-pass filter of a field makes of values, which are means since the last output.
+        """Applies the low-pass filter of a field to values, which are means since the last output.
 
         Without a setting, its cutoff is half the rate of the output: that is the mean.
         """
@@ -364,7 +364,7 @@ class World:
         return tuple([x + y for x, y in zip(values, noise.white(self.noise * noise.density * sqrt(more)))])
 
     def within(self, sensor: str, v: Vector) -> Vector:
-        """A measurement within the range of its sensor."""
+        """Limits a measurement to the range of its sensor."""
         most = self.ranges.get(sensor)
         if most is None:
             return v
@@ -373,7 +373,7 @@ class World:
 
     @property
     def magnetic_field(self) -> Vector:
-        """North, east, down."""
+        """The magnetic field along north, east and down."""
         s = self.state
         return wmm.field(self.gps, s.latitude, s.longitude, s.height)
 
@@ -406,7 +406,7 @@ class World:
 
     @property
     def attitude(self) -> tuple[Quaternion, Matrix]:
-        """Of the vehicle, as the filter estimates it."""
+        """The attitude of the vehicle, as the filter estimates it."""
         return self.once("attitude", self._attitude)
 
     def _attitude(self) -> tuple[Quaternion, Matrix]:

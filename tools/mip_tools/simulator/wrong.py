@@ -1,5 +1,5 @@
-"""Answers and fields that are not as the specification has them. All choices come from the random
-generator of the caller."""
+"""Answers and fields that deviate from the specification. All choices come from the random generator
+of the caller."""
 
 from __future__ import annotations
 

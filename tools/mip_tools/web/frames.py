@@ -65,11 +65,11 @@ class Frames:
             final, kind, payload = found
             if kind >= CLOSE:
                 if not final or len(payload) > 125:
-                    raise Wrong(PROTOCOL, "a control frame in pieces")
+                    raise Wrong(PROTOCOL, "a control frame is fragmented or too long")
                 yield kind, payload
                 continue
             if (kind == _CONTINUED) != bool(self._kind):
-                raise Wrong(PROTOCOL, "a piece of no message")
+                raise Wrong(PROTOCOL, "a continuation frame is missing or unexpected")
             self._kind = self._kind or kind
             self._begun += payload
             if len(self._begun) > LONGEST:

@@ -17,7 +17,7 @@ from ..errors import Failure
 from .frames import BINARY, CLOSE, GOING, NORMAL, PING, PONG, TRY_AGAIN, Frames, Wrong, accept_key, closing, frame
 
 HOST = "127.0.0.1"
-#: Seconds in which a browser must ask, take what it is sent, and close its end.
+#: Seconds within which a browser must send its request, read what it is sent, and close its end.
 PATIENCE = 5.0
 #: Bytes of a request, which browsers keep far below.
 _LONGEST = 16384
@@ -134,7 +134,7 @@ class Server:
         method, _, rest = lines[0].partition(" ")
         path = rest.rpartition(" ")[0]
         headers = {m[1].lower(): m[2] for m in map(_HEADER.fullmatch, lines[1:]) if m}
-        # A page of another site that makes its own name lead here sends that name.
+        # A page of another site whose name was made to lead here (DNS rebinding) sends that name.
         host = headers.get("host", "")
         if host not in (f"{HOST}:{self.number}", f"localhost:{self.number}"):
             raise Refused("403 Forbidden")
@@ -176,7 +176,7 @@ class Server:
                 while not ended.is_set():
                     if data := port.read(_AT_ONCE):
                         page.send(frame(BINARY, bytes(data)))
-            except Exception as error:  # of the port, or of a page that takes nothing
+            except Exception as error:  # of the port, or of a page that reads nothing
                 with suppress(OSError):
                     page.end(closing(GOING, f"the port is lost: {error}"))
                 if not ended.wait(PATIENCE):

@@ -32,7 +32,7 @@ export function cProgram(names, field, calls) {
             `#include "${header}.h"`,
             `struct ${type} value;`,
             `if (${type}_decode(&value, &field) == ${names.package.toUpperCase()}_OK) {`,
-            `    /* ${read || "it holds nothing"} */`,
+            `    /* ${read || "it has no values"} */`,
             ...(field.occurrences?.length > 1 ? ["    /* field.descriptor_set is the set of its packet */"] : []),
             "}",
         ].join("\n");
@@ -44,7 +44,7 @@ export function cProgram(names, field, calls) {
     return lines.join("\n");
 }
 
-/** The function that calls a command with these values, and decodes what answers that. */
+/** The function that calls a command with these values, and decodes its response. */
 export function wayOf(names, field, values) {
     const function_ = field.calls && names.protocol.functions.get(Number(values.function))?.name;
     const ways = names.table.calls[field.name].filter((way) => way.function === function_);

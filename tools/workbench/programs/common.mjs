@@ -22,7 +22,7 @@ export class Names {
         this.language = language;
         this.table = protocol.model.programs[language];
         this.package = protocol.model.package; // begins the names of the bindings
-        this.used = new Set(); // what a program imports: modules of Python, items of the crate
+        this.used = new Set(); // imports of a program: modules of Python, items of the crate
         this.imports = new Map(); // of JavaScript: module -> names
     }
 
@@ -39,7 +39,7 @@ export class Names {
         return this.type(type) + between + (this.table.constants[part.name] ?? usual);
     }
 
-    /** A type or a field; what it needs is imported. */
+    /** A type or a field; its imports are noted. */
     type({ symbols }) {
         const symbol = symbols[this.language];
         if (this.language === "c" || this.language === "cpp") return symbol;
@@ -102,7 +102,7 @@ export function refuseOptional(protocol, field, values) {
     if (more) throw cannot(`${more.name} is optional; set it in the object of the command`);
 }
 
-/** Constructors set what is reserved, so another value would be lost. */
+/** Refuses other values of reserved parameters, which constructors would replace. */
 export function refuseReserved(protocol, record, values) {
     for (const parameter of record.parameters) {
         const value = values[parameter.name];
@@ -135,13 +135,13 @@ export function printable(text) {
     return text;
 }
 
-/** An expression with others in brackets: a call, a list, a structure. `comma` comes behind the last of several lines;
- * in one line, `alone` comes behind the only item, and `pad` is inside the brackets. */
+/** An expression with others in brackets: a call, a list, a structure. `comma` follows the last of several lines;
+ * in one line, `alone` follows the only item, and `pad` is inside the brackets. */
 export function brackets(head, items, tail, { comma = ",", alone = "", pad = "" } = {}) {
     return { head, items, tail, comma, alone, pad };
 }
 
-/** An expression behind a text. */
+/** An expression after a text. */
 export function after(text, expression) {
     return typeof expression === "string" ? text + expression : { ...expression, head: text + expression.head };
 }
@@ -158,7 +158,7 @@ function flat(expression) {
     return `${head}${pad}${items.map(flat).join(", ")}${items.length === 1 ? alone : ""}${pad}${tail}`;
 }
 
-/** An expression, with a line for each of what is in brackets if one line is too long. */
+/** An expression, with a line for each item in brackets if one line is too long. */
 export function laidOut(expression, width) {
     const line = flat(expression);
     if (line.length <= width || typeof expression === "string" || expression.items.length === 0) return line;

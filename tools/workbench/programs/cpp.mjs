@@ -24,13 +24,13 @@ function reading(names, c, field, header) {
     return [
         `#include "${header}.hpp"`,
         `if (const auto value = field.as<${names.type(field)}>()) {`,
-        `    // ${read || "it holds nothing"}`,
+        `    // ${read || "it has no values"}`,
         ...(field.occurrences?.length > 1 ? ["    // field.descriptor_set is the set of its packet"] : []),
         "}",
     ].join("\n");
 }
 
-/** Has it a function in place of a member: what may be absent, has names, or varies in size? */
+/** Does it have a function in place of a member, as it may be absent, has names, or varies in size? */
 function isCalled({ protocol }, { type, length, optional }) {
     if (type === undefined) return false;
     const { kind, scalar } = protocol.types.get(type) ?? {};

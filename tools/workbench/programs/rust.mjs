@@ -89,7 +89,7 @@ function rustUnion(names, record, parameter, op, value) {
     return inner ? brackets(`${variant}(`, [rustInner(names, record, inner.parameter, found.operation, found.value)], ")") : variant;
 }
 
-/** Constructors take a `bool`, everything else holds a `Bool`. */
+/** Inner values have a `Bool`, where constructors take a `bool`. */
 function rustInner(names, record, parameter, op, value) {
     if (op.kind === "scalar" && names.protocol.scalar(op.scalar).kind === "bool") return `${names.item("Bool")}(${Number(value)})`;
     return rustValue(names, record, parameter, op, value);
