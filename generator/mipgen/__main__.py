@@ -10,7 +10,7 @@ from mipgen.cli import main
 
 
 def run() -> NoReturn:
-    for stream in (sys.stdout, sys.stderr):  # a name that the terminal cannot show is shown in another way
+    for stream in (sys.stdout, sys.stderr):  # characters that the terminal cannot show are escaped
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
     gc.disable()  # a run is short, and little of it becomes garbage; looking for it takes a tenth of a second

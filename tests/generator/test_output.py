@@ -110,7 +110,7 @@ def test_a_file_that_was_left_half_written_goes_although_nothing_else_is_to_do(
     capsys.readouterr()
     assert cli.main(["check", *options]) == 1
     shown = capsys.readouterr().err
-    assert shown.startswith(f"{part}: error: stale\nmipgen: 1 file to put right; run: mipgen generate --spec")
+    assert shown.startswith(f"{part}: error: stale\nmipgen: 1 file to update; run: mipgen generate --spec")
     assert cli.main(["generate", *options]) == 0 and cli.main(["check", *options]) == 0
     assert tree(tmp_path / "c") == tree(GOLDEN / "c")
 
@@ -210,5 +210,5 @@ def test_the_remedy_is_that_of_each_file(tmp_path: Path, capsys: pytest.CaptureF
     assert cli.main(options) == 1
     assert capsys.readouterr().err.splitlines()[3:] == [
         "mipgen: 2 files that mipgen did not write; move or delete them",
-        f"mipgen: 1 file to put right; run: mipgen generate --spec {INVENTED} --out {out} --target c",
+        f"mipgen: 1 file to update; run: mipgen generate --spec {INVENTED} --out {out} --target c",
     ]

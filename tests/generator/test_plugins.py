@@ -63,7 +63,7 @@ def test_the_output_is_checked_and_follows_the_program(tmp_path: Path, capsys: p
         f"{out}/list/.manifest: error: changed",
         f"{out}/list/one.txt: error: changed",
         f"{out}/list/two.txt: error: stale",
-        f"mipgen: 3 files to put right; run: mipgen generate --spec {SPEC} --out {out} --target list --plugin {path}",
+        f"mipgen: 3 files to update; run: mipgen generate --spec {SPEC} --out {out} --target list --plugin {path}",
     ]
     assert run(tmp_path, *options) == 0 and run(tmp_path, *options, command="check") == 0
     assert (out / "list/one.txt").read_text() == "3\n" and not (out / "list/two.txt").exists()

@@ -110,12 +110,12 @@ def test_a_missing_or_changed_file_is_noticed(first: Path, tmp_path: Path) -> No
     assert done.returncode == 1
     assert done.stderr == (
         f"{out}/python/LICENSE: error: missing\n{out}/python/README.md: error: changed\n"
-        f"mipgen: 2 files to put right; run: mipgen generate {' '.join(SPEC)} --out {out}\n"
+        f"mipgen: 2 files to update; run: mipgen generate {' '.join(SPEC)} --out {out}\n"
     )
     (out / "python/LICENSE").write_bytes((ROOT / "LICENSE").read_bytes())
     done = mipgen("check", *SPEC, "--out", str(out), "--target", "python")
     assert done.stderr.splitlines()[1:] == [
-        f"mipgen: 1 file to put right; run: mipgen generate {' '.join(SPEC)} --out {out} --target python"
+        f"mipgen: 1 file to update; run: mipgen generate {' '.join(SPEC)} --out {out} --target python"
     ]
 
 

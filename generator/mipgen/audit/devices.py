@@ -76,7 +76,7 @@ def _numbers(node: Node) -> list[int]:
 
 
 def _support(model: m.Model, device: m.Device, number: int, lists: Node) -> Iterator[Finding]:
-    """What is certain must be so here; what is not must be there at least. Fields without a layout are left out."""
+    """Certain support must be certain here, too; other support must be listed. Fields without a layout are left out."""
     certain = {(s.set, s.field.descriptor) for s in device.certain}
     listed = {(s.set, s.field.descriptor) for s in device.supports}
     for words, known in ((CERTAIN, certain), (PERHAPS, listed)):

@@ -1,7 +1,7 @@
 """The numbers of a layout in wire order, of the model and of a witness alike, so that they can be compared one by one.
 
 A vector is its elements, a structure its members, an array of fixed length its items; an item of an array whose length
-varies is there once, with what repeats it.
+varies appears once, with what repeats it.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def _of_element(p: m.Parameter, record: Sequence[m.Parameter], base: Leaf) -> li
 
 
 def _default(p: m.Parameter) -> Any:
-    """As a number, where it is the name of a value; that of a device, where there is no other."""
+    """The default, as a number where it is the name of a value; that of a device, where there is no other."""
     given = p.default if p.default is not None else next((v.default for v in p.variants if v.default is not None), None)
     value = p.element.by_name(given) if isinstance(p.element, m.Enum) and isinstance(given, str) else None
     return value.value if value else given
@@ -143,7 +143,7 @@ def _valid(p: m.Parameter, record: Sequence[m.Parameter], index: int) -> frozens
 
 
 class Reader:
-    """Reads a witness as leaves. Manuals name structures that only another witness defines: it looks in all."""
+    """Reads a witness as leaves. Manuals name structures that only another witness defines, so it looks in all."""
 
     def __init__(self, witnesses: Iterable[dict[str, Any]]) -> None:
         self.vectors: dict[str, Any] = {}

@@ -1,7 +1,7 @@
-"""Compares the model with rules: what is true of a number because of what it is, such as the range of a latitude.
+"""Compares the model with rules: facts that follow from the kind of a quantity, such as the range of a latitude.
 
-They are the witness of what no source prints. A rule looks at names and at other facts of a parameter, never at the
-fact that it states.
+They are the witness for facts that no source prints. A rule looks at names and at other facts of a parameter, never at
+the fact that it states.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def _any(patterns: list[str] | None, name: str) -> bool:
 
 
 def _scalar(p: m.Parameter) -> str:
-    """The scalar of a plain number or of a vector; nothing of what has named values or members."""
+    """The scalar of a plain number or of a vector; empty for types with named values or members."""
     return p.element.name if isinstance(p.element, m.Scalar) else getattr(_vector(p), "name", "")
 
 
@@ -133,7 +133,7 @@ def _default(said: list[str | float], p: m.Parameter, _: object) -> str | None:
 
 
 def _flags(said: str, p: m.Parameter, record: tuple[m.Parameter, ...]) -> str | None:
-    """Flags have the order of what they are about: no bit is left out, and nothing between two that have one."""
+    """Flags have the order of their values: no bit is skipped, and no value between two that have one lacks it."""
     places = [(q, *_bits(q, record)) for q in record if q.valid]
     before = [last for q, _, last in places if record.index(q) < record.index(p)]
     after = [first for q, first, _ in places if record.index(q) > record.index(p)]

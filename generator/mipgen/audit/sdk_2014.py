@@ -2,7 +2,7 @@
 
 A structure of its headers is the data of a field, member by member; what a function takes and returns is a command and
 its response. Comments before a function say which functions the command has, and which arguments are returned. What
-cannot be read so, such as an array whose length is computed, is left out: only facts are extracted, in the form of
+cannot be read like this, such as an array of a computed length, is left out: only facts are extracted, in the form of
 `spec/witness`.
 """
 
@@ -157,7 +157,7 @@ def _statuses(headers: str, numbers: dict[str, int], structs: dict[str, Any]) ->
 
 
 def _data(numbers: dict[str, int], structs: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Structures that are called as a descriptor is, in whatever order of words."""
+    """Structures with the name of a descriptor, in any order of words."""
     words = {_words(name): name for name in structs}
     for define, number in numbers.items():
         of, _, word = define.removeprefix("MIP_").partition("_DATA_")

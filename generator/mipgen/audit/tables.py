@@ -170,7 +170,7 @@ def _sections(lines: list[str]) -> Iterator[tuple[str, int, int, Rows]]:
 
 
 def _unmarked(cell: str) -> str:
-    """Without marks of text, but with the tables in it."""
+    """A cell without markup of text, but with the tables in it."""
     return re.sub(r"\s+", " ", re.sub(r"</?(b|i|u|a|p|ul|li|em|strong|ol|br|sup)\b[^>]*>", " ", cell)).strip()
 
 

@@ -47,7 +47,7 @@ class Difference:
 @dataclass
 class Report:
     differences: list[Difference]  # that are not accepted
-    stale: list[str]  # what is accepted and does not exist, with its place
+    stale: list[str]  # accepted differences that do not exist, with their places
     accepted: int
     counts: Counter[str]  # how many facts of each kind were compared
     alone: list[str]  # fields that no witness has
@@ -57,7 +57,7 @@ class Report:
 
     def summary(self) -> str:
         facts = ", ".join(f"{number} {kind}" for kind, number in sorted(self.counts.items()))
-        rest = f"{self.accepted} differences are accepted; of {len(self.alone)} fields there is no witness"
+        rest = f"{self.accepted} differences are accepted; {len(self.alone)} fields have no witness"
         return f"witnesses: {facts}; {rest}"
 
 
@@ -363,7 +363,7 @@ class _Layout:
     # ------------------------------------------------------------------ what follows from names
 
     def frames_in_names(self, ours: list[Leaf], layout: dict[str, Any]) -> None:
-        """A layout that is called after one frame has its vectors in that frame."""
+        """A layout that is named after a frame has its vectors in that frame."""
         name = normal(layout["name"])
         named = [frames for word, frames in _NAMED_FRAMES.items() if word in name]
         if len(named) != 1 or "frames" in layout:
@@ -376,7 +376,7 @@ class _Layout:
                     self.note(f"{a.path}: frame {_all(a.frames)}, witness {_all(said)} by its name", a.position)
 
     def valid_flags(self, ours: list[Leaf], theirs: list[Leaf]) -> None:
-        """The flag of a value is the bit that is called like it; where bits have no names, bit 0 is that of all."""
+        """The flag of a value is the bit of the same name; where bits have no names, bit 0 is the flag of all."""
         pairs = list(zip(ours, theirs, strict=False))
         flags = next(((a, b) for a, b in pairs if normal(b.path) == "validflags"), None)
         if flags is None or len(ours) != len(theirs):
@@ -447,7 +447,7 @@ class _Layout:
         self.compare(a, "bit", ours, said, theirs)
 
     def compare(self, a: Leaf, what: str, ours: Any, said: Any, theirs: dict[str, Any]) -> None:
-        """Values or bits by their numbers; a table that may be cut says nothing of those that it lacks."""
+        """Compares values or bits by their numbers; a table that may be cut off proves nothing about missing ones."""
         of = theirs["name"]
         for key in sorted({*ours, *said}):
             place = f"{a.path}: {what} {_number(key)}"

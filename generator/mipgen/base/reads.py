@@ -60,7 +60,7 @@ def unnoticed(cls: type, names: list[str]) -> Callable[[Any], tuple[Any, ...]]:
 
 
 class _Attribute:
-    """In the `__dict__` of its object."""
+    """A watched attribute in the `__dict__` of its object."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -76,7 +76,7 @@ class _Attribute:
 
 
 class _Slot:
-    """Of a class with slots."""
+    """A watched attribute of a class with slots."""
 
     def __init__(self, name: str, slot: Any) -> None:
         self.name = name

@@ -36,7 +36,7 @@ classes (the second word of a line):
   wire        unit, frame, valid, layout, value, condition, constant
   source      name, removed, type, short name
   compatible  added, default, range, description, profile, ...
-  reading     what a device makes of a shared parameter: wire if its type, unit, frame or
+  reading     the meaning of a shared parameter on a device: wire if its type, unit, frame or
               valid flag changed, else compatible
 
 changes that do not count, for --ignore; * matches any text, and without 'class' all
@@ -86,7 +86,7 @@ def _run(known: argparse.ArgumentParser, options: argparse.Namespace) -> int:
 
 
 class _Layout(argparse.RawDescriptionHelpFormatter):
-    """Keeps the lines of examples; the commands are in one column, without a line before them."""
+    """Keeps the line breaks of examples; lists the commands in one column, without a heading line."""
 
     def _iter_indented_subactions(self, action: argparse.Action) -> Generator[argparse.Action, None, None]:
         yield from getattr(action, "_get_subactions", list)()
@@ -190,7 +190,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def folder(text: str) -> Path:
-    """A path; an empty one is a variable of a shell that is not set, and not the current folder."""
+    """A path; an empty text is an unset variable of the shell, and not the current folder."""
     if not text:
         raise argparse.ArgumentTypeError("it is empty; name a folder ('.' is the current one)")
     return Path(text)

@@ -86,7 +86,7 @@ def check(options: Namespace) -> int:
         print(f"mipgen: {_count(others, 'file')} that mipgen did not write; move or delete {it}", file=sys.stderr)
     if len(differences) > others:
         wrong = _count(len(differences) - others, "file")
-        print(f"mipgen: {wrong} to put right; run: mipgen generate{_given(options)}", file=sys.stderr)
+        print(f"mipgen: {wrong} to update; run: mipgen generate{_given(options)}", file=sys.stderr)
     if not differences:
         print(f"{options.out} is up to date")
     return 1 if differences else 0
@@ -277,8 +277,8 @@ def _of_this_time(spec: Path, overlays: list[Path]) -> Model:
 
 
 def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
-    """A folder, or a revision of a specification, which may be too old for this program; and how its files were
-    called while a revision was unpacked."""
+    """A folder, or a revision of a specification, which may be too old for this program; and the path below which
+    the files of a revision were unpacked."""
     from mipgen.compare import revisions
     from mipgen.read.loader import shown
     from mipgen.read.problems import SpecError

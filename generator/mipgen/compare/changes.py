@@ -78,7 +78,7 @@ class Report:
         return "\n".join([*map(str, self.changes), *ignored, self.whole(name)])
 
     def plain(self) -> dict[str, Any]:
-        """As JSON has it."""
+        """The report for JSON."""
         return {
             "old": self.old,
             "new": self.new,
@@ -152,7 +152,7 @@ def _places(model: m.Model) -> dict[str, m.Position | None]:
 
 
 def _nearest(subject: str, places: dict[str, m.Position | None]) -> m.Position | None:
-    """The place of a subject, else that of what it is in."""
+    """The place of a subject, else that of the definition that contains it."""
     subject, _, device = subject.partition(" on ")
     name = device or subject.partition(" with ")[0]
     while name and places.get(name) is None:
@@ -381,7 +381,7 @@ def _variants(subject: str, old: m.Parameter, new: m.Parameter, devices: frozens
 def _differences(
     verdict: Verdict, subject: str, pairs: dict[str, tuple[object, object]], kind: str = ""
 ) -> Iterator[Change]:
-    """A change for each pair that differs, of this class, or of one that is called like the pair."""
+    """A change for each pair that differs, of this class, or of the class with the name of the pair."""
     for what, (old, new) in pairs.items():
         if old != new:
             yield Change(verdict, kind or what, subject, f"{what} {_said(new)}, was {_said(old)}")

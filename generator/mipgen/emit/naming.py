@@ -108,7 +108,7 @@ def invalid(target: str, identifiers: Iterable[Identifier], grammar: Grammar, pr
 
 
 def lengths(target: str, identifiers: Iterable[Identifier], longest: int, problems: Problems) -> None:
-    """Names that begin with the same `longest` characters must be one; of those of one thing, the first is reported."""
+    """Names must differ in their first `longest` characters; of the names of one thing, only the first is reported."""
     seen: dict[tuple[str, str], Identifier] = {}
     reported: set[tuple[str, Position | None]] = set()
     for i in identifiers:

@@ -1,4 +1,4 @@
-"""A folder of output: how it differs from the files that it should hold, and how these are written.
+"""Compares a folder of output with the files that it should contain, and writes these.
 
 The manifest of a folder lists the files that mipgen wrote; only these are replaced or removed. It lists new files
 before they are written, and old ones until they are gone, so that a run finishes what an interrupted one has begun.
@@ -101,7 +101,7 @@ def compare(made: Mapping[str, Made], folder: Path) -> list[Difference]:
 
 
 def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Difference] | None = None) -> list[Difference]:
-    """Makes the folder hold these files, also in place of foreign ones; untracked ones are kept.
+    """Writes these files into the folder, also in place of foreign ones; untracked ones are kept.
 
     `differences`: how it differs, if that is known.
     """
@@ -111,7 +111,7 @@ def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Differen
         _put(folder / MANIFEST, manifest((ours | made.keys()) - {MANIFEST}))
     for d in differences:
         if d.what == "stale":
-            (folder / d.path).unlink(missing_ok=True)  # gone is the part of an earlier process with our number
+            (folder / d.path).unlink(missing_ok=True)  # a part of an earlier process with our number is gone
     for parent in sorted(_parents(ours) - _parents(made), reverse=True):
         with contextlib.suppress(OSError):  # it is not empty, or gone
             (folder / parent).rmdir()

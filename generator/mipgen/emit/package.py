@@ -2,7 +2,7 @@
 
 Templates and runtimes are written for the package `mip`, so that they are ordinary source. The output of a
 specification with another `package` is the same with the names of that package: `probe_parser_init` in place of
-`mip_parser_init`, `probe_protocol` of `mip_protocol`. `resolve` keeps names of the specification apart from these.
+`mip_parser_init`, `probe_protocol` for `mip_protocol`. `resolve` keeps names of the specification apart from these.
 """
 
 from __future__ import annotations

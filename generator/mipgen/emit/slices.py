@@ -1,4 +1,4 @@
-"""Which files of an earlier run are still right, because nothing has changed that was read to make them.
+"""Finds the files of an earlier run that are still right, because nothing that was read to make them has changed.
 
 While something is made, `base.reads` notes which parts of the model, and which details of its objects, are read. The
 next run finds the same objects by their place in a walk over the model, as long as that part of the model has the same
@@ -74,7 +74,7 @@ class Part:
 
 
 def _plain(value: Any) -> Any:
-    """Of a position the file, because no output holds lines; numbers as text, because 1 and 1.0 are equal."""
+    """The file of a position, because no output contains lines; numbers as text, because 1 and 1.0 are equal."""
     return value.file if value.__class__ is m.Position else (repr(value),)
 
 
@@ -158,7 +158,7 @@ class Slices:
         return not self.changed.isdisjoint(read) or (bool(shapes) and any(a >> _PART in shapes for a in read))
 
     def keep(self) -> None:
-        """For the next run, once all targets have kept what they made."""
+        """Stores the state for the next run, once all targets have stored theirs."""
         cache.put("slices", {self.key: self._state})
 
 
@@ -166,7 +166,7 @@ class Anew:
     """The work of one target without an earlier run."""
 
     def unchanged(self, what: str) -> bool:
-        """Was it made last time, of the same?"""
+        """Was it made last time, from the same input?"""
         return False
 
     def right(self, path: str) -> Same | None:
@@ -182,7 +182,7 @@ class Anew:
         return how(*arguments)
 
     def keep(self, files: Mapping[str, Made]) -> None:
-        """For the next run."""
+        """Stores what was made for the next run."""
 
 
 #: A text that was made of an object of the model, and the addresses of all that was read.
@@ -208,14 +208,14 @@ class Pieces:
         return known[0]
 
 
-#: Those of the file that is being made; none inside a piece.
+#: The pieces of the file that is being made; None inside a piece.
 _pieces: Pieces | None = None
 
 
 def piece(name: str, make: Callable[..., str], thing: object, *constants: str) -> str:
     """A text that depends on nothing but an object of the model, and on what is read of the model to make it. If it is
-    part of a file that is made again, it is that of last time unless some of this has changed. `name` tells it from
-    other texts of the same object in a file."""
+    part of a file that is made again, it is that of last time unless some of this has changed. `name` distinguishes it
+    from other texts of the same object in a file."""
     global _pieces
     pieces, _pieces = _pieces, None
     try:

@@ -20,7 +20,7 @@ OPERATIONS = ("parse", "decode", "encode", "client", "live")
 
 
 class WrongTarget(ValueError):
-    """A Target with something that it cannot have, or without something that it needs."""
+    """A Target with an unknown or wrong attribute, or without a required one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,12 +54,12 @@ class Target:
     files: Callable[[Model], Iterable[File]]
     #: The filters of its templates, by name: names in the case of the language, literals, comments.
     filters: Callable[[Model], Mapping[str, Callable[..., Any]]] = _no_filters
-    #: What the output has of the files that are copied, by path; without it, all.
+    #: Selects the files that are copied, by path; without it, all are.
     runtime: Callable[[Mapping[str, bytes], Model], Mapping[str, bytes]] = _all
-    #: Yields every name that the output defines, with its scope, so that names which cannot be are found before
-    #: anything is written.
+    #: Yields every name that the output defines, with its scope, so that impossible names are found before anything
+    #: is written.
     identifiers: Callable[[Model], Iterable[Identifier]] = _no_identifiers
-    #: Filters the names that the language accepts; without it, all are accepted.
+    #: The names that the language accepts; without it, all are accepted.
     grammar: Grammar | None = None
     #: Formats the output, so that templates need not care where lines break.
     formatter: Formatter | None = None

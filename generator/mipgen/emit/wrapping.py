@@ -42,8 +42,8 @@ class Brackets:
     head: str  # up to the opening bracket
     items: Sequence[Expression]
     tail: str  # from the closing bracket on
-    comma: str = ","  # behind the last item, if each has a line
-    alone: str = ""  # behind the only item, in one line
+    comma: str = ","  # after the last item, if each has a line
+    alone: str = ""  # after the only item, in one line
     pad: str = ""  # inside the brackets, in one line
 
     def after(self, text: str) -> Brackets:
@@ -55,12 +55,12 @@ Expression: TypeAlias = "str | Brackets"
 
 
 def after(text: str, expression: Expression) -> Expression:
-    """An expression behind a text: `x = [1]`."""
+    """An expression after a text: `x = [1]`."""
     return text + expression if isinstance(expression, str) else expression.after(text)
 
 
 def flat(expression: Expression) -> str:
-    """In one line.
+    """An expression in one line.
 
     >>> flat(Brackets("f(", ["a", Brackets("[", ["b"], "]")], ")")), flat(Brackets("(", ["a"], ")", alone=","))
     ('f(a, [b])', '(a,)')
@@ -75,7 +75,7 @@ def flat(expression: Expression) -> str:
 
 
 def laid_out(expression: Expression, width: int) -> str:
-    """With what is in brackets on a line of its own, or on one for each, if one line is too long.
+    """An expression; if one line is too long, its items are on a line of their own, or on one for each.
 
     >>> inner = Brackets("f(", ["3", "')'"], ")")
     >>> print(laid_out(Brackets("x = {", [Brackets("{", ["1", "2"], "}"), inner], "};"), 14))

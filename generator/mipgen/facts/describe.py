@@ -1,7 +1,7 @@
 """Facts that documentation states about the parts of a model, composed once for all targets.
 
 A fact has a topic, a value ("m/s") and a sentence ("Unit: m/s."). Both are texts: words and references. This module is
-what targets ask; what is said of each part is in the module of that name.
+the interface for targets; the facts about each part are composed in the module of that name.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class _Composed:
 
     def __init__(self, model: m.Model) -> None:
         self.model = model
-        self.alive: list[object] = []  # what is asked about is kept, so that nothing else has its identity
+        self.alive: list[object] = []  # keeps the described objects, so that no other gets the same identity
         self.fields: Memo[int, list[Fact]] = Memo()
         self.parameters: Memo[tuple[int, int], list[Fact]] = Memo()
 

@@ -11,7 +11,7 @@ from mipgen.lower import codec
 
 
 def plain(parameters: tuple[m.Parameter, ...], values: codec.Values) -> bool:
-    """Has it names for all values and bits, and only numbers that can be written, of sets that all devices take?"""
+    """Do all values and bits have names, can all numbers and texts be written, and does no set depend on the device?"""
     return all(
         _is_plain(p, values[p.name])
         and not (p.shown == "set" and any(v.by_device and v.type is not None for v in p.variants))

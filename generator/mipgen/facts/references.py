@@ -2,7 +2,7 @@
 
 A text names a field by its full name, `3dm.pps_source_control`, and a type of a set likewise; `describe` makes
 references of these. Other names in backticks are those of parameters, values and the like. Descriptors, as in
-(0x0C,0x28), are the way of the manuals, and only what quotes a manual has them.
+(0x0C,0x28), are used by the manuals, and only quotations of a manual contain them.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _BARE = re.compile(r"(?<![\w.`])[a-z0-9]+(?:_[a-z0-9]+)+(?![\w])|(?<![\w.])\w+\.
 
 
 def check(roots: Iterable[Node], model: m.Model, problems: Problems) -> None:
-    """Reports what is named in another way, or does not exist."""
+    """Reports names in another form, and those of things that do not exist."""
     names = _Names(model, problems.add)
     for root in roots:
         names.inside(root)
@@ -81,7 +81,7 @@ class _Names:
             self.problem(node.position, f"'{title}' is the title of a command; write {names}")
 
     def titled(self, text: str) -> Iterator[str]:
-        """Commands that are named by their titles, as "the device reset command" or "the reply to device reset"."""
+        """Titles by which a text names commands, as "the device reset command" or "the reply to device reset"."""
         lower = text.lower()
         for match in _COMMAND.finditer(text) if "command" in lower else ():  # most texts have none: this is slow
             words = match[1].split()

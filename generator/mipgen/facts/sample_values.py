@@ -1,7 +1,7 @@
-"""Typical values of fields, for what shows how they are used: packets and programs in documentation.
+"""Typical values of fields, for the packets and programs in documentation.
 
-A value is, in this order: that of an example in a manual, what the specification states as `typical`, what a simulated
-device shows, the factory default, what a new device has set. Where there is none of these, it is simple and within its
+A value is, in this order: that of an example in a manual, the `typical` one of the specification, that of a simulated
+device, the factory default, the setting of a new device. Where there is none of these, it is simple and within its
 range; `made_up` lists those.
 """
 
@@ -40,7 +40,7 @@ class SampleValues:
         return {name: value for name, value in sample.items() if name != "function" or not f.selector}
 
     def made_up(self, f: m.Field, call: m.Call) -> list[str]:
-        """The parameters among these, and members of their structures, whose values nothing states."""
+        """The parameters among these, and members of their structures, whose values no source states."""
         paths: list[str] = []
         self._made(f, call, paths)
         return paths

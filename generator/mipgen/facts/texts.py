@@ -94,7 +94,7 @@ def quotation(text: str, model: m.Model) -> Text:
 
 
 def _referring(text: str, pattern: re.Pattern[str], refer: Callable[[re.Match[str]], Ref | None]) -> Text:
-    """The text with references in place of what they are made of."""
+    """The text with references in place of the matches of a pattern."""
     parts: list[str | Ref] = []
     at = 0
     for match in pattern.finditer(text):

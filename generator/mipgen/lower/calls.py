@@ -11,7 +11,7 @@ def members(record: m.Record) -> list[m.Parameter]:
 
 
 def constructors(record: m.Record) -> tuple[m.Call, ...]:
-    """One for each function of a command, or just one; none of what a device sends."""
+    """The constructors of a record: one for each function of a command, or just one; none if a device sends it."""
     if isinstance(record, m.Struct):
         return (m.Call(None, record.parameters, ()),)
     return record.calls if record.role == m.COMMAND else ()

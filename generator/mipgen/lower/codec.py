@@ -76,10 +76,10 @@ def split(model: m.Model, packet: bytes) -> list[tuple[int, bytes]]:
 
 
 def choose(candidates: tuple[m.Field, ...], data: bytes) -> m.Field | None:
-    """The layout that data of a descriptor have.
+    """The layout of the data of a descriptor.
 
-    Constants tell it, as far as the data reach. Where several remain, it is the one of this size, else the longest
-    that the data hold, else the shortest, of which they are a part only.
+    Constants decide, as far as the data reaches. Of several that remain, it is the one of this size, else the longest
+    that fits into the data, else the shortest, of which the data is only a part.
     """
     if len(candidates) <= 1:
         return candidates[0] if candidates else None
@@ -277,7 +277,7 @@ def _octets(p: m.Parameter, value: Any, values: Values) -> bytes:
 
 
 def put(p: m.Parameter, value: Any) -> bytes:
-    """The bytes of one value, without what other values of its record say of it."""
+    """The bytes of one value, without regard to other values of its record."""
     out = bytearray()
     _put(p, value, {}, out)
     return bytes(out)

@@ -1,6 +1,6 @@
 """Sizes on the wire: the least, the greatest, and formulas where counters decide.
 
-All sizes follow from `extents`; what a target shows of them is up to the target.
+All sizes follow from `extents`.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Extent:
 
     @property
     def most(self) -> int:
-        """With as many elements as there may be."""
+        """The number of bytes with as many elements as there may be."""
         return self.fixed + sum(t.size * t.most for t in self.terms)
 
     @property
@@ -51,7 +51,7 @@ class Extent:
 
     @property
     def counted(self) -> Extent:
-        """Without what fills the field."""
+        """The extent without an array that fills the field."""
         return Extent(self.fixed, tuple(t for t in self.terms if t.counter != m.REST))
 
 
@@ -115,7 +115,7 @@ def fewest(parameters: Iterable[m.Parameter]) -> int:
 
 
 def most(parameters: Iterable[m.Parameter]) -> int:
-    """As many as fit into a field."""
+    """The most bytes of parameters, which must fit into a field."""
     return min(m.MAX_FIELD_DATA, sum(size(p)[1] for p in parameters))
 
 

@@ -1,7 +1,7 @@
 """The layout of records in the memory of a program in C, whatever the compiler.
 
-A record holds what the caller cannot derive: no constants, but counters and tags. A text ends with a NUL, what fills
-a field has its number of elements in front of it, and a field whose parameters may be absent begins with their number.
+A record has no constants, but it has counters and tags. A text ends with a NUL, an array that fills a field has its
+number of elements before it, and a field whose parameters may be absent begins with their number.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def packed(_place: int, _alignment: int) -> int:
 
 
 def has_gaps(of: m.Field) -> bool:
-    """May bytes before the last number of a structure be none of the field: unused, or the NUL of a text?"""
+    """May a structure have bytes before its last number that the field lacks: padding, or the NUL of a text?"""
     tight = record(of, packed)
     return tight.size != of.max_size or tight.last != record(of).last
 

@@ -1,4 +1,4 @@
-"""Numbers that follow each other at fixed places: what a codec reads and writes at once.
+"""Numbers that follow each other at fixed places, which a codec reads and writes at once.
 
 Python joins them into one `struct`, C copies them without interpreting anything.
 """
@@ -18,7 +18,7 @@ Path = tuple[str | int, ...]
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """Numbers of one kind, one behind the other."""
+    """Numbers of one kind, one after another."""
 
     path: Path
     parameter: m.Parameter  # what they are
@@ -35,7 +35,7 @@ class Run:
 
 
 def run(p: m.Parameter, path: Path = (), offset: int = 0) -> Run | None:
-    """The numbers of a parameter, if it is nothing but numbers of one kind, and always as many."""
+    """The numbers of a parameter, if it consists of a fixed number of them, of one kind."""
     if p.kind in ("struct", "switch") or p.open or (p.several and p.item.kind != "scalar"):
         return None
     return Run(path, p, p.size if p.kind == "bits" else p.count, offset)

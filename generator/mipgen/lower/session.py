@@ -1,4 +1,4 @@
-"""The commands that find a device and start its data, as the specification names them: what they take and answer."""
+"""The commands that find a device and start its data, as the specification names them, with their responses."""
 
 from __future__ import annotations
 

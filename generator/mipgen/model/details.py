@@ -1,6 +1,6 @@
 """Attributes that may change while a specification keeps its shape: texts, units, limits, and where things are stated.
 
-What is read of them is noted (`base.reads`), so that a changed description makes only those files again that show it.
+Reads of them are noted (`base.reads`), so that a changed description affects only the files that show it.
 """
 
 from __future__ import annotations

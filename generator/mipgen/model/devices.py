@@ -1,4 +1,4 @@
-"""Devices: what each supports, and where a value has a meaning of its own there."""
+"""Devices: the fields that each supports, and the values that have another meaning there."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class Evidence:
     firmware: Detail[str | None] = None  # of the device that was asked
     date: Detail[str | None] = None  # when it was
     note: Prose = ""
-    undefined: Detail[tuple[tuple[int, int], ...]] = ()  # set and descriptor of what it has besides, without a layout
+    undefined: Detail[tuple[tuple[int, int], ...]] = ()  # further sets and descriptors, without a layout
 
     @property
     def answer(self) -> Answer:
@@ -136,7 +136,7 @@ class DeviceVariant:
 
     @property
     def path(self) -> str:
-        """As the specification names the parameter: "filter_data.status.filter_state"."""
+        """The name of the parameter in the specification: "filter_data.status.filter_state"."""
         return f"{self.field.full_name}.{self.parameter.name}"
 
 

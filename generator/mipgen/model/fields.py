@@ -81,7 +81,7 @@ class Condition:
         return self.label in ("true", "false")
 
     def holds(self, value: object) -> bool:
-        """Of a Boolean, everything but 0 is true."""
+        """Is the condition met? For a Boolean, everything but 0 is true."""
         return bool(value) == bool(self.value) if self.boolean and value is not None else value == self.value
 
 
@@ -174,7 +174,7 @@ class Field:
         return self.occurrences[0].set
 
     def name_in(self, number: int) -> str:
-        """Its full name in a set: "gnss_2.dop". What occurs everywhere has one name."""
+        """Its full name in a set: "gnss_2.dop". A field that occurs everywhere has one name."""
         occurrence = next((o for o in self.occurrences if o.set == number), None)
         return f"{occurrence.set_name}.{self.name}" if occurrence else self.full_name
 

@@ -46,7 +46,7 @@ class Union:
 
 
 def alike(cases: Sequence[Case], others: Sequence[Case]) -> bool:
-    """Have two unions the same alternatives?"""
+    """Do two unions have the same alternatives?"""
     pairs = list(zip(cases, others, strict=False))
     same = all(a.parameter.alike(b.parameter) if a.parameter and b.parameter else a == b for a, b in pairs)
     return same and [c.tag for c in cases] == [c.tag for c in others]
@@ -71,7 +71,7 @@ class Variant:
     constant: int | None = None  # it always has this value
     only: tuple[EnumValue | Bits, ...] = ()  # of the values or bits that its type names, those that there are
     deprecated: bool | None = None
-    unknown: bool = False  # nobody knows what its values are
+    unknown: bool = False  # its values are not known
     description: Prose = ""
     inferred: Prose = ""  # what it is concluded from, if no source says so of the device
 
@@ -106,7 +106,7 @@ class Parameter:
     typical: Detail[object] = None  # what a user would send or see, in the form of the codec; of a structure, members
     shown: Shown | None = None  # its number is known in hexadecimal, and may be that of a set or a field
     fields_of: str = ""  # the set of these field descriptors: its name, or the parameter that holds its number
-    valid: Detail[tuple[str, ...]] = ()  # what says so: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
+    valid: Detail[tuple[str, ...]] = ()  # the flags: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()
     constant: int | None = None
     reserved: int | float | None = None  # the value to send; any value may be received
@@ -148,7 +148,7 @@ class Parameter:
         return tuple(c.parameter for c in self.cases if c.parameter is not None)
 
     def alike(self, other: Parameter) -> bool:
-        """Do they differ at most in their places? Of a type that both have nothing is read."""
+        """Do they differ at most in their places? The content of a type that both have is not read."""
         pairs = ((getattr(self, f.name), getattr(other, f.name)) for f in fields(self) if f.compare)
         return all(a is b or a == b for a, b in pairs)
 
@@ -233,7 +233,7 @@ class Parameter:
 
     @cached_property
     def item(self) -> Parameter:
-        """One item of an array or a vector, with the same meaning; of what is not several, it itself."""
+        """One item of an array or a vector, with the same meaning; for anything else, the parameter itself."""
         if not self.several:
             return self
         element = self.vector.scalar if self.vector else self.element
@@ -241,7 +241,7 @@ class Parameter:
 
     @property
     def leaf(self) -> Parameter:
-        """One item of an array, of the vectors of an array, or of a vector; of anything else, it itself."""
+        """One item of an array, of the vectors of an array, or of a vector; else, the parameter itself."""
         return self.item.leaf if self.kind == "array" else self
 
     @property

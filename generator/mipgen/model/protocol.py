@@ -125,6 +125,6 @@ class Protocol:
     synonyms: Detail[tuple[tuple[str, ...], ...]] = ()  # words that people use for the same
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
     session: Session | None = None
-    barrier: tuple[int, int] = (0, 0)  # set and descriptor of the command behind which no answer is late; 0: none
+    barrier: tuple[int, int] = (0, 0)  # set and descriptor of the command after which no answer is late; 0: none
     url: Prose = ""  # the public repository
     leap_seconds: Detail[tuple[tuple[str, int], ...]] = ()  # day -> seconds that clocks with an epoch are ahead of UTC

@@ -78,8 +78,8 @@ class Behavior:
     answers: tuple[tuple[str, tuple[str, ...]], ...] = ()  # response -> the devices that have this layout
 
 
-#: What instances may be other than numbers up to a limit: the ports of the device, its data sets, and the data fields
-#: that the command is sure to affect.
+#: Instances that are not numbers up to a limit: the ports of the device, its data sets, and the data fields that the
+#: command is sure to affect.
 PORTS = "ports"
 SETS = "data_sets"
 AFFECTED = "affected"

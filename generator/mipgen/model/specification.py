@@ -40,7 +40,7 @@ class Model:
         return derived
 
     def program(self, name: str) -> str:
-        """The text of one of them; empty if the specification brings none of that name."""
+        """The text of a program; empty if the specification has none of that name."""
         return dict(self.programs).get(name, "")
 
     @kept
@@ -101,7 +101,7 @@ class Model:
     def sizes(self, f: Field) -> range:
         """The sizes of data with which the descriptor has this layout, given its constants.
 
-        Of several whose constants the data may have it is the longest that the data hold, else the shortest; of equal
+        Of several layouts whose constants fit, it is the longest that fits into the data, else the shortest; of equal
         ones, the first.
         """
         others = [g.min_size for g in self.layouts(f) if set(g.signature) <= set(f.signature)]
@@ -113,8 +113,8 @@ class Model:
         return tuple(self._fields[f"{command.family}.{name}"] for name in command.responses)
 
     def replies(self, command: Field) -> tuple[Reply, ...]:
-        """What a command is answered with, and when. Conditions are on the parameters of the command that owns a
-        response; another command that has the same response is answered with it always."""
+        """The responses to a command, and their conditions on the parameters of the command that owns a response;
+        another command that has the same response is always answered with it."""
         functions = tuple(f for f in command.functions if f.responds)
         layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
         return tuple(Reply(fields, functions, when) for when, fields in layouts.items())
@@ -155,7 +155,7 @@ class Model:
 
     def affected(self, command: Field, certain: bool = True) -> tuple[Field | Set, ...]:
         """What a command changes: data fields, and sets all of whose fields may change. A part of a specification
-        has not all of them."""
+        may lack some of them."""
         named = command.affects if certain else command.may_affect
         things: list[Field | Set] = []
         for name in named:

@@ -41,10 +41,10 @@ LAYOUT = {
 #: Facts from other sources, which are compared with a specification and are not part of it.
 WITNESSES = {"witness": "witness/*.yaml"}
 
-#: Of the files beside them, by what they contain: the differences that were judged, and rules of kinds of quantities.
+#: Files beside them, by their content: the differences that were judged, and rules for kinds of quantities.
 BESIDE = {"rules": "rules", "differences": "accepted"}
 
-#: A file with several devices or families, and under which keys it has them.
+#: Files with several devices or families, and the keys of these.
 DEVICES = "devices"
 PARTS = {"device": "devices", "family": "families"}
 
@@ -53,7 +53,7 @@ OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.ite
 
 
 def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
-    """Reads all files of a specification and its overlays; `problems` takes what is wrong with them."""
+    """Reads all files of a specification and its overlays; adds their mistakes to `problems`."""
     if not (spec / "protocol.yaml").is_file():
         problems.add(Position(shown(spec), 1, 1), "this is not a specification: it has no protocol.yaml")
         return []
@@ -113,7 +113,7 @@ def load_witness(path: Path, problems: Problems) -> Document | None:
 
 
 def _key(path: Path, kind: str, over: bool) -> str:
-    """Of what is read from a file: its nodes name the file as a user would. Empty if it cannot be read."""
+    """A key for the nodes of a file, which name it as a user would. Empty if the file cannot be read."""
     try:
         return cache.key(fingerprint.program(), kind, str(over), shown(path), path.read_bytes())
     except OSError:
@@ -138,7 +138,7 @@ def shown(path: Path) -> str:
 
 
 def _visible(paths: Iterable[Path]) -> list[Path]:
-    """In order; hidden files are those of editors and systems, such as `.#tools.yaml`."""
+    """The paths in order, without hidden files of editors and systems, such as `.#tools.yaml`."""
     return sorted(path for path in paths if path.name[0] != ".")
 
 
@@ -192,7 +192,7 @@ def _validators() -> dict[str, Any]:
 
 
 def _valid(kind: str, root: Node, problems: Problems) -> bool:
-    """Does a file obey its schema? If not, `problems` takes what is wrong."""
+    """Does a file obey its schema? If not, adds its mistakes to `problems`."""
     errors = list(_validators()[kind].iter_errors(root.plain()))
     for error in errors:
         path = list(error.absolute_path)
@@ -254,7 +254,7 @@ def _inside(path: list[str | int], root: str) -> str:
 
 
 def _instead(value: Any, kinds: list[str]) -> str:
-    """The right form of a value of the wrong kind, where it is plain.
+    """The right form of a value of the wrong kind, where it is obvious.
 
     >>> _instead("yes", ["boolean"]), _instead(7, ["string"]), _instead("8C", ["integer"]), _instead("−3", ["integer"])
     ('; write true', '; put it in quotes', '; write 0x8C', "; '−' is a minus sign (U+2212), write '-'")

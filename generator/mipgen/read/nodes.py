@@ -79,7 +79,7 @@ class Node:
         return self.value
 
     def at(self, path: list[str | int]) -> Position:
-        """The place of what `path` leads to: of its key, if it has one."""
+        """The place to which `path` leads: that of the key, if there is one."""
         return self._follow(path)[0]
 
     def value_at(self, path: list[str | int]) -> Position:
@@ -125,7 +125,7 @@ def _position(name: str, mark: Any) -> Position:
 
 
 def _place(name: str, before: str) -> Position:
-    """The place behind this text."""
+    """The place after this text."""
     return Position(name, before.count("\n") + 1, len(before) - before.rfind("\n"))
 
 
@@ -167,7 +167,7 @@ class _Reader:
         self.problems.add(Position(self.file, line, column), message)
 
     def complain(self, message: str) -> None:
-        """A problem at the current event."""
+        """Reports a problem at the current event."""
         self.problems.add(_position(self.file, self.event.start_mark), message)
 
     def node(self, event: Any, depth: int, item: bool = False) -> Node:

@@ -24,7 +24,7 @@ EXTENSIONS = {
     ),
 }  # fmt: skip
 
-#: Those that a specification may have, too: what a device tells of itself is a file of its own.
+#: Extensions that a specification itself may have: the data that a device reports is a file of its own.
 WITHIN = ("device_extension",)
 
 
@@ -92,7 +92,7 @@ def _joined(base: Node, more: Node, problems: Problems) -> Node:
 
 
 def _joined_rates(base: Node, more: Node, problems: Problems) -> Node:
-    """The rates of both. The same rate may be given again, and one that is not known (`~`) says nothing."""
+    """The rates of both. The same rate may be given again, and an unknown one (`~`) changes nothing."""
     new = {key: node for key, node in more.items() if key not in base or node.value not in (None, base[key].value)}
     kept = {key: node for key, node in base.items() if key not in new or node.value is not None}
     return _joined(replace(base, value=kept), replace(more, value=new), problems)
@@ -112,5 +112,5 @@ def _joined_ports(base: Node, more: Node, problems: Problems) -> Node:
     return replace(base, value=[*base.value, *new])
 
 
-#: What may be said again, if it is the same: a device that is asked tells all that it knows.
+#: Keys that may repeat what is there: a device that is asked reports all that it knows.
 AGAIN = {"base_rates": _joined_rates, "ports": _joined_ports}

@@ -132,8 +132,8 @@ def _descriptor_range(s: m.Family, f: m.Field | m.Named, problems: Problems) -> 
 
 
 def _told_apart(a: m.Field, b: m.Field) -> bool:
-    """By a constant that differs; or that only the first has, which is tried first; or, with the same constants, by
-    their sizes. A command has one layout."""
+    """Are layouts distinguished? By a constant that differs, or that only the first has, which is tried first; or, with
+    the same constants, by their sizes. A command has one layout."""
     if m.COMMAND in (a.role, b.role):
         return False
     mine = {(at, len(constant)): constant for at, constant in a.signature}
@@ -200,7 +200,7 @@ def words(model: m.Model, problems: Problems) -> None:
 
 
 def package(model: m.Model, problems: Problems) -> None:
-    """Names that begin like those of the package `mip` would be taken for these."""
+    """Names must not begin like those of the package `mip`, which are renamed."""
     own, package = m.OWN_PACKAGE, model.protocol.package
     if package == own:
         return

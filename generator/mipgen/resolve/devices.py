@@ -15,7 +15,7 @@ from .types import Types
 from .variation import variant
 from .vocabulary import sentences, sources
 
-#: The keys of a profile that does not state what is not known of the device.
+#: The keys that a profile must have unless it states that something is not known of the device.
 REQUIRED = ("supports", "base_rates", "ack_codes")
 
 
@@ -52,7 +52,7 @@ def _by_strength(evidence: Iterable[m.Evidence]) -> tuple[m.Evidence, ...]:
 
 
 def _twice(name: str, a: m.Evidence, b: m.Evidence) -> str | None:
-    """What is wrong if two witnesses name a field. A device may list again what others say, and so may it with another
+    """The problem if two witnesses name a field. A device may list what others state, and list it again with another
     firmware."""
     listed = [e.kind for e in (a, b)].count("listed")
     if listed == 1 and "refused" in (a.kind, b.kind) and a.firmware == b.firmware and a.firmware is not None:
@@ -63,7 +63,7 @@ def _twice(name: str, a: m.Evidence, b: m.Evidence) -> str | None:
 
 
 def _number(set: str) -> int | None:
-    """Of a set that has no name.
+    """The number of a set that has no name.
 
     >>> _number("0x0F"), _number("0x00"), _number("rtk")
     (15, None, None)

@@ -40,7 +40,7 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
 
 
 class Wrong(Exception):
-    """Why an example, or a step of a guide, cannot be read, and where."""
+    """An example, or a step of a guide, that cannot be read: the place and the reason."""
 
     def __init__(self, place: m.Position, message: str) -> None:
         super().__init__(message)
@@ -257,7 +257,7 @@ class _Example:
 
 
 def said(value: object) -> str:
-    """A value for a person: floats, which are the text of their bits, also as numbers.
+    """A value for readers: floats, which are the text of their bits, also as numbers.
 
     >>> said("0x41accccd"), said("0x7fc00000"), said([1, {"x": "0x41ac0000"}]), said("text")
     ("21.6 ('0x41accccd')", "'0x7fc00000'", "[1, {'x': 21.5 ('0x41ac0000')}]", "'text'")

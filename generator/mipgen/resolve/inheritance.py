@@ -1,4 +1,4 @@
-"""Devices that are like another one, or like a family: what they add, lack and change.
+"""Devices that are like another one, or like a family, and what they add, lack and change.
 
 A profile is inherited as nodes, before anything in it is resolved, so that every mistake keeps its place.
 """
@@ -75,7 +75,7 @@ def _name(node: Node) -> Node:
 
 
 def _orphan(node: Node) -> Node:
-    """A profile whose inheritance is not to be found: nothing is missing in it but that."""
+    """A profile whose parent is not found, completed so that nothing else is reported as missing."""
     reason = Node("What it inherits is not known.", node["like"].position)
     return replace(node, value={"description": reason, **node.value, "incomplete": Node([reason], reason.position)})
 
@@ -147,7 +147,7 @@ class _Heir:
         return self.mapped("supports", {name: self.listed(name, entries) for name, entries in by_set.items()}, keys)
 
     def evidence(self, lacked: set[str]) -> Node:
-        """The same for other evidence: what is known of the device itself takes the place of what is inherited."""
+        """The same for other evidence: that of the device itself replaces the inherited one."""
         for kind, full, entry in _evident(self.own):
             self.check_new(full, entry, lacked, kind)
         kinds = _kinds(self.own)
@@ -159,7 +159,7 @@ class _Heir:
         return self.listed("evidence", [*left, *(self.own.get("evidence") or ())])
 
     def inherited(self) -> Iterator[Node]:
-        """The evidence of the other. What another device lists itself, and nobody else says, this one has probably."""
+        """The evidence of the other. A field that only the other device itself lists is probable here."""
         if "family" in self.parent:
             yield from self.parent.get("evidence") or ()
             return
@@ -182,7 +182,7 @@ class _Heir:
         return replace(group, value={**kept, "kind": kind, "of": replace(name, value=[name])})
 
     def check_new(self, full: str, entry: Node, lacked: set[str], kind: str) -> None:
-        """What is said of a field must be more than is inherited: stronger, or the contrary. A device lists all."""
+        """A statement about a field must be stronger than the inherited one, or contrary. A device itself lists all."""
         inherited = self.kinds.get(full)
         if inherited is None or full in lacked or (inherited == "refused") != (kind == "refused") or kind == "listed":
             return
@@ -214,8 +214,8 @@ class _Heir:
         return self.mapped(key, {**nodes, **(own.value if own else {})}, {**keys, **(own.keys if own else {})})
 
     def concerned(self, name: str, has: set[str]) -> bool:
-        """Does the device have this field or set? A family says it for those of its devices that do; a name that
-        nobody knows is kept, so that it is found."""
+        """Does the device have this field or set? A family says it for those of its devices that do; an unknown name
+        is kept, so that it is reported."""
         f = self.model.field(name)
         if f is None:
             return name in has or all(name != s.name for s in self.model.sets)

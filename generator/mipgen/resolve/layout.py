@@ -1,6 +1,6 @@
 """Turns nodes into parameters.
 
-What the wire looks like is decided here: sizes, capacities, presence. Nothing downstream computes.
+The layout on the wire is decided here: sizes, capacities, presence. Nothing downstream computes it.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Layout:
     whole: Node | None = None  # the field, for what it says of all its values
     before: int = 0  # bytes of the record around it, of a union's case
     unknown: str = ""  # letters of the command that are not functions, reported where they are
-    unclear: bool = False  # a parameter is required for something wrong, so that the order says nothing
+    unclear: bool = False  # a parameter is required for something wrong, so that the order cannot be checked
     nodes: list[Node] = field(default_factory=list)
     done: list[m.Parameter] = field(default_factory=list)
 
@@ -148,7 +148,7 @@ class Layout:
             return self.constant(node, name, element)
         length = node.scalar("count")
         if isinstance(element, m.Struct) and element.min_size > m.MAX_FIELD_DATA:
-            length = None  # said of the structure; whether it may be an array would only repeat that
+            length = None  # reported for the structure; a problem of the array would only repeat it
         if length is not None and isinstance(element, m.Struct) and not element.fixed:
             self.problem(node["count"].position, f"the size of '{type_name}' varies, so there can be no array of it")
             return None
@@ -311,7 +311,7 @@ class Layout:
         return replace(p, typical=value)
 
     def vouch(self, whole: Node) -> None:
-        """`valid` of the field: for each value that has none of its own, and is neither the flags nor derived."""
+        """Applies `valid` of the field to each value that has none of its own, and is neither the flags nor derived."""
         flags = whole["valid"].value.partition(".")[0]
         concerned = [
             i
@@ -334,7 +334,7 @@ class Layout:
         return Record(whole, selector.size, extent.most(whole))
 
     def check_order(self, parameters: Sequence[m.Parameter]) -> bool:
-        """One problem for each parameter that functions do not require, though they require one behind it."""
+        """Reports each parameter that functions do not require, though they require one after it."""
         late: dict[tuple[str, str], list[str]] = {}
         places = {p.name: p.position for p in parameters}
         for function in self.types.vocabulary.letters(self.functions):
@@ -368,12 +368,12 @@ class Layout:
                     break
 
     def check_size(self) -> None:
-        """Points at the parameter with which a field is too long even in its shortest form."""
+        """Reports the parameter with which a field is too long even in its shortest form."""
         used = self.before + (1 if self.functions else 0)
         for p in self.done:
             used += extent.size(p)[0]
             if isinstance(p.element, m.Struct) and p.element.min_size > m.MAX_FIELD_DATA:
-                return  # said of the structure
+                return  # reported for the structure
             if used > m.MAX_FIELD_DATA:
                 self.problem(
                     p.position, f"with '{p.name}' the field has {used} bytes of data; the most is {m.MAX_FIELD_DATA}"

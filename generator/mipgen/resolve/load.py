@@ -48,7 +48,7 @@ def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:
 
 
 def resolve(documents: Sequence[Document], problems: Problems) -> m.Model:
-    """The model of what was read; `problems` takes what is wrong with it."""
+    """The model of the documents; adds their mistakes to `problems`."""
     roots = {kind: [d.root for d in documents if d.kind == kind] for kind in (*loader.LAYOUT, "family")}
     types, model = definitions(roots, problems)
     checks.check_definitions(model, problems)

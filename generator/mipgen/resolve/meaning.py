@@ -55,7 +55,7 @@ def citation(
 
 @cache
 def _headings(sections: tuple[str, ...]) -> dict[str, str]:
-    """The first of each plain form."""
+    """Plain form of a heading -> the first heading that has it."""
     return {_plain(s): s for s in reversed(sections)}
 
 
@@ -249,7 +249,7 @@ def check_shown(node: Node, p: m.Parameter, problem: Problem) -> None:
 
 
 class _Default:
-    """A default, or another value that an author states; `what` it is called."""
+    """A default, or another value that an author states; `what` names it in messages."""
 
     def __init__(self, p: m.Parameter, problem: Problem, what: str = "default") -> None:
         self.p = p

@@ -66,7 +66,7 @@ class Families:
         )  # fmt: skip
 
     def meant(self, node: Node, first: m.Set) -> m.Kind:
-        """The kind of a set. If all its fields are of the other one, its number is wrong, and not each of them."""
+        """The kind of a set. If all its fields are of the other one, its number is reported, and not each of them."""
         entries = [*(node.get("fields") or ()), *(node.get("named") or ())]
         commands = first.kind == "command"
         wrong, others = (m.DATA, (m.COMMAND, m.RESPONSE)) if commands else (m.COMMAND, (m.DATA,))
@@ -271,7 +271,7 @@ class Families:
     # ----------------------------------------------------------------------- relations
 
     def related(self, fields: Sequence[m.Field], sets: Collection[str]) -> None:
-        """What commands change, and what bits concern, must exist; a command names each thing once."""
+        """Checks that all that commands change, or bits concern, exists; a command names each thing once."""
         names = {name: f.role for f in fields for name in f.names}
         data = [name for name, role in names.items() if role == m.DATA]
         for node in self.changes:
@@ -291,7 +291,7 @@ class Families:
                 self.problems.add(entry.position, f"no command or data field '{entry.value}'{near}")
 
     def silenced(self, families: list[m.Family]) -> tuple[m.Family, ...]:
-        """The same families, with what keeps commands from being acknowledged: it may be a setting of any command."""
+        """The same families, with the conditions, also settings of other commands, that suppress acknowledges."""
         commands = {f.full_name: f for x in families for f in x.fields if f.role == m.COMMAND}
         changed: dict[str, m.Field] = {}
         for name, node in self.silences.items():
@@ -308,7 +308,7 @@ class Families:
         return tuple(replace(x, fields=tuple(changed.get(f.full_name, f) for f in x.fields)) for x in families)
 
     def shared(self, node: Node, fields: list[m.Field]) -> list[m.Field]:
-        """Every same_as names a response of this set; what does not is dropped once it is reported."""
+        """Drops each same_as that does not name a response of this set, and reports it."""
         known = [f.name for f in fields if f.role == m.RESPONSE]
         for entry in node.get("fields") or ():
             for response in entry.get("responses") or ():
@@ -343,7 +343,7 @@ def _title(node: Node) -> str:
 
 
 def _heading(node: Node, number: int) -> str:
-    """Under which most sources have a field: "Ping (0x01,0x01)"."""
+    """The heading under which most sources have a field: "Ping (0x01,0x01)"."""
     descriptor = next((node[role].value for role in ROLES if role in node), 0)
     return f"{_title(node)} (0x{number:02X},0x{descriptor:02X})"
 
@@ -361,7 +361,7 @@ class _Places:
 
     several: bool
     sets: tuple[m.Set, ...]
-    common: dict[str, tuple[m.Source, ...]]  # set -> what states of all fields that they occur there
+    common: dict[str, tuple[m.Source, ...]]  # set -> sources that state that all fields occur there
     types: Types
     problems: Problems
 

@@ -163,7 +163,7 @@ class _Values:
         return Value(path, names=names) if kind == "name" else Value(path, bits=names)
 
     def asked(self, f: m.Field, node: Node) -> None:
-        """A parameter of the commands that a response answers must exist."""
+        """Checks that a parameter of the commands that a response answers exists."""
         commands = [c for c in self.model.fields if c.role == m.COMMAND and f in self.model.responses(c)]
         known = [p.name for c in commands for p in c.parameters if not p.derived]
         if not commands:
@@ -242,7 +242,7 @@ class _Commands:
         )
 
     def references(self, f: m.Field, node: Node) -> None:
-        """Parameters of the command that must exist."""
+        """Checks that the named parameters of the command exist."""
         known = [p.name for p in f.parameters]
         for part in ("all", "instances", "translate", "initial"):
             for name, _ in _pairs(node, part):
@@ -278,7 +278,7 @@ class _Commands:
         return self.number(node, [p.name for p in f.parameters])
 
     def member(self, f: m.Field, node: Node) -> None:
-        """A member of a structure, or of any case of a union, must exist."""
+        """Checks that a member of a structure, or of any case of a union, exists."""
         known, path = f.parameters, list[str]()
         for name in node.value.split("."):
             same = [p for p in known if p.name == name]
@@ -316,7 +316,7 @@ class _Commands:
         return str(node.value)
 
     def affected(self, f: m.Field, node: Node) -> tuple[tuple[int, int], ...]:
-        """The data fields that the command is sure to affect, if they tell the instances of its setting."""
+        """The data fields that the command is sure to affect, if they select the instances of its setting."""
         given = [n for _, n in _pairs(node, "instances") if n.value == AFFECTED]
         if not given:
             return ()

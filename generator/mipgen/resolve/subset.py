@@ -102,7 +102,7 @@ def _places(model: m.Model, what: str, name: str) -> Iterator[tuple[m.Field, int
 
 
 def _meant(model: m.Model, word: str) -> list[str]:
-    """The devices that people call so: other names, a part of a name, the model number."""
+    """The devices that a user may mean, by another name, a part of a name, or the model number."""
 
     def plain(name: str) -> str:
         return "".join(c for c in name.casefold() if c.isalnum())

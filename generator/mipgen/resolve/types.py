@@ -28,7 +28,7 @@ class Types:
     shared: dict[str, Node] = field(default_factory=dict)
     local: dict[str, dict[str, Node]] = field(default_factory=dict)
     parts: dict[str, dict[str, Node]] = field(default_factory=dict)  # lists of parameters, by set
-    concerned: list[Node] = field(default_factory=list)  # what bits concern, judged once all fields are known
+    concerned: list[Node] = field(default_factory=list)  # what bits concern, checked once all fields are known
     _included: set[tuple[str, str]] = field(default_factory=set)
     _done: dict[tuple[str | None, str], m.Type | None] = field(default_factory=dict)
     _open: list[str] = field(default_factory=list)
@@ -260,5 +260,5 @@ class Types:
 
 
 def _nowhere(name: str) -> m.Bits:
-    """In place of a bit whose number is wrong, so that what names it is not wrong, too."""
+    """A substitute for a bit whose number is wrong, so that references to it are not reported, too."""
     return m.Bits(name, 0, 0, "", alias=True)

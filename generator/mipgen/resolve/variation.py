@@ -1,9 +1,9 @@
 """Differences by device, or with one value of a sibling.
 
-A variant says the same things as a parameter (unit, frame, range, default, description, ...). It may
+A variant states the same facts as a parameter (unit, frame, range, default, description, ...). It may
 name the type that defines the meaning of a plain number, or state which values there are, or that they are
 not known. Those by sibling are given in the set file, those by device in the device's file. What
-differs may be a member of a structure: what is read by a parameter outside of it is said where the
+differs may be a member of a structure: a difference by a parameter outside of it is stated where the
 structure is used.
 """
 
@@ -21,7 +21,7 @@ from . import meaning
 from .meaning import Problem
 from .vocabulary import Vocabulary
 
-#: In the place of what is different: nobody knows.
+#: In place of a difference: it is not known.
 UNKNOWN = "unknown"
 
 

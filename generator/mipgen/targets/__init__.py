@@ -1,1 +1,1 @@
-"""One module per target language; `render.Target` defines what it offers."""
+"""One package for each target; `emit.target.Target` defines what it offers."""

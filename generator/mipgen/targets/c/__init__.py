@@ -84,7 +84,7 @@ def code(model: m.Model) -> Iterator[File]:
 
 
 def inline(header: str, fields: Iterable[m.Field]) -> Iterator[File]:
-    """Straight code of the fields of a header, apart from it: few programs need it, and it takes long to compile."""
+    """Straight code of the fields of a header, in its own file: few programs need it, and it takes long to compile."""
     if plain := [f for f in fields if direct.direct(f)]:
         yield File(f"src/mip/{header}_inline.h", "inline.h.j2", {"header": header, "fields": plain})
 

@@ -22,7 +22,7 @@ symbol = names.symbol
 
 
 def cpp_symbol(thing: m.Type | m.Field) -> str:
-    """The type of a field, or a type, in C++; nothing for what has none there: arrays, and commands."""
+    """The type of a field, or a type, in C++; empty for vectors, which are arrays, and for commands."""
     if isinstance(thing, m.Vector) or (isinstance(thing, m.Field) and thing.role == m.COMMAND):
         return ""
     return cpp.qualified(thing)

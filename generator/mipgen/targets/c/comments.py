@@ -18,7 +18,7 @@ from .members import last_present
 WIDTH = 100
 
 
-#: There are many devices that may support a field. Headers leave them to the profiles.
+#: Many devices may support a field without being certain to. Headers leave them to the profiles.
 ELSEWHERE = "Devices that may support a field, but are not certain to, are listed only in mip/profiles.h."
 
 
@@ -89,7 +89,7 @@ class Comments:
         return ["@file", " ".join([what, *said(describe.uncertain(x, self.model))]), *unsure]
 
     def set(self, s: m.Set, family: m.Family) -> list[str]:
-        """Of the constant of a set: what the header says of it, if there is no other."""
+        """The comment of the constant of a set; it describes the set if the header has several."""
         if len(family.sets) == 1:
             return ["Descriptor set of these fields."]
         what = " ".join([f"Descriptor set: {s.title}.", *self._prose(s.description)])
@@ -108,14 +108,14 @@ class Comments:
         ]
 
     def key(self, f: m.Field) -> list[str]:
-        """Of its constant."""
+        """The comment of the constant of a field."""
         several = len(f.occurrences) > 1
         what = "Descriptor set, one of those above, and descriptor" if several else "Descriptor set and descriptor"
         others = " Other layouts have the same: _decode refuses them with MIP_ERROR_LAYOUT."
         return [f"{what}, as mip_field_key returns them.{others if len(self.model.layouts(f)) > 1 else ''}"]
 
     def present(self, f: m.Field) -> list[str]:
-        """Of the member that counts the parameters that are present."""
+        """The comment of the member that counts the parameters that are present."""
         selector = ", not counting the function selector" if f.functions else ""
         more = "; a ..._WITH_... constant for all up to that one" if last_present(f) else ""
         return [
@@ -139,7 +139,7 @@ class Comments:
         return ["\n".join(items)] if items else []
 
     def case(self, c: m.Case, union: m.Parameter, record: m.Record) -> list[str]:
-        """Of an alternative: when it is present, then the documentation of its parameter."""
+        """The comment of an alternative: when it is present, then the documentation of its parameter."""
         assert c.parameter is not None
         text = [*self._prose(c.parameter.description or c.tag.description), *_values(c.parameter)]
         when = said([describe.case(c, union, record)])

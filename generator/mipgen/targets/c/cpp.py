@@ -1,4 +1,4 @@
-"""C++17 on top of C: what its headers hold of types, layouts and commands."""
+"""C++17 on top of C: the types, layouts and commands in its headers."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class Accessor:
 
 
 def accessors(f: m.Field) -> list[Accessor]:
-    """Of data and responses: what C++ says better than C."""
+    """The functions of data and responses, whose types are better than those of C."""
     if f.role == m.COMMAND:
         return []
     return [a for p in members(f) if (a := _accessor(p, f))]
@@ -83,7 +83,7 @@ def _accessor(p: m.Parameter, f: m.Field) -> Accessor | None:
         assert isinstance(p.element, (m.Enum, m.Bitfield))
         return Accessor(word(p.name), f"::{qualified(p.element)}", f"static_cast<::{qualified(p.element)}>({at})", "")
     if p.kind == "text" and isinstance(p.length, int):
-        return Accessor(word(p.name), "std::string_view", f"::mip::text({at})", "Perhaps with spaces around it.")
+        return Accessor(word(p.name), "std::string_view", f"::mip::text({at})", "May have spaces around it.")
     if p.kind == "text":
         return Accessor(word(p.name), "std::string_view", f"{{{at}, {count}}}", "")
     if p.kind == "array" and (p.counter or p.fills):
@@ -114,11 +114,11 @@ class Command:
     response: m.Field | None
     doc: str
     members: tuple[str, ...]
-    call: str  # what C calls
-    arguments: tuple[str, ...]  # what it passes
-    fill: str  # what fills the structure of C
-    filled: tuple[str, ...]
-    plain: bool  # has it that?
+    call: str  # the function of C
+    arguments: tuple[str, ...]  # of that
+    fill: str  # the function that fills the structure of C
+    filled: tuple[str, ...]  # the arguments of that
+    plain: bool  # is it to have `fill`?
     fixed: tuple[str, ...] | None  # of one whose data is always the same: the function, if it has one
 
 

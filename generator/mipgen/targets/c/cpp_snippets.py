@@ -51,7 +51,7 @@ class Programs:
         return "\n".join([
             f'#include "mip/{module(f.family)}.hpp"',
             f"if (const auto value = field.as<{qualified(f)}>()) {{",
-            f"    // {read or 'it holds nothing'}",
+            f"    // {read or 'it has no values'}",
             *(["    // field.descriptor_set is the set of its packet"] if len(f.occurrences) > 1 else []),
             "}",
         ])  # fmt: skip

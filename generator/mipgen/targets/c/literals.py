@@ -47,7 +47,7 @@ def number(value: int, size: int, text: str = "") -> str:
 
 
 def mask(b: m.Bits, t: m.Bitfield) -> str:
-    """Wide enough that its complement clears nothing else."""
+    """The mask of bits, wide enough that its complement clears nothing else."""
     text = f"0x{b.mask:0{2 * t.size}X}"
     return f"UINT{8 * t.size}_C({text})" if t.size > 2 else f"{text}U"
 

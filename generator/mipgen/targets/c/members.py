@@ -31,7 +31,7 @@ def home(alternative: m.Parameter) -> str:
 
 
 def last_present(f: m.Field) -> list[tuple[m.Parameter, int]]:
-    """The optional parameters, each with the value of `present` when it is the last one that is there."""
+    """The optional parameters, each with the value of `present` when it is the last one present."""
     return [(p, f.present_with[p.name]) for p in members(f) if p.optional and not p.counts]
 
 
@@ -87,7 +87,7 @@ def argument(p: m.Parameter, f: m.Field) -> str:
 
 
 def takes_enum(p: m.Parameter) -> bool:
-    """Is its argument an enumeration, so that the compiler sees when it is another one?
+    """Is its argument an enumeration, so that the compiler detects values of another one?
 
     Not if it has several bytes on the wire: in C, a compiler may give one whose values are small a single byte.
     """
@@ -100,7 +100,7 @@ DATA = 2
 
 
 def holding(f: m.Field, c: m.Condition) -> list[Test]:
-    """Tests of bytes of a command; of a Boolean everything but 0 is true."""
+    """Tests of bytes of a command; for a Boolean, everything but 0 is true."""
     p = next(q for q in f.parameters if q.name == c.parameter)
     before = [extent.size(q) for q in f.parameters[: f.parameters.index(p)]]
     assert all(least == most for least, most in before), f"{f.full_name}.{p.name}: no fixed place"
@@ -155,5 +155,5 @@ def bits_type(b: m.Bits) -> str:
 
 
 def has_accessor(b: m.Bits, t: m.Bitfield) -> bool:
-    """A number inside a bitfield has functions. Flags are constants, and so are bits of bytes."""
+    """Does it have functions? A number inside a bitfield does; flags are constants, and so are bits of bytes."""
     return t.scalar is not None and b.width > 1 and not b.alias

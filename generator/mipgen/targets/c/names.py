@@ -63,7 +63,7 @@ def accessor(t: m.Bitfield, verb: str, b: m.Bits) -> str:
 
 
 def bare(thing: m.Type | m.Field) -> str:
-    """A name without the prefix of the library, for what is static in a source."""
+    """A name without the prefix of the library, for static names in a source."""
     return symbol(thing).removeprefix("mip_")
 
 

@@ -23,7 +23,7 @@ class Programs:
     samples: SampleValues
 
     def command(self, f: m.Field) -> str:
-        """Calls it at a device; a whole program looks at the result."""
+        """Calls it at a device; a whole program checks the result."""
         lines = [f'#include "mip/{module(f.family)}_commands.h"']
         for i, shown in enumerate(self.samples.shown(f)):
             lines += _call(f, shown, self.samples, "result = " if i else "struct mip_result result = ")
@@ -41,14 +41,14 @@ class Programs:
         return "\n".join([*lines, "    return result;", "}"])
 
     def data(self, f: m.Field) -> str:
-        """Reads it from a field of a packet; a whole program knows what to do with an error."""
+        """Reads it from a field of a packet; a whole program handles errors."""
         names = [f"value.{member(p.name)}" for p in members(f)]
         read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
         return "\n".join([
             f'#include "mip/{module(f.family)}.h"',
             f"struct {field_name(f)} value;",
             f"if ({field_name(f)}_decode(&value, &field) == MIP_OK) {{",
-            f"    /* {read or 'it holds nothing'} */",
+            f"    /* {read or 'it has no values'} */",
             *(["    /* field.descriptor_set is the set of its packet */"] if len(f.occurrences) > 1 else []),
             "}",
         ])  # fmt: skip
@@ -94,7 +94,7 @@ def statement(x: Expression) -> Expression:
 
 
 def call_of(f: m.Field, shown: m.Call, samples: SampleValues) -> Call:
-    """The function that calls it in this way, and decodes what answers that."""
+    """The function that calls it in this way, and decodes its response."""
     replies = samples.replies(f, shown)
     wanted = replies[0].layouts[0] if replies else None
     way = next((c.name for c in constructors(f) if c.function == shown.function), None)
@@ -130,12 +130,12 @@ def _type(p: m.Parameter) -> str:
 
 
 def _count(p: m.Parameter, items: Sequence[object]) -> list[str]:
-    """The number of elements of what fills the field."""
+    """The number of elements of an array that fills the field."""
     return [str(len(items))] if p.fills else []
 
 
 def record(values: dict[str, Literal]) -> Brackets:
-    """A union without a value is left out: compilers want more braces than {0} for it."""
+    """The initializer of a structure. A union without a value is left out: {0} would lack braces."""
     held = {k: x for k, x in values.items() if not (isinstance(x, literals.Alternative) and x.value is None)}
     return Brackets("{", [after(f".{member(k)} = ", value(x)) for k, x in held.items()] or ["0"], "}")
 

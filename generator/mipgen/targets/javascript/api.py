@@ -1,4 +1,4 @@
-"""What other targets may ask of JavaScript: its names of fields and types, what writes programs needs, and programs."""
+"""The interface of JavaScript for other targets: names of fields and types, programs, and data for writing programs."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["Programs", "symbol", "symbols", "writing"]
 
 
 def symbol(thing: m.Type | m.Field) -> str:
-    """The class of a field, or what a type is called, behind the module that exports it."""
+    """The class of a field, or the name of a type, after the module that exports it."""
     return f"mip-protocol/{names.home(thing)}.{names.class_name(thing)}"
 
 
@@ -33,5 +33,5 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
 
 
 def writing(model: m.Model) -> dict[str, Any]:
-    """What writes programs needs: names that JavaScript writes in another way than the specification."""
+    """Data for tools that write programs: names that JavaScript writes in another way than the specification."""
     return {"constants": others(constants(model), names.constant, upper)}

@@ -1,4 +1,4 @@
-"""Layouts as expressions of JavaScript, made of the blocks of `mip/codec.mjs`, and what classes know besides."""
+"""Layouts as expressions of JavaScript, made of the blocks of `mip/codec.mjs`, and further attributes of classes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .names import class_name, constant, home, namespace, reference
 
 
 def block(p: m.Parameter, record: m.Record) -> str:
-    """How a parameter is read and written."""
+    """The block that reads and writes a parameter."""
     match p.kind:
         case "constant":
             return call("constant", _scalar(p), str(p.constant))
@@ -26,7 +26,7 @@ def block(p: m.Parameter, record: m.Record) -> str:
 
 
 def call(function: str, *arguments: str) -> str:
-    """What a function of `mip/codec.mjs` makes. Bundlers leave it out where the result is not used."""
+    """A call of a function of `mip/codec.mjs`. Bundlers leave it out where the result is not used."""
     return f"/* @__PURE__ */ codec.{function}({', '.join(arguments)})"
 
 
@@ -72,7 +72,7 @@ def bits(b: m.Bits) -> str:
     return f"{key(constant(b.name))}: [{b.first}, {b.last}]"
 
 
-# --------------------------------------------------------------------------- what a class knows besides
+# --------------------------------------------------------------------------- further attributes
 
 
 def sets(f: m.Field) -> str:

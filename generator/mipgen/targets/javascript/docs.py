@@ -39,7 +39,7 @@ def filters(model: m.Model) -> dict[str, Callable[..., str]]:
 
 
 def comment(paragraphs: Iterable[str], indent: int) -> str:
-    """A comment of these paragraphs with a line end behind it, indented; nothing if they are empty.
+    """A comment of these paragraphs with a line end after it, indented; nothing if they are empty.
 
     >>> comment(["Short."], 4)
     '    /** Short. */\\n'

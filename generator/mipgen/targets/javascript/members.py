@@ -1,4 +1,4 @@
-"""What objects hold, as TypeScript declares it."""
+"""The members of objects, as TypeScript declares them."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def unneeded(record: m.Record) -> str:
 
 
 def given(way: m.Call, record: m.Field) -> str:
-    """What the constructor of a function takes, as a parameter; empty if it takes nothing."""
+    """The parameter of the constructor of a function; empty if it has none."""
     asked = [f"{key(p)}: {hint(p, record)}" for p in way.values]
     asked += [f"{key(p)}?: {hint(p, record)}" for p in way.addable]
     return f"values{'' if way.values else '?'}: {{ {'; '.join(asked)} }}" if asked else ""

@@ -12,7 +12,7 @@ from . import names
 
 @dataclass(frozen=True, slots=True)
 class Rate:
-    """What asks for a base rate, and the member of the response that holds it."""
+    """The command that asks for a base rate, and the member of the response that holds it."""
 
     command: str
     member: str
@@ -28,7 +28,7 @@ class Older:
 
 @dataclass(frozen=True, slots=True)
 class Session:
-    modules: tuple[tuple[str, str], ...]  # what they are called here, and their files
+    modules: tuple[tuple[str, str], ...]  # their names here, and their files
     bauds: tuple[int, ...]
     ping: str
     idle: str

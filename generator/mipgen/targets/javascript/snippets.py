@@ -1,4 +1,4 @@
-"""How a program in JavaScript uses a field: a few lines for documentation, with sample values."""
+"""Programs in JavaScript that use a field: a few lines for documentation, with sample values."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Programs(Statements):
         return _Program()
 
     def data(self, f: m.Field) -> str:
-        """Takes it from what a device sends."""
+        """Reads it from the data of a device."""
         program = self.program()
         read = [f"value.{member(p.name)}" for p in members(f)]
         shown = laid_out(Brackets("console.log(", read[:3] or ["value"], ");", comma=""), WIDTH)
@@ -38,7 +38,7 @@ class _Program:
     modules: dict[str, set[str]] = field(default_factory=dict)
 
     def text(self, lines: Sequence[str]) -> str:
-        """Whole, with what it needs in front."""
+        """The whole program, with its imports first."""
         needs = [
             f'import {{ {", ".join(sorted(names))} }} from "mip-protocol/{module}";'
             for module, names in sorted(self.modules.items())
@@ -97,7 +97,7 @@ class _Program:
                 return self.members({parameter.name: x.value} if parameter and x.value else {})
 
     def flags(self, x: literals.Flags) -> str:
-        """Operators on bits make the highest of 32 negative; a sum does not."""
+        """Flags, joined by an operator; a sum where bitwise operators would make the number negative."""
         names = [f"{self.name(x.type)}.{constant(b.name)}" for b in x.names]
         joint = " + " if x.number.size == 4 and x.number.value >= 1 << 31 else " | "
         return joint.join(names) or f"{x.number.value:#x}{'n' if x.number.size == 8 else ''}"

@@ -1,4 +1,4 @@
-"""The model as values of JSON. What the model holds by reference is referred to by name.
+"""The model as values of JSON. References in the model become names.
 
 An attribute is left out where it has its default: nothing, false, or an empty text or list. All attributes of the
 model's classes are written, so that nothing is forgotten; the exceptions are listed here.
@@ -180,7 +180,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
 
 
 def plain(value: Any) -> Any:
-    """A value inside another: what has a place of its own is named."""
+    """A value inside another; an object with a place of its own is represented by its name."""
     kind = type(value)
     if kind in (str, int, float, bool):
         return value
@@ -195,7 +195,7 @@ def _source(source: simulation.Source) -> dict[str, Any]:
     return _attributes(source) | ({"field": source.field.name_in(source.set)} if source.set is not None else {})
 
 
-#: Class -> what is in place of an object inside another.
+#: Class -> the value in place of an object inside another.
 _PLAIN: dict[type, Callable[[Any], Any]] = {
     m.Field: attrgetter("full_name"),
     **dict.fromkeys((m.Scalar, m.Enum, m.Bitfield, m.Vector, m.Struct), type_name),
@@ -231,7 +231,7 @@ def _written(kind: type) -> list[tuple[str, Any]]:
 
 
 def _behind(attributes: dict[str, Any], place: str, name: str, value: Any) -> dict[str, Any]:
-    """The attributes with one more, behind another."""
+    """The attributes with one more, after another."""
     at = [*attributes].index(place) + 1
     items = [*attributes.items()]
     return dict([*items[:at], (name, value), *items[at:]])
@@ -332,7 +332,7 @@ def _with_samples(f: m.Field, samples: SampleValues) -> dict[str, Any]:
 
 
 def _device(d: m.Device, model: m.Model) -> dict[str, Any]:
-    """A device; what is said of a field names its evidence by its place in the list."""
+    """A device; statements about a field refer to their evidence by its place in the list."""
     attributes = _attributes(d)
     if d.evidence:
         attributes["evidence"] = [

@@ -43,7 +43,7 @@ def count(p: m.Parameter, record: m.Record) -> str:
     if before == Extent():
         return f"_ <= {array.capacity} and {needed} <= _io.size - _io.pos"
     fits = f"_ <= {array.capacity} and {needed} + {between} <= _io.size - _io.pos"
-    # Data that end before the array are another mistake, which reading on finds.
+    # Data that ends before the array is another mistake, which reading on finds.
     return f"_io.size - _io.pos < {between} or ({fits})"
 
 
@@ -139,7 +139,7 @@ def _cases(union: m.Union, tag: str, at: Extent, peeks: list[Peek]) -> Iterator[
 
 
 def _whole(p: m.Parameter, at: Extent, peeks: list[Peek]) -> Iterator[str]:
-    """Conditions for what is at a place to fit into the data."""
+    """Conditions for a parameter at a place to fit into the data."""
     if not p.struct:
         yield f"_io.size >= {bytes_of(at + _head(p))}"
         return

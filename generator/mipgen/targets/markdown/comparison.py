@@ -1,7 +1,7 @@
-"""What devices have in common, and where they differ: commands, data, rates, and the meaning of values.
+"""Compares devices: commands, data, rates, and the meaning of values.
 
-Tables have a column for each device of which fields are known. Of the others, too many for columns, a list says what
-they probably have. What is not known of a device is told apart from what it does not have.
+Tables have a column for each device of which fields are known. For the others, too many for columns, a list shows the
+fields that they probably have. Fields of which nothing is known are distinguished from those that a device lacks.
 """
 
 from __future__ import annotations
@@ -184,7 +184,7 @@ def _matrix(
 
 
 def _rate(d: m.Device, s: m.Set) -> str:
-    """Where a device has the set and no rate is given, the rate is not known."""
+    """The base rate; it is not known where a device has the set and no rate is given."""
     has = any(x.set == s.number for x in d.supports)
     return base_rate(d, s) or (UNKNOWN if has else missing(d))
 

@@ -17,7 +17,7 @@ def supported(page: Page, d: m.Device, s: m.Set) -> str:
 
 
 def evident(page: Page, d: m.Device, answer: m.Answer) -> list[tuple[str, str]]:
-    """The fields that a device probably supports, or that it has not, in a table for each evidence."""
+    """The fields that a device probably supports, or that it lacks, in a table for each evidence."""
     tables = []
     for e in d.evidence:
         rows = []

@@ -46,7 +46,7 @@ class Around:
 
 
 def device(page: Page, x: m.Example) -> m.Device | None:
-    """What sends or takes it; None also if that is not in a part of a specification."""
+    """The device that sends or receives it; None also if a part of a specification lacks the device."""
     return page.model.device(x.device.id) if x.device else None
 
 
@@ -187,7 +187,7 @@ def _value(p: m.Parameter, value: Any, around: Around) -> str:
 
 
 def _hexadecimal(p: m.Parameter, value: int, around: Around) -> str:
-    """A number that people know in this form, and the set or the field that it means."""
+    """A number in hexadecimal, and the set or the field that it means."""
     number = descriptors.set_of(p, around.values, around.model) or around.fields_of
     meant = descriptors.meant(p, value, number, around.model)
     shown = code(descriptors.hexadecimal(p, value))

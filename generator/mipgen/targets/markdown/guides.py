@@ -1,4 +1,4 @@
-"""Guides: their packets, the answers, the data that come, and the programs that do the same."""
+"""Guides: their packets, the answers, the data that follows, and the programs that do the same."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from .places import Page
 from .snippets import Program, sequences
 from .text import code, inline, plain, spaced, table
 
-#: Longer packets stand with their step only, and not in the overview.
+#: Longer packets are shown with their step only, and not in the overview.
 SHORT = 36
 
-#: A UART needs so many bits for a byte.
+#: Bits of a byte on a UART.
 BITS = 10
 
 Role = Literal["command", "reply", "data"]
@@ -33,7 +33,7 @@ def heading(guide: Guide) -> str:
 
 
 def named(page: Page, guide: Guide | Question) -> list[str]:
-    """Links to the guides and fields that have to do with it."""
+    """Links to the related guides and fields."""
     guides = {g.name: g for g in page.model.guides}
     fields = [page.model.field(name) for name in guide.see if name not in guides]
     return [page.link(guides[name]) for name in guide.see if name in guides] + [page.link(f) for f in fields if f]
@@ -127,7 +127,7 @@ def streamed(page: Page, stream: Stream) -> str:
 
 
 def read(steps: Steps) -> list[m.Field]:
-    """The data fields that come, whose pages have programs that read them."""
+    """The data fields that follow, whose pages have programs that read them."""
     return list({x.field.full_name: x.field for s in steps.streams for x in s.fields}.values())
 
 
@@ -171,7 +171,7 @@ def _number(value: float | None) -> str:
 
 
 def doubts(page: Page, steps: Steps) -> list[str]:
-    """Why a device is only believed to take what the sequence uses."""
+    """States why a device is only believed to support the fields of the sequence."""
     used = steps.used
     return [
         f"The {page.link(d)} probably has {page.link(s.field)}. {page.say(describe.evidence(s.evidence, page.model))}"
@@ -277,7 +277,7 @@ def refused(page: Page, guide: Guide) -> str:
 
 
 def _reading(page: Page, v: m.DeviceVariant | None, other: m.DeviceVariant) -> str:
-    """The meaning of a parameter on a device; on one that does not differ, what it has in place of the difference."""
+    """The meaning of a parameter on a device; on one that does not differ, the usual one."""
     if v is None:
         return page.say(describe.usual(other.variant, other.parameter, other.field, page.model))
     return page.say(describe.difference(v.variant, v.parameter, v.field, page.model))

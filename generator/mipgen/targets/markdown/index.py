@@ -119,12 +119,12 @@ class Index:
 
 
 def _name(thing: m.Type | m.Field) -> tuple[str | None, str]:
-    """A field has no other name than a type of its set."""
+    """A key: a field and a type of its set never have the same name."""
     return thing.owner, thing.name
 
 
 def _section(e: m.Erratum) -> tuple[str, str]:
-    """As fields cite it: an erratum may name a part of a section after " > "."""
+    """The section as fields cite it: an erratum may name a part of it after " > "."""
     return e.manual, e.section.partition(" > ")[0]
 
 

@@ -1,4 +1,4 @@
-"""Whole packets: the forms of a command, each as a packet that is ready to be sent, and what each byte of one is."""
+"""Whole packets: the forms of a command, each as a packet that is ready to be sent, and the meaning of each byte."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def _reply(page: Page, f: m.Field, function: m.Function | None) -> str:
 
 
 def ruler(page: Page, f: m.Field) -> str:
-    """A packet with typical values, part by part; those of parameters lead to what is said of them."""
+    """A packet with typical values, part by part; those of parameters link to their descriptions."""
     samples, model = page.index.samples, page.model
     data = samples.data(f, examples.typical(page, f))
     head = b""

@@ -1,4 +1,4 @@
-"""The parameters of a field or a structure: a table, and what is too long for one."""
+"""The parameters of a field or a structure: a table, and texts that are too long for one."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class _Row:
         return (self.row.name, p and p.element, p and p.length, p and p.description, facts)
 
     def ref(self, r: Ref) -> str:
-        """A sibling of the parameter has its full name."""
+        """A reference, with the full name of a sibling of the parameter."""
         if isinstance(r.thing, m.Bits) or (isinstance(r.thing, m.Parameter) and r.within is self.row.record):
             r = replace(r, words=self.row.beside(r.words))
         return self.page.ref(r)
@@ -101,7 +101,7 @@ class Parameters:
     notes: list[str]  # what differs by device or by a sibling, and notes, a line for each
 
 
-#: A row shows no more elements of an example; the others are as these.
+#: The most elements of an example that a row shows; the others are alike.
 SHOWN = 3
 
 

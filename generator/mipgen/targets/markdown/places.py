@@ -156,7 +156,7 @@ def descriptors(f: m.Field) -> str:
 
 
 def _relative(path: str, page: str) -> str:
-    """The path as a link on a page has it."""
+    """The path as a link on a page."""
     if path == page:
         return ""
     folder, _, name = path.rpartition("/")
@@ -165,7 +165,7 @@ def _relative(path: str, page: str) -> str:
 
 @cache
 def _up(folder: str, start: str) -> str:
-    """The way from one folder to another, with a slash behind it; there are few, and taking paths apart takes long."""
+    """The relative path from one folder to another, with a slash after it; there are few, and computing one is slow."""
     way = posixpath.relpath(folder or ".", start or ".")
     return "" if way == "." else f"{way}/"
 

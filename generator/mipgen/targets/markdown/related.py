@@ -1,4 +1,4 @@
-"""Fields that have to do with another one."""
+"""Fields that are related to another one."""
 
 from __future__ import annotations
 

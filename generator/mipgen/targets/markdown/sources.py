@@ -37,7 +37,7 @@ def _citation(page: Page, thing: object, s: m.Source) -> str:
 
 
 def occurrences(page: Page, f: m.Field) -> str:
-    """The sets in which a field occurs, if they are several: what it is called there, who has it, who says so."""
+    """The sets in which a field occurs, if there are several: its name there, the devices and the sources."""
     if len(f.occurrences) == 1:
         return ""
     rows = []

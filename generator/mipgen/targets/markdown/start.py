@@ -1,4 +1,4 @@
-"""The page with which somebody begins: in each language, what to install and a complete first program; and programs
+"""The page to start with: in each language, what to install and a complete first program; and programs
 into which those on the pages of fields fit."""
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class Start:
     readme: str
 
     def text(self, model: m.Model) -> str:
-        """The program, without what it says of the place of its file."""
+        """The program, without the comment about the place of its file."""
         lines = model.program(self.program).splitlines()
         begins = next(i for i, line in enumerate(lines) if line.startswith(("#include", "import ", "use ")))
         return "\n".join(lines[begins:])

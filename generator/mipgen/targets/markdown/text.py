@@ -1,4 +1,4 @@
-"""Markdown and nothing of MIP: text that is not taken for markup, code, numbers, tables."""
+"""Markdown, without regard to MIP: escaped text, code, numbers, tables."""
 
 from __future__ import annotations
 

@@ -48,7 +48,7 @@ def files(model: m.Model) -> Iterator[File]:
 
 
 def _meaning(module: str, types: Sequence[m.Type], fields: Sequence[m.Field] = ()) -> File:
-    """What the types and fields of a module mean."""
+    """The facts about the types and fields of a module."""
     known = {"module": module, "kinds": types, "fields": fields}
     return File(f"{PACKAGE}/_meaning/{module}.py", "meaning.py.j2", known)
 

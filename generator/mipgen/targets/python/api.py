@@ -1,4 +1,4 @@
-"""What other targets may ask of Python: its names of fields and types, what writes programs needs, and programs."""
+"""The interface of Python for other targets: names of fields and types, programs, and data for writing programs."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
 
 
 def writing(model: m.Model) -> dict[str, Any]:
-    """What writes programs needs: names that Python writes in another way than the specification."""
+    """Data for tools that write programs: names that Python writes in another way than the specification."""
     functions = [f.name for f in model.protocol.functions]
     modules = [names.module(x.name) for x in model.families]
     return {

@@ -1,7 +1,6 @@
 """Rows of the modules of `_meaning`: what is known of fields, structures, enumerations and bitfields at run time.
 
-A row is what Python calls the values of a class of `info` or `parameter`, by the names of its attributes; what says
-nothing is left out.
+A row has the attributes of an object of a class of `info` or `parameter`, as Python source; empty ones are left out.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ Row = dict[str, str]
 
 
 def shown(values: dict[str, Any]) -> Row:
-    """As Python writes them, without what is empty."""
+    """The values as Python source, without empty ones."""
     return {k: code(v) for k, v in values.items() if v not in (None, "", (), False)}
 
 
@@ -143,7 +142,7 @@ def _mapping(row: Row) -> str:
 
 
 def _changes(v: m.Variant, p: m.Parameter, record: m.Record) -> Row:
-    """The attributes of a parameter that a variant has otherwise."""
+    """The attributes of a parameter that differ in a variant."""
     if v.member and isinstance(p.element, m.Struct):
         p = next(q for q in p.element.parameters if q.name == v.member)
     changes: dict[str, object] = {
@@ -168,15 +167,15 @@ def _changes(v: m.Variant, p: m.Parameter, record: m.Record) -> Row:
     return row
 
 
-# --------------------------------------------------------------------------- what vouches for a value
+# --------------------------------------------------------------------------- valid flags
 
 Flags = list[tuple[str, str, int]]
 
 
 def flags(paths: Iterable[str], record: m.Record, device: str | None = None) -> Flags:
-    """What says that a value is valid: path, attribute and mask of each; the mask of a bool is 0.
+    """The flags that mark a value as valid: path, attribute and mask of each; the mask of a bool is 0.
 
-    Nothing if the device decides which bit it is, and is not known.
+    None if the bit depends on the device, which is not known.
     """
     flags = []
     for path in paths:

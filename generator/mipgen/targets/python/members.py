@@ -1,4 +1,4 @@
-"""What objects hold: the members of a record, their types, defaults, and what constructors take."""
+"""The members of a record in objects, their types and defaults, and the parameters of constructors."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def sets(f: m.Field) -> str:
 
 
 def annotation(p: m.Parameter, record: m.Record) -> str:
-    """The type of a parameter's value, where it is there."""
+    """The type of a parameter's value, where it is present."""
     one = _one(p, record)
     if not is_array(p):
         return one
@@ -86,13 +86,13 @@ def _reserved(p: m.Parameter) -> str:
 
 
 def keyword_only(p: m.Parameter, record: m.Record) -> bool:
-    """A default before members without one: given by name only."""
+    """Is it a default before members without one? Then it is passed by name only."""
     held = members(record)
     return default(p, record) is not None and any(default(q, record) is None for q in held[held.index(p) + 1 :])
 
 
 def by_place(record: m.Record) -> tuple[str, ...]:
-    """The members that a caller may give by place."""
+    """The members that a caller may pass by place."""
     return tuple(member(p.name) for p in members(record) if not keyword_only(p, record))
 
 
@@ -108,13 +108,13 @@ def initial(record: m.Record) -> list[str]:
 
 
 def accepted(p: m.Parameter, record: m.Record) -> str:
-    """What a caller may give for a member."""
+    """The type of what a caller may pass for a member."""
     one = _needed(p, record)
     return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
 
 
 def _needed(p: m.Parameter, record: m.Record) -> str:
-    """The same for a member that is there: vectors can be made of any numbers, arrays of any sequence."""
+    """The same for a member that is present: vectors can be made of any numbers, arrays of any sequence."""
     kinds = vectors(p)
     numbers = "codec.Rows" if any(columns(v) for v in kinds) else "codec.Numbers"
     if is_array(p):
@@ -123,7 +123,7 @@ def _needed(p: m.Parameter, record: m.Record) -> str:
 
 
 def kept(p: m.Parameter, record: m.Record) -> str:
-    """What the object holds of what a caller gave."""
+    """The value that the object keeps of what a caller passed."""
     name, kinds = member(p.name), ", ".join(reference(v, home(record)) for v in vectors(p))
     if kinds:
         return f"codec.{'vectors' if is_array(p) else 'vector'}({name}, {kinds})"
@@ -160,7 +160,7 @@ def layout(record: m.Record) -> list[tuple[str, str, str]]:
 
 
 def always(record: m.Record) -> int | None:
-    """How many parameters are always there, if not all are."""
+    """How many parameters are always present, if not all are."""
     return len(record.always) if record.optional else None
 
 
@@ -230,7 +230,7 @@ def arguments(way: m.Call) -> list[str]:
         later = [q for q in way.optional[i:] if q in way.addable]
         if p in way.addable:
             passed.append(f"{member(p.name)}={member(p.name)}")
-        elif p.reserved is not None and later:  # it is sent with what comes behind it
+        elif p.reserved is not None and later:  # it is sent with the parameters after it
             passed.append(f"{member(p.name)}={_reserved(p)} if {member(later[0].name)} is not None else None")
     return passed
 
@@ -239,7 +239,7 @@ def arguments(way: m.Call) -> list[str]:
 
 
 def holding(c: m.Condition, negated: bool = False) -> str:
-    """A condition on the members of a command, or that it does not hold; of a Boolean everything but 0 is true."""
+    """A condition on the members of a command, or its negation; for a Boolean, everything but 0 is true."""
     value = f"self.{member(c.parameter)}"
     if c.boolean:
         return value if bool(c.value) != negated else f"not {value}"

@@ -1,4 +1,4 @@
-"""What a package leaves out: what would be of no use without a fact that its specification does not have.
+"""Leaves out of a package what is of no use without a fact that its specification does not have.
 
 `needs` in language.yaml names the modules that need a fact. They are left out with the statements that import from
 them, and with each statement of the runtime below a comment such as `# needs: session`.
@@ -41,7 +41,7 @@ def left_out(model: m.Model) -> frozenset[str]:
 
 
 def runtime(files: Mapping[str, bytes], model: m.Model) -> dict[str, bytes]:
-    """What a package has of the finished source: all of it, unchanged, if the specification has all facts."""
+    """The finished source in a package: all of it, unchanged, if the specification has all facts."""
     without, known = left_out(model), _known(model)
     if not without:
         return dict(files)

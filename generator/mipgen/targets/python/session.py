@@ -12,7 +12,7 @@ from . import names
 
 @dataclass(frozen=True, slots=True)
 class Older:
-    """Those of an older device for one set."""
+    """The commands of an older device for one set."""
 
     set: int
     base_rate: str
@@ -60,6 +60,6 @@ def of(model: m.Model) -> Session | None:
 
 
 def _call(f: m.Field) -> str:
-    """What makes the command: its first function, as it is called with the parameters that this requires."""
+    """The constructor of the command: that of its first function, called with the parameters that this requires."""
     function = f.calls[0].function
     return names.qualified(f) + (f".{names.member(function.name)}" if function else "")

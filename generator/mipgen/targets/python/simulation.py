@@ -1,4 +1,4 @@
-"""What virtual devices show and do, as data for tools: one line for each field."""
+"""The behavior of virtual devices, as data for tools: one line for each field."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from mipgen.model.simulation import Behavior, Source, Value
 
 
 def document(model: m.Model) -> str:
-    """The text of `simulation.json`; what says nothing is left out."""
+    """The text of `simulation.json`; empty parts are left out."""
     simulation = model.simulation
     shown = {s.field.full_name if s.set is None else s.field.name_in(s.set): s for s in simulation.sources}
     parts: dict[str, dict[str, Any]] = {

@@ -1,4 +1,4 @@
-"""How a program in Python uses a field: a few lines for documentation, with sample values."""
+"""Programs in Python that use a field: a few lines for documentation, with sample values."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Programs(Statements):
         return _Program()
 
     def data(self, f: m.Field) -> str:
-        """Takes it from what a device sends."""
+        """Reads it from the data of a device."""
         program = self.program()
         read = [f"value.{member(p.name)}" for p in members(f)]
         shown = laid_out(Brackets("print(", ["time", *read[:3]], ")"), WIDTH)
@@ -40,7 +40,7 @@ class _Program:
     modules: set[str] = field(default_factory=set)
 
     def text(self, lines: Sequence[str]) -> str:
-        """Whole, with what it needs in front."""
+        """The whole program, with its imports first."""
         names = [x if local(x) == x else f"{x} as {local(x)}" for x in sorted(self.modules)]
         return "\n".join([f"from mip_protocol import {', '.join(names)}", *lines])
 
@@ -88,7 +88,7 @@ class _Program:
                 return self.value(x.value) if x.value else "None"
 
     def arguments(self, x: literals.Structure) -> list[Expression]:
-        """Those of a structure's class; what is reserved may be left out, if it is not given by place."""
+        """The arguments of a structure's class; reserved ones may be left out, if they are not passed by place."""
         held = [(p, keyword_only(p, x.type)) for p in members(x.type)]
         return [
             after(f"{member(p.name)}=" if named else "", self.value(x.members[p.name]))
@@ -98,5 +98,5 @@ class _Program:
 
 
 def local(module: str) -> str:
-    """What a program calls a module that it imports."""
+    """The name under which a program imports a module."""
     return f"mip_{module}" if hides_builtin(module) else module

@@ -59,7 +59,7 @@ def files(model: m.Model) -> Iterable[File]:
 
 
 def keywords(model: m.Model) -> list[str]:
-    """For the registry, which takes five words."""
+    """The keywords for the registry, which allows five."""
     own = [word.lower().replace(" ", "-") for word in model.protocol.keywords]
     return list(dict.fromkeys([model.protocol.package.replace("_", "-"), *own[:2], "no-std", "protocol"]))
 

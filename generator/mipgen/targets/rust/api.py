@@ -1,4 +1,4 @@
-"""The interface of Rust for other targets: its names of fields and types, what writes programs needs, and programs."""
+"""The interface of Rust for other targets: names of fields and types, programs, and data for writing programs."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def _belonging(x: m.Type | m.Field, name: str, records: Records) -> Iterator[str
 
 
 def writing(model: m.Model) -> dict[str, Any]:
-    """Data for tools that write programs: names that Rust writes otherwise than the specification, and its unions."""
+    """Data for tools that write programs: names that Rust writes unlike the specification, and its unions."""
     return {
         "members": of.others(of.parameters(model), names.member),
         "constants": of.others(of.constants(model), names.constant, upper),

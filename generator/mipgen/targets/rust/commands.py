@@ -11,7 +11,7 @@ from .records import BOOL, Records
 
 
 def response(command: m.Field) -> str:
-    """The type of what a command is answered with, if its function is known only at run time."""
+    """The type of the response to a command whose function is known only at run time."""
     whole = whole_response(command)
     return f"Option<{whole}>" if command.selector and whole != "()" else whole
 

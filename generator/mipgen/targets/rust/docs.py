@@ -127,7 +127,7 @@ class Docs:
 
 
 def title(f: m.Field) -> str:
-    """With its key, unless the set may be one of several."""
+    """The title of a field with its key, unless the set may be one of several."""
     key = f"0x{f.descriptor:02X}" if len(f.occurrences) > 1 else f"0x{f.set:02X},0x{f.descriptor:02X}"
     return f"{prose(f.title)} ({key})"
 
@@ -153,7 +153,7 @@ def words(name: str) -> str:
 
 @cache
 def prose(text: str) -> str:
-    """Words as Markdown: what looks like markup is none, except for code.
+    """Words as Markdown: nothing in them is markup, except for code.
 
     >>> prose("a[1] < `b[2]`")
     'a\\\\[1\\\\] \\\\< `b[2]`'

@@ -70,7 +70,7 @@ def named(name: str, words: str) -> str:
 
 
 def responses_name(command: m.Field) -> str:
-    """The type of what a command with several responses is answered with."""
+    """The type of the response to a command that has several."""
     return type_name(f"{command.name}_responses")
 
 

@@ -47,7 +47,7 @@ class Member:
 
     @property
     def argument(self) -> str:
-        """The type of an argument that becomes this member: what is easy to give."""
+        """The type of an argument that becomes this member, in a form that is easy to pass."""
         if self.type == BOOL:
             return "bool"
         return f"impl Into<{self.type}>" if self.parameter.vector or self.type.startswith("crate::List<") else self.type
@@ -119,11 +119,11 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """From one named type to another that it is read as."""
+    """A conversion from one named type to another that it is read as."""
 
     of: m.Enum | m.Bitfield
     to: m.Enum | m.Bitfield
-    record: m.Record  # where it is read so first
+    record: m.Record  # where that happens first
     reading: Reading
 
     @property
@@ -293,13 +293,13 @@ def union_derives(union: Union) -> list[str]:
 
 
 def responses_derive(responses: Iterable[m.Field]) -> list[str]:
-    """What all responses derive, their enumeration does too."""
+    """The traits that the enumeration of responses derives: those that all of them derive."""
     derived = [_derives(r.parameters, r.max_size) for r in responses]
     return [name for name in ("Copy", "Eq", "Hash") if all(name in names for names in derived)]
 
 
 def _derives(parameters: Iterable[m.Parameter], size: int) -> list[str]:
-    """`Copy` of what is small and has no lists, `Eq` and `Hash` of what has no floats."""
+    """`Copy` for small records without lists, `Eq` and `Hash` for those without floats."""
     parts = list(_parts(parameters))
     lists = size > MAX_COPIED or any(p.open for p in parts)
     floats = any(p.kind == "scalar" and p.scalar.kind == "float" for p in parts)
@@ -314,7 +314,7 @@ def _parts(parameters: Iterable[m.Parameter]) -> Iterator[m.Parameter]:
 
 
 def is_sequence(record: m.Record) -> bool:
-    """Has it just its members on the wire, one after another?"""
+    """Does the wire have just its members, one after another?"""
     return not is_special(record) and all(member(p.name) == p.name for p in record.parameters)
 
 
@@ -325,7 +325,7 @@ def is_special(record: m.Record) -> bool:
 
 
 def when(group: m.Group, record: m.Field) -> str:
-    """When a group must be there: for some functions, or never."""
+    """The condition under which a group must be present: for some functions, or never."""
     required = record.counted[group.first - 1].required_for
     return f"for {constants(required)}" if required else "optional"
 

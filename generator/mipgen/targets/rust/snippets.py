@@ -23,10 +23,10 @@ class Programs(Statements):
         return _Program(self.samples.model.derived(Records))
 
     def data(self, f: m.Field) -> str:
-        """Takes it from a packet."""
+        """Reads it from a packet."""
         program = self.program()
         read = next((f"value.{x.name}" for x in program.records.members(f)), "value")
-        # A broken one is an error, as a refused command is.
+        # A field that cannot be decoded is an error, as a rejected command is.
         search = f"packet.find::<{program.name(f)}>().transpose()?"
         return program.text([f"if let Some(value) = {search} {{", f'    println!("{{:?}}", {read});', "}"])
 
@@ -104,7 +104,7 @@ class _Program:
         return Brackets(f"{one}(", [self.inner(x.value, record)], ")") if x.value else one
 
     def inner(self, x: Literal, record: m.Record) -> Expression:
-        """Constructors take a `bool`, everything else holds a `Bool`."""
+        """An inner value: a `Bool`, where constructors take a `bool`."""
         if isinstance(x, literals.Truth):
             return f"{self.item('Bool')}({x.byte})"
         return self.value(x, record)

@@ -1,4 +1,4 @@
-"""Literals of Lua, and what Wireshark says of a field, in plain words."""
+"""Literals of Lua, and the texts about a field in Wireshark."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from mipgen import model as m
 from mipgen.facts import describe
 
-#: What the tree shows itself, or does not help to read a packet.
+#: Topics that the tree shows itself, or that do not help to read a packet.
 _LEFT_OUT = ("elements", "tag", "counts", "constant", "required", "optional", "note", "uncertain")
 
 
