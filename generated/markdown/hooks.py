@@ -21,7 +21,7 @@ _PROGRAM = re.compile(r'<details class="program" markdown="1">\n<summary>(.*?)</
 _PROGRAMS = re.compile(r"^(?:```(?:c|cpp|python|rust|javascript)\n(?:(?!```).*\n)*```\n){2,}", re.M)
 _FENCE = re.compile(r"```(\w+)\n(.*?)```\n", re.S)
 _LANGUAGES = {"c": "C", "cpp": "C++", "python": "Python", "rust": "Rust", "javascript": "JavaScript"}
-#: A packet byte by byte, and a row of a table that its parts lead to.
+#: A packet byte by byte, and a row of a table to which its parts link.
 _RULER = re.compile(r"<code>75 65</code>(?: (?:<a [^>]*>)?<code>[0-9A-F ]+</code>(?:</a>)?){4,}")
 _PART = re.compile(r'(?:<a href="([^"]*)">)?<code>([0-9A-F ]+)</code>')
 _ROW = re.compile(r'<td>(?=<a id="([^"]+)"></a>)')
@@ -73,7 +73,7 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
 
 
 def on_page_content(content: str, page: Any, **_: Any) -> str:
-    """Keeps the text of a page for the search, which finds what indexes lead to and not these. Colours packets."""
+    """Keeps the text of a page for the search, which leaves out indexes. Colours packets."""
     path = page.file.src_uri
     if path.startswith("indexes/"):
         return content
@@ -168,7 +168,7 @@ def sections(content: str) -> list[list[str]]:
 
 
 def _plain(markup: str) -> str:
-    """The text of HTML. Inline elements do not part words."""
+    """The text of HTML. Inline elements do not separate words."""
     apart = re.sub(r"</?(?:code|em|strong|a|span|sub|sup)\b[^>]*>", "", markup)
     return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", apart)).split())
 

@@ -171,7 +171,7 @@ int main(int argc, char **argv) {
     uint8_t byte;
     size_t count = 0;
     CHECK(argc == 4 && !mip_line_open(&line, argv[1], 12345));
-    CHECK(strcmp(line.error, "the port does not have this baud rate") == 0);
+    CHECK(strcmp(line.error, "the port does not support this baud rate") == 0);
     mip_line_close(&line); /* that is not open */
     CHECK(mip_line_open(&line, argv[1], 115200) && line.error == NULL);
     CHECK(mip_line_set_baud(&line, 9600) && !mip_line_set_baud(&line, 12345));

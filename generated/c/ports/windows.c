@@ -18,7 +18,7 @@
 static bool read_serial(void *user, uint8_t *bytes, size_t size, size_t *count) {
     DWORD got = 0;
     const HANDLE port = (HANDLE)((struct mip_line *)user)->handle;
-    if (!ReadFile(port, bytes, (DWORD)size, &got, NULL)) { /* waits as set_mode has told it */
+    if (!ReadFile(port, bytes, (DWORD)size, &got, NULL)) { /* waits as configured by set_mode */
         return false;
     }
     *count = got;
@@ -130,7 +130,7 @@ void mip_line_open_serial(struct mip_line *line, const char *name, uint32_t baud
         return;
     }
     if (!set_mode(port, baud)) {
-        line->error = "the port does not have this baud rate";
+        line->error = "the port does not support this baud rate";
         CloseHandle(port);
         return;
     }

@@ -7,7 +7,7 @@ import { Command, packetOf } from "./field.mjs";
 import { FIRST_DATA_SET, Packet, RawField } from "./packet.mjs";
 import { Parser } from "./parser.mjs";
 
-/** Descriptor of the acknowledge in every command set; its data are the descriptor of the command, and a code. */
+/** Descriptor of the acknowledge in every command set; its data is the descriptor of the command, and a code. */
 const ACKNOWLEDGE = 0xf1;
 
 /** The number of barriers. They have 2 to 63 commands: the answer to each is one packet. */
@@ -23,11 +23,11 @@ export function checkSeconds(timeout) {
 /**
  * Follows the commands that wait for an answer. Data between the answers is passed through.
  *
- * After a command without an answer, its answer may still come, and MIP has no mark by which it could be told from that of
+ * After a command without an answer, its answer may still arrive, and MIP has no mark that distinguishes it from that of
  * the next such command. `send` then begins with a barrier: a packet of several commands that change nothing. The device
- * answers in order, and those of one packet in one packet, whose size tells which barrier it answers. Until then, nothing
- * answers the commands behind it, and from then on nothing those before it, which have timed out. A command whose barrier
- * is not answered times out, although the device may have carried it out.
+ * answers in order, and the commands of one packet in one packet, whose size identifies the barrier. Until then, no answer
+ * belongs to the commands after it, and from then on, none to those before it, which have timed out. A command whose
+ * barrier is not answered times out, although the device may have carried it out.
  */
 export class Client {
     #parser;
@@ -86,7 +86,7 @@ export class Client {
     #barrier() {
         const [set, descriptor] = BARRIER;
         if (!set || !this.#missed || this.#behind === this.#missed + 1) return [];
-        this.#miss(this.#waiting.length); // they may be of its kind
+        this.#miss(this.#waiting.length); // they may be commands as in a barrier
         this.#behind = this.#missed + 1;
         return Packet.build(set, Array(this.#behind).fill({ descriptor, data: [] })).bytes;
     }
@@ -115,7 +115,7 @@ export class Client {
         return [...this.#events(this.#parser.feed(bytes)), ...this.poll(now)];
     }
 
-    /** Gives up an incomplete packet, for example at the end of a file, and searches behind its beginning. */
+    /** Gives up an incomplete packet, for example at the end of a file, and searches after its beginning. */
     flush(now) {
         return [...this.#events(this.#parser.flush()), ...this.poll(now)];
     }
@@ -133,7 +133,7 @@ export class Client {
     }
 
     /**
-     * Waits for this command no longer. Its answer, if it still comes, answers no other.
+     * Stops waiting for this command. A late answer to it does not answer another one.
      *
      * @param options.silent the device does not answer it
      */
@@ -144,8 +144,8 @@ export class Client {
     }
 
     /**
-     * The connection was lost: gives up an incomplete packet, and the commands that wait time out. What still comes over the
-     * next connection is not taken for an answer to later commands.
+     * The connection was lost: gives up an incomplete packet, and the commands that wait time out. Replies that still arrive
+     * over the next connection are not taken for answers to later commands.
      */
     interrupt() {
         const events = this.#events(this.#parser.flush());
@@ -157,7 +157,7 @@ export class Client {
 
     /**
      * The commands that have timed out. Noise that looks like the beginning of a long packet holds back what follows:
-     * before a command is given up, the packets behind such noise are taken. An incomplete packet is kept.
+     * before a command is given up, the packets after such noise are processed. An incomplete packet is kept.
      */
     poll(now) {
         const events = [];
@@ -203,7 +203,7 @@ export class Client {
     }
 
     /**
-     * The answer by an acknowledge and the field behind it, to the oldest such command. A response never answers a command
+     * The answer by an acknowledge and the field after it, to the oldest such command. A response never answers a command
      * that does not ask for it, because it may be the late answer to another one; an acknowledge without a response first
      * answers commands that ask for none.
      */

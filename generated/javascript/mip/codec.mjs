@@ -259,7 +259,7 @@ export const text = (count) => new Text(u8, count, count);
 export const countedText = (counter, most) => new Text(u8, undefined, most, counter);
 export const restText = (most) => new Text(u8, undefined, most);
 
-// ---------------------------------------------------------------------------------------------------- what follows from others
+// ---------------------------------------------------------------------------------------------------- values without a choice
 
 /** The number of elements of an array; programs do not see it. */
 export const counter = (of, counts) => ({ ...of, counts });
@@ -306,7 +306,7 @@ export function memberName(words) {
     return /^\d/.test(camel) ? `_${camel}` : TAKEN.has(camel) ? `${camel}_` : camel;
 }
 
-/** Named values one behind the other. */
+/** Named values, one after another. */
 export class Layout {
     /** @param blocks name -> block, in wire order; @param always how many are always there: others may be absent at the end */
     constructor(blocks, always) {
@@ -374,7 +374,7 @@ export class Layout {
         const there = (i) => this.#isGiven(i, values, w);
         for (let i = 0; i < this.always; i++) this.#put(w, i, values, within);
         const keys = this.keys(w);
-        let ended; // the first that was left out: all behind it must be, too
+        let ended; // the first that was left out: all after it must be, too
         for (const [first, last] of this.groups) {
             const members = range(first, last).filter((i) => this.blocks[i].value === undefined);
             const filled = last <= required || range(last, keys.length).some(there);

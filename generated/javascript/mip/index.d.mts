@@ -20,7 +20,7 @@ export declare class MipError extends Error {
     readonly code?: number;
 }
 
-/** The two bytes that end a packet, of all bytes before them. */
+/** The two bytes that end a packet, computed from all bytes before them. */
 export declare function checksum(bytes: Bytes): Uint8Array;
 /** "7565", or with a separator "75 65". */
 export declare function toHex(bytes: Bytes, between?: string): string;
@@ -118,7 +118,7 @@ export declare class Command<R extends Response | undefined = Response | undefin
     get replies(): FieldClass<Response>[];
 }
 
-/** A packet with these fields. Each must occur in the set, which a field that occurs in only one tells. Raises a MipError. */
+/** A packet with these fields. Each must occur in the set, which need not be given if one occurs in no other. Raises a MipError. */
 export declare function packetOf(fields: readonly Field[], set?: number): Packet;
 
 // ---------------------------------------------------------------------------------------------------- packets
@@ -148,11 +148,11 @@ export declare class Packet {
     get checksum(): Uint8Array;
     /** The correct checksum. */
     get rightChecksum(): Uint8Array;
-    /** Is the checksum right? */
+    /** Is the checksum correct? */
     get sound(): boolean;
     /** From a device: when it arrived, in seconds since 1970, by the clock of this computer. */
     readonly time?: number;
-    /** The fields. A wrong length raises "field_length" behind those before it. */
+    /** The fields. A wrong length raises "field_length" after those before it. */
     fields(): Generator<RawField, void, undefined>;
     /** The first field of a type; undefined if there is none. Raises a MipError if it cannot be decoded. */
     find<F extends Field>(kind: FieldClass<F>): F | undefined;
@@ -168,14 +168,14 @@ export declare class Parser {
     readonly skipped: number;
     /** The packets that are complete with these bytes, which are copied. */
     feed(bytes: Bytes): Packet[];
-    /** The stream has ended: the packets behind one that is incomplete. */
+    /** The stream has ended: returns the packets inside an incomplete one. */
     flush(): Packet[];
     /** Gives up an incomplete packet only if whole packets follow its first bytes: it was noise. */
     lookBehind(): Packet[];
 }
 
 /**
- * What bytes consist of, in order. "damaged" is a packet with a wrong checksum whose fields end where it does, and
+ * The parts of bytes, in order. "damaged" is a packet with a wrong checksum whose fields end where it does, and
  * "incomplete" the beginning of one at the end. Neither hides a whole packet.
  */
 export declare function segments(bytes: Bytes): {
@@ -191,7 +191,7 @@ export interface Answer {
     type: "answer";
     command: Command;
     accepted: boolean;
-    /** 0 if the command is accepted, else why it is refused. */
+    /** 0 if the command is accepted, else why it is rejected. */
     code: number;
     response?: Response;
     /** Why there is no response: the device sent none ("missing_response"), or it cannot be decoded. */
@@ -228,8 +228,8 @@ export type ClientEvent = Answer | TimedOut | Received;
 /**
  * The command client, without input or output. Times are in seconds of any clock that does not jump.
  *
- * After a command without an answer, the next ones are sent behind a barrier, a packet of several commands that change
- * nothing: what comes before its answer is an event like data, and answers no command behind it.
+ * After a command without an answer, the next ones are sent after a barrier, a packet of several commands that change
+ * nothing: replies before its answer are events like data, and answer no command after it.
  */
 export declare class Client {
     /** @param options.timeout seconds until a command times out; longer for commands that take longer */
@@ -257,14 +257,14 @@ export declare class Client {
     /** Gives up an incomplete packet, for example at the end of a file. */
     flush(now: number): ClientEvent[];
     /**
-     * Waits for this command no longer. Its answer, if it still comes, answers no other.
+     * Stops waiting for this command. A late answer to it does not answer another one.
      *
      * @param options.silent the device does not answer it
      */
     cancel(command: Command, options?: { silent?: boolean }): void;
     /**
-     * The connection was lost: gives up an incomplete packet, and the commands that wait time out. What still comes over the
-     * next connection is not taken for an answer to later commands.
+     * The connection was lost: gives up an incomplete packet, and the commands that wait time out. Replies that still arrive
+     * over the next connection are not taken for answers to later commands.
      */
     interrupt(): ClientEvent[];
 }
@@ -320,7 +320,7 @@ export declare class Device implements AsyncIterable<Packet> {
     exchange(commands: readonly Command[], options?: { timeout?: number }): Promise<(Answer | TimedOut | Closed | undefined)[]>;
     /** Sends commands of one set in one packet and waits for nothing: answers are treated as data. */
     send(...commands: Command[]): Promise<void>;
-    /** Sets the device to idle and asks what it is: the response of the command that identifies it. */
+    /** Sets the device to idle and identifies it: the response of the command for that. */
     identify(): Promise<Identity>;
     /**
      * Starts data: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`, in Hz; 0 is as often as the device can. Replaces the
@@ -343,8 +343,8 @@ export declare class Device implements AsyncIterable<Packet> {
     /** Closes the port. Commands that wait end with "closed", and loops over the data end. */
     close(): Promise<void>;
     /**
-     * Opens the port again, after it was lost, and tries to for `within` seconds (30). Waiting data is kept; what was set
-     * on the device is to be set again.
+     * Opens the port again, after it was lost, and tries to for `within` seconds (30). Waiting data is kept. The device may
+     * have restarted: apply its settings again.
      */
     reopen(options?: { within?: number }): Promise<void>;
 }

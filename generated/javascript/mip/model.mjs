@@ -3,7 +3,7 @@
 import { MipError, bytesOf, described } from "./bytes.mjs";
 import { FIRST_DATA_SET, SHARED_SET } from "./packet.mjs";
 
-/** The first number of the form of mip.json that this code knows. */
+/** The first number of the format of mip.json that this code knows. */
 export const FORMAT = "1";
 
 export class Protocol {
@@ -56,7 +56,7 @@ export class Protocol {
         return own ?? shared ?? [];
     }
 
-    /** The layout of these data: by constants, as far as the data reach, then by size. Undefined if there is none. */
+    /** The layout of this data: by constants, as far as the data reaches, then by size. Undefined if there is none. */
     choose(set, descriptor, given) {
         const data = bytesOf(given);
         const layouts = this.candidates(set, descriptor);
@@ -80,7 +80,7 @@ export function placesOf(field) {
     return field.occurrences ?? [{ set: field.set, name: field.name }];
 }
 
-/** The full name of a field in a set: "gnss_2.dop". What occurs everywhere has one name. */
+/** The full name of a field in a set: "gnss_2.dop". A field that occurs everywhere has one name. */
 export function nameIn(field, set) {
     return placesOf(field).find((place) => place.set === set)?.name ?? field.name;
 }

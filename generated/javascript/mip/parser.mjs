@@ -4,8 +4,8 @@ import { bytesOf, concatenated } from "./bytes.mjs";
 import { isSet, Packet, SYNC } from "./packet.mjs";
 
 /**
- * Accepts bytes in pieces of any size; the packets found do not depend on the division. What is not a packet costs nothing but
- * itself: the search goes on one byte behind its beginning.
+ * Accepts bytes in pieces of any size; the packets found do not depend on the division. A false packet costs nothing but
+ * itself: the search continues one byte after its beginning.
  */
 export class Parser {
     /** @param options.onSkipped is called with bytes that belong to no packet, in order with the packets */
@@ -22,7 +22,7 @@ export class Parser {
         return this.#search(false);
     }
 
-    /** The stream has ended: the packets behind one that is incomplete. */
+    /** The stream has ended: returns the packets inside an incomplete one. */
     flush() {
         return this.#search(true);
     }
@@ -68,7 +68,7 @@ export class Parser {
     }
 }
 
-/** The size of the whole packet that begins here; 0 if there is none, undefined if the bytes do not tell yet. */
+/** The size of the whole packet that begins here; 0 if there is none, undefined if that is not known yet. */
 function packetAt(bytes, at) {
     const left = bytes.length - at;
     if (bytes[at] !== SYNC[0] || (left > 1 && bytes[at + 1] !== SYNC[1]) || (left > 2 && !isSet(bytes[at + 2]))) return 0;
@@ -86,7 +86,7 @@ function packetAt(bytes, at) {
 }
 
 /**
- * What bytes consist of, in order: each part has its bytes, its offset, and a kind: "packet"; "damaged", a packet with a
+ * The parts of bytes, in order: each has its bytes, its offset, and a kind: "packet"; "damaged", a packet with a
  * wrong checksum whose fields end where it does; "incomplete", the beginning of a packet at the end; and "other".
  * A damaged or incomplete packet never hides a whole one.
  */

@@ -67,10 +67,10 @@ from .port import (
 )
 from .streaming import steps
 
-#: How often the event loop is let run before a command is sent: with that, what has arrived is
-#: processed even if the program has kept the loop busy. Streams take about five of these turns.
+#: Turns of the event loop before a command is sent, so that bytes that have arrived are processed
+#: even if the program has kept the loop busy. Streams take about five of them.
 TURNS = 10
-#: Seconds until what was written is given up when a connection is closed.
+#: Seconds until unsent bytes are given up when a connection is closed.
 CLOSE_TIMEOUT = 1.0
 
 OnData = Callable[[bytes, float, float], object]
@@ -367,7 +367,7 @@ class Device(AtPort):
         """Discards the data that has not been read yet, without counting it as dropped."""
         self._talk.arrivals.clear()
 
-    # ----------------------------------------------------------------- what comes
+    # ----------------------------------------------------------------- received bytes
 
     def _receive(self, data: bytes, monotonic: float, clock: float) -> None:
         if data and self._on_bytes is not None:
@@ -493,7 +493,7 @@ class Streams:
             await asyncio.wait_for(self._writer.drain(), WRITE_TIMEOUT)
         except asyncio.TimeoutError:
             self._writer.transport.abort()  # else the command would go out later, although it failed
-            raise TimeoutError("the other end takes nothing") from None
+            raise TimeoutError("the other end accepts no data") from None
 
     async def stop(self) -> None:
         self._leave()
@@ -515,7 +515,7 @@ class Streams:
         self._writer.close()
 
 
-class open_port:  # noqa: N801  # it is called like the function of the other module
+class open_port:  # noqa: N801  # named like the function of the other module
     """Opens the port of a device: `async with open_port(url) as device`, or `await open_port(url)`.
 
     The arguments and errors are those of `device.open_port`.

@@ -97,7 +97,7 @@ def changing(device: AtPort, command: Command[Any], attempts: int) -> Dialog[int
         raise ValueError("it takes a command that writes `baud`, and a port with a baud rate")
     try:
         yield Step(command)
-    except NoAnswer:  # its answer may have come at the new rate
+    except NoAnswer:  # its answer may have arrived at the new rate
         pass
     yield Step(None, CHANGE)
     for rate in (new, old):

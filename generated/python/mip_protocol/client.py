@@ -23,7 +23,7 @@ from .parser import Parser
 from .protocol import BARRIER, Acknowledge
 from .types import AckCode
 
-#: How many barriers there are. They have 2 to 63 commands: the answer to each is one packet.
+#: The number of barriers. They have 2 to 63 commands: the answer to each is one packet.
 BARRIERS = 62
 
 
@@ -103,12 +103,12 @@ class _Pending:
 class Client:
     """Tracks the commands that wait for an answer. Data between the answers is passed through.
 
-    After a command without an answer, its answer may still come, and MIP has no mark by which it
-    could be told from that of the next such command. `send` then begins with a barrier: a packet of
-    several commands that change nothing. The device answers in order, and those of one packet in
-    one packet, whose size tells which barrier it answers. Until then, nothing answers the commands
-    behind it, and from then on nothing those before it, which have timed out. A command whose
-    barrier is not answered times out, although the device may have carried it out.
+    After a command without an answer, its answer may still arrive, and MIP has no mark that
+    distinguishes it from that of the next such command. `send` then begins with a barrier: a packet
+    of several commands that change nothing. The device answers in order, and the commands of one
+    packet in one packet, whose size identifies the barrier. Until then, no answer belongs to the
+    commands after it, and from then on, none to those before it, which have timed out. A command
+    whose barrier is not answered times out, although the device may have carried it out.
     """
 
     def __init__(self, timeout: float = 1.0, skipped: bool = False) -> None:
@@ -173,7 +173,7 @@ class Client:
         number, descriptor = BARRIER
         if not number or not self._missed or self._behind == self._missed + 1:
             return b""
-        self._miss(len(self._pending))  # they may be of its kind
+        self._miss(len(self._pending))  # they may be commands as in a barrier
         self._behind = self._missed + 1
         builder = PacketBuilder(number)
         for _ in range(self._behind):
@@ -225,7 +225,7 @@ class Client:
         return min((p.deadline for p in self._pending), default=None)
 
     def cancel(self, command: Command, silent: bool = False) -> None:
-        """Stops waiting for this command. Its answer, if it still comes, answers no other.
+        """Stops waiting for this command. A late answer to it does not answer another one.
 
         `silent`: the device does not answer it.
         """
@@ -236,8 +236,8 @@ class Client:
 
     def interrupt(self) -> list[Event]:
         """The connection was lost: the commands that wait time out, and an incomplete packet is
-        discarded. What still comes over the next connection is not taken for an answer to later
-        commands."""
+        discarded. Replies that still arrive over the next connection are not taken for answers to
+        later commands."""
         events = self._events(self._parser.flush_all())
         events += [TimedOut(p.command) for p in self._pending]
         self._miss(len(self._pending))

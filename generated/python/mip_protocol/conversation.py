@@ -157,7 +157,7 @@ class Conversation:
         return packet, tickets
 
     def forget(self, tickets: Sequence[Ticket]) -> None:
-        """No caller waits for these commands any more."""
+        """Notes that no caller waits for these commands any more."""
         for ticket in tickets:
             if not ticket.done:
                 self._client.cancel(ticket.sent)
@@ -201,7 +201,7 @@ class Conversation:
         elif function not in (FunctionSelector.READ, FunctionSelector.SAVE):
             self._settings.clear()  # it may have loaded others, or restarted
 
-    # ----------------------------------------------------------------- what comes
+    # ------------------------------------------------------------- received bytes
 
     def receive(self, data: bytes, monotonic: float, clock: float) -> News:
         """Takes bytes received at this time, by both clocks; no bytes if none have arrived for a moment."""
@@ -264,7 +264,7 @@ class Conversation:
 
 
 class AtPort:
-    """What is known of a device at a port, however its callers wait: the base of both devices."""
+    """A device at a port, however its callers wait: the base of both devices."""
 
     _closed = True  # until there is a port
     _url = ""  # of a port that `open_port` has opened
@@ -304,7 +304,7 @@ class AtPort:
     @baud.setter
     def baud(self, rate: int) -> None:
         """Changes the rate of the port, not that of the device; see `change_baud`. Raises ValueError if the port
-        has none; what the port raises if it cannot have this one."""
+        has none; what the port raises if it does not support this one."""
         if self.baud is None:
             raise ValueError("the port has no baud rate")
         self._port.baudrate = rate

@@ -54,7 +54,7 @@ class Described:
     __slots__ = ()
 
     INFO = _Info()
-    """What is known of it and of its parameters."""
+    """Facts about it and its parameters."""
 
     def _called(self, name: str) -> str:
         """Its name in a text; that of a field depends on the set that contained it."""

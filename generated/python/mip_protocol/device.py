@@ -50,7 +50,7 @@ R3 = TypeVar("R3", bound="Response | None")
 R4 = TypeVar("R4", bound="Response | None")
 Callback = Callable[[bytes], object]
 
-#: Why a port is not open although it was opened again.
+#: Why a port is not open although it has been reopened.
 CLOSED_MEANWHILE = "the device has been closed while it was opened again"
 
 
@@ -74,7 +74,7 @@ class Device(AtPort):
 
         `timeout`: seconds that the device has for an answer; longer for commands that take longer.
         An answer that arrives later is data: after a command without an answer, the next one is sent
-        behind a barrier (see `Client`), so that it is not taken for the answer to that one.
+        after a barrier (see `Client`), so that it is not taken for the answer to that one.
         `capacity`: the number of packets that can wait to be read; beyond that, the oldest are
         dropped and counted. `on_bytes` gets all received bytes, `on_skipped` the bytes between
         packets, such as NMEA sentences, in order and in pieces of any size. The reading thread
@@ -122,7 +122,7 @@ class Device(AtPort):
         """Opens the port again after it was lost or closed, trying for `within` seconds.
 
         Waiting commands end without an answer; data already received is kept, and iterations of
-        other threads that have not ended go on. Raises OSError if it is not available in time,
+        other threads that have not ended continue. Raises OSError if it is not available in time,
         PortClosed if the device is closed meanwhile, ValueError if `open_port` has not opened it.
         """
         check_seconds(within, "within")
@@ -410,7 +410,7 @@ class Device(AtPort):
 
 
 def deadline_of(timeout: float | None) -> float | None:
-    """When a time that begins now is over."""
+    """The end of a time that begins now."""
     if timeout is None:
         return None
     check_seconds(timeout)
@@ -451,8 +451,8 @@ def open_port(
 def connect(
     url: str | os.PathLike[str], baud: int | None, wanted: Callable[[], bool] = lambda: True
 ) -> Any:
-    """The port of this URL, at the baud rate of the device. It is not searched any longer when it is
-    not `wanted` any more."""
+    """The port of this URL, at the baud rate of the device. The search for the rate ends when it is no
+    longer `wanted`."""
     port = open_url(url, USUAL if baud is None else baud)
     # needs: baud rates
     try:

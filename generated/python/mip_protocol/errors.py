@@ -79,7 +79,7 @@ class PortError(OSError, MipError):
 
 
 class Refused(MipError):
-    """The device has refused a command; `code` is the reason.
+    """The device has rejected a command; `code` is the reason.
 
     `outcomes`: the outcome of each command of the same packet, as `Device.exchange` returns it.
     """

@@ -1,4 +1,4 @@
-"""What all fields have in common."""
+"""The common part of all fields."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ class Structure(Described):
     #: Its parameters as they are on the wire; see `wire`.
     _LAYOUT: ClassVar[tuple[tuple[str, str, Any], ...]] = ()
 
-    #: How many of them are always there; None: all are.
+    #: How many of them are always present; None: all.
     _ALWAYS: ClassVar[int | None] = None
 
     if TYPE_CHECKING:
@@ -172,7 +172,7 @@ class Field(Structure):
 
     @classmethod
     def name_in(cls, set: int) -> str:
-        """Its full name in a descriptor set: "gnss_2.dop". What occurs in every set has one name."""
+        """Its full name in a descriptor set: "gnss_2.dop". A field of every set has one name."""
         from ._index import SETS
 
         listed = set in cls.SETS and not isinstance(cls.SETS, range)

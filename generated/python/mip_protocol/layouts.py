@@ -72,7 +72,7 @@ class Layouts:
             return Undecoded.because(raw, error)
 
     def _count(self, packet: Packet, raws: Sequence[RawField]) -> None:
-        """Makes the function of a layout that comes often."""
+        """Makes the function of a layout that occurs often."""
         data = bytes(packet)
         headers = b"".join([bytes((len(raw.data) + 2, raw.descriptor)) for raw in raws])
         layout = data[:4] + headers
@@ -152,7 +152,7 @@ class _Source:
         if self.headers:
             lines.append(f"if {' or '.join(self.headers)}: return None")
         if self.singles:
-            # Python changes the bits of some that are not numbers; the sum tells that there may be one.
+            # Python changes the bits of some that are not numbers; the sum shows that there may be one.
             lines += [f"total = {' + '.join(self.singles)}", "if total != total: return None"]
         lines += [*self.lines, f"return {', '.join(self.objects)},"]
         self.names["unpack"] = struct.Struct(self.format).unpack_from
@@ -160,7 +160,7 @@ class _Source:
         return made
 
     def _begin(self, raw: RawField) -> tuple[str, str]:
-        """The names of the next object and of what makes it, behind its header."""
+        """The names of the next object and of what makes it, after its header."""
         number = len(self.objects)
         if number:  # the first one is the key
             self.format += "H"
@@ -171,7 +171,7 @@ class _Source:
 
 
 def _chosen(made: dict[bytes, Decode], at: int, offset: int) -> Decode:
-    """One function for layouts that differ behind their first field.
+    """One function for layouts that differ after their first field.
 
     They are equal up to the header that is `at` among the headers and at `offset` in the packet.
     """

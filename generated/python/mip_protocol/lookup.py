@@ -14,7 +14,7 @@ from .field import Field
 
 #: Words of names in other bindings that say nothing of the field itself.
 NOISE = frozenset(("mip", "data", "command", "commands"))
-#: What begins names in C, and those of modules that would begin with a digit: `mip` of `mip_3dm`.
+#: The prefix of names in C, and of those of modules that would begin with a digit: `mip` of `mip_3dm`.
 PREFIX = __name__.split(".")[-2].removesuffix("_protocol")
 
 

@@ -1,6 +1,6 @@
-"""Documentation, read from the source of this package when it is first asked for.
+"""Documentation, read from the source of this package when it is first needed.
 
-Texts stand once, in docstrings, where editors show them. Python keeps only those of classes, and
+Texts exist once, in docstrings, where editors show them. Python keeps only those of classes, and
 with `-OO` none. A package without its sources has no texts.
 """
 
@@ -16,7 +16,7 @@ _WIRE = re.compile(r"^    # On the wire only: (\w+)\. ?(.*(?:\n    # (?!On the w
 
 
 def text(kind: type, member: str = "") -> str:
-    """What is said of a member of a class, or of the class itself: its docstring on one line, without
+    """The text about a member of a class, or of the class itself: its docstring on one line, without
     the title of a field and without sources."""
     if member:
         blocks = next((b for base in kind.__mro__ if (b := _blocks(base, member))), [])
@@ -33,7 +33,7 @@ def sources(kind: type) -> tuple[str, ...]:
 
 
 def of_set(module: str, name: str) -> str:
-    """What the docstring of a module says of a descriptor set: of one of several in an item of a list, else in its
+    """The text of a module's docstring about a descriptor set: about one of several in an item of a list, else in its
     paragraphs."""
     blocks = _documented(module).get("", [])[1:]
     for line in (line for block in blocks for line in block.split("\n")):

@@ -13,11 +13,11 @@ from typing import Generic, Protocol, TypeAlias, TypeVar
 from ._clocks import TIMESTAMPS
 from .packet import MAX_PAYLOAD, Packet, RawField
 
-#: The set of the fields that all data sets share, their first descriptor, and those that tell a time.
+#: The set of the fields that all data sets share, their first descriptor, and those that contain a time.
 SHARED = 0xFF
 FIRST_SHARED = 0xD0
 TIMES = frozenset(descriptor for number, descriptor in TIMESTAMPS if number == SHARED)
-#: A list ends with so many packets, so that a clock that stands still takes no memory.
+#: A list ends with this many packets, so that a clock that stands still takes no memory.
 MOST = 256
 
 
@@ -47,7 +47,7 @@ class Samples(Generic[P]):
     """Takes packets as they arrive and returns those that belong together, as lists.
 
     A packet belongs to the one of its set before it if the shared fields at their front are the
-    same, its own fields have not arrived yet, and either the shared fields tell a time or its first
+    same, its own fields have not arrived yet, and either the shared fields contain a time or its first
     field had no room in the packet before. A list of several fields of one descriptor may also
     continue. A packet of commands is a list of its own.
     """
@@ -92,7 +92,7 @@ def samples(packets: Iterable[P]) -> Iterator[list[P]]:
 
 
 def _parts(packet: Packet) -> tuple[_Fields, _Fields]:
-    """The shared fields at the front, and the fields behind them up to a malformed one."""
+    """The shared fields at the front, and the fields after them up to a malformed one."""
     fields = packet.fields
     count = next((i for i, f in enumerate(fields) if f.descriptor < FIRST_SHARED), len(fields))
     return fields[:count], fields[count:]

@@ -103,7 +103,7 @@ def as_dict(
 
 
 def _here(p: Parameter, holder: Described, device: str | None, inside: Inside | None) -> Parameter:
-    """A parameter as it is beside the other values, and inside of what holds these."""
+    """A parameter in its form beside the other values, and inside their holder."""
     if p.variants or p.flags_on:
         p = p.of(holder, device)
     return replace(p, **inside[p.attribute]) if inside and p.attribute in inside else p
@@ -112,7 +112,7 @@ def _here(p: Parameter, holder: Described, device: str | None, inside: Inside | 
 def _plain(
     p: Parameter, value: Any, holder: Described, names: bool, json: bool, device: str | None
 ) -> Any:
-    """A value of what JSON knows: dicts, lists, numbers, text."""
+    """A value of types of JSON: dicts, lists, numbers, text."""
     if p.tag:
         case = _case(p, holder)
         return _plain(case, value, holder, names, json, device) if case else _number(value, json)
@@ -276,7 +276,7 @@ def _word(p: Parameter, value: Any) -> str:
 
 
 def shortest(value: float) -> str:
-    """The shortest text of a number that came in four bytes.
+    """The shortest text of a number of four bytes.
 
     >>> shortest(0.10000000149011612)
     '0.1'

@@ -18,7 +18,7 @@ SECOND = 1_000_000_000
 #: How far before a packet without a timestamp the last one of its set may be, in bytes. The same
 #: for every way of cutting a file.
 REACH = 1 << 20
-#: A part of a timestamp is not valid if it is so many nanoseconds or more: two of them fit into 64 bits.
+#: A part of a timestamp is not valid if it is this many nanoseconds or more: two of them fit into 64 bits.
 MOST = 4 * 10**18
 
 _UNITS = {"week": 604_800 * SECOND, "s": SECOND, "ms": 1_000_000, "us": 1000, "ns": 1}
@@ -106,7 +106,7 @@ def moments_of(data: bytes, headers: bytes) -> dict[str, int | None]:
 
 @lru_cache(maxsize=4096)
 def _places(number: int, headers: bytes) -> tuple[tuple[_Source, int, int], ...]:
-    """Where packets with these fields have their times."""
+    """The places of the times in packets with these fields."""
     places: dict[str, tuple[int, _Source, int, int]] = {}
     at = 4
     for length, descriptor in zip(headers[::2], headers[1::2]):

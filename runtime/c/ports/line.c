@@ -1,7 +1,7 @@
 /* Derives the kind of line from a name, and opens it again. */
 #include "open.h"
 
-/** For how many milliseconds to wait before a port is opened again. */
+/** Milliseconds to wait before a port is opened again. */
 #define PAUSE 100
 
 /** Connects to HOST:PORT, or to [ADDRESS]:PORT with an address of IPv6. */

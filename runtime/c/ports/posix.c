@@ -150,7 +150,8 @@ void mip_line_open_serial(struct mip_line *line, const char *name, uint32_t baud
     if (flock(file, LOCK_EX | LOCK_NB) != 0) { /* two readers would each get a part */
         line->error = "the port is in use by another program";
     } else if (!set_mode(file, baud)) {
-        line->error = errno == EINVAL ? "the port does not have this baud rate" : strerror(errno);
+        line->error =
+            errno == EINVAL ? "the port does not support this baud rate" : strerror(errno);
     }
     if (line->error != NULL) {
         close(file);

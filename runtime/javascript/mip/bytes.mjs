@@ -2,7 +2,7 @@
 
 /** An error, in words; `kind` is one word for programs: "truncated", "count", "range", … */
 export class MipError extends Error {
-    /** `details`: what else is known, such as the command that was refused, and its code. */
+    /** `details`: further facts, such as the command that was rejected, and its code. */
     constructor(kind, message, details = {}) {
         super(message);
         this.name = "MipError";
@@ -11,7 +11,7 @@ export class MipError extends Error {
     }
 }
 
-/** The two bytes that end a packet, of all bytes before them. */
+/** The two bytes that end a packet, computed from all bytes before them. */
 export function checksum(bytes) {
     let a = 0;
     let b = 0;

@@ -114,7 +114,7 @@ export function encodeData(protocol, field, values) {
 
 /**
  * Each value that is not divided further, in wire order, with its path (names and indices), its operation, and where its
- * bytes are in the data (offset and size). `values` are what was decoded from the data.
+ * bytes are in the data (offset and size). `values` are those decoded from the data.
  */
 export function partsOf(protocol, field, values) {
     const parts = [];
@@ -151,7 +151,7 @@ export function partsOf(protocol, field, values) {
             const there = (one) => one.kind === "constant" || held[one.member] !== undefined;
             if (op.kind !== "group") walk(op, held[op.member] ?? op.value, [...path, op.member], held);
             else if (op.body.every(there)) record(op.body, held, path);
-            else return; // all behind a group that is absent are absent, too
+            else return; // all after an absent group are absent, too
         }
     };
     record(field.operations, values, []);
@@ -159,8 +159,8 @@ export function partsOf(protocol, field, values) {
 }
 
 /**
- * The fields of a packet with their values and parts. What cannot be decoded has an error in place of values, and what
- * the protocol does not know has neither; a wrong length is the last entry. `options` are those of decodeData.
+ * The fields of a packet with their values and parts. A field that cannot be decoded has an error in place of values, and
+ * an unknown one has neither; a wrong length is the last entry. `options` are those of decodeData.
  */
 export function decodePacket(protocol, packet, options = {}) {
     const decoded = [];

@@ -1,6 +1,6 @@
 // A device at a port: commands, and data as it arrives.
 //
-// A port is what is behind `open`: an object with `bytes()`, an async iterator of Uint8Arrays that ends when the port is
+// A port, which `open` returns, is an object with `bytes()`, an async iterator of Uint8Arrays that ends when the port is
 // lost, `write(bytes)` and `close()`, which may return promises. `tcp`, `serial` and `websocket` make ports.
 
 import { AckCode, FunctionSelector } from "../protocol.mjs";
@@ -23,10 +23,10 @@ export class Device {
     #client;
     #end; // why no more bytes arrive
     #closed = false;
-    #waiting = new Map(); // command -> what takes its outcome
+    #waiting = new Map(); // command -> the function that gets its outcome
     #settings = new Map(); // class of a command -> the setting that the device is known to have
     #packets = [];
-    #readers = []; // what takes the next packet
+    #readers = []; // functions that get the next packets
     #timer;
     #heard = 0;
     #incomplete = false;
@@ -160,7 +160,7 @@ export class Device {
         }
     }
 
-    /** Sets the device to idle and asks what it is. */
+    /** Sets the device to idle and identifies it. */
     async identify() {
         if (!session) throw new MipError("session", "the specification of this package names no commands for it");
         await this.request(session.idle());
@@ -301,8 +301,8 @@ export class Device {
     }
 
     /**
-     * Opens the port again, after it was lost, and tries to for `within` seconds. Waiting data is kept; the device may
-     * have restarted: what was set is to be set again.
+     * Opens the port again, after it was lost, and tries to for `within` seconds. Waiting data is kept. The device may
+     * have restarted: apply its settings again.
      */
     async reopen({ within = 30 } = {}) {
         checkSeconds(within);

@@ -75,7 +75,7 @@ export class Field {
     }
 }
 
-/** Of a class with a function selector: how many values must be there, this one included. An unknown one requires none. */
+/** The number of values that a function selector requires, itself included; an unknown one requires no other. */
 function requiredWith({ REQUIRED }, selector) {
     return REQUIRED && 1 + (REQUIRED[selector] ?? 0);
 }
@@ -118,13 +118,13 @@ export class Command extends Field {
     }
 }
 
-/** Has a member this value? Of a Boolean, everything but 0 is true. */
+/** Does a member have this value? For a Boolean, everything but 0 is true. */
 function holds([name, value, boolean], values) {
     const held = values[memberName(name)];
     return boolean && held !== undefined ? Boolean(held) === Boolean(value) : held !== undefined && Number(held) === value;
 }
 
-/** A packet with these fields. Each must occur in the set, which a field that occurs in only one tells. */
+/** A packet with these fields. Each must occur in the set, which need not be given if one occurs in no other. */
 export function packetOf(fields, set = fields.find((one) => one.set !== undefined)?.set) {
     const parts = fields.map((field) => {
         const { NAME, DESCRIPTOR } = field.constructor;
@@ -166,7 +166,7 @@ function made(Base, name, sets, descriptor, blocks, { optional, fits, calls, ...
 
 /**
  * The class of a field. `sets`: the number of its set, or all of them. `more.optional`: how many parameters are always
- * there, if others may follow; `more.fits`: what distinguishes it from other layouts of its descriptor.
+ * present, if others may follow; `more.fits`: the sizes and constants that distinguish the layouts of its descriptor.
  */
 export const data = (name, sets, descriptor, blocks, more = {}) => made(Data, name, sets, descriptor, blocks, more);
 export const response = (name, sets, descriptor, blocks, more = {}) => made(Response, name, sets, descriptor, blocks, more);

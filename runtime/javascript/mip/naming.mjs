@@ -11,8 +11,7 @@ function caseOf(record, name) {
 }
 
 /**
- * What a value at a path of a field is: the parameters from the field to it, the last of which says what it means.
- * Indices have none.
+ * The parameters along a path of a field; the last of them says what the value there means. Indices have none.
  */
 export function parametersAt(protocol, field, path) {
     const found = [];
@@ -53,7 +52,7 @@ export function measuredHere(protocol, parameter, siblings = {}, device = undefi
     return { ...parameter, ...Object.fromEntries(found) };
 }
 
-/** An attribute of a parameter, if it is another one beside these values or on the device. */
+/** An attribute of a parameter, if it differs with these values beside it or on the device. */
 function differing(parameter, siblings, device, attribute) {
     const holds = (one) => (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by]));
     return (parameter.variants ?? []).find((one) => one[attribute] && !one.member && holds(one))?.[attribute];
@@ -74,7 +73,7 @@ export function maskOf(bits) {
     return ((1n << BigInt(bits.last - bits.first + 1)) - 1n) << BigInt(bits.first);
 }
 
-/** The bits of a bitfield with what they hold: flags that are set, and all numbers. `rest` are bits without a name. */
+/** The bits of a bitfield with their values: flags that are set, and all numbers. `rest` are bits without a name. */
 export function bitsOf(protocol, type, value) {
     let rest = bitsNumber(value);
     const whole = rest;

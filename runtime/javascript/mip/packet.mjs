@@ -85,12 +85,12 @@ export class Packet {
         return checksum(this.bytes.subarray(0, -TAIL));
     }
 
-    /** Is the checksum right? */
+    /** Is the checksum correct? */
     get sound() {
         return sameBytes(this.checksum, this.rightChecksum);
     }
 
-    /** The fields. A wrong length raises a MipError behind those before it. */
+    /** The fields. A wrong length raises a MipError after those before it. */
     *fields() {
         const { bytes, set } = this;
         const found = [];

@@ -14,6 +14,6 @@ export interface SerialPortLike {
  * Opens the port of a device. Raises "no_device" if none answers at any baud rate.
  *
  * @param port what `navigator.serial.requestPort()` returns; a browser asks its user only after a click
- * @param options.baud the baud rate; without it, that at which the device answers is searched
+ * @param options.baud the baud rate; without it, the one at which the device answers is found
  */
 export declare function openSerial(port: SerialPortLike, options?: DeviceOptions & { baud?: number }): Promise<Device>;

@@ -12,7 +12,7 @@ const ATTEMPTS = 2;
  * Opens the port of a device.
  *
  * @param port what `navigator.serial.requestPort()` returns; a browser asks its user only after a click
- * @param options.baud the baud rate; without it, that at which the device answers is searched. The rest is for Device.
+ * @param options.baud the baud rate; without it, the one at which the device answers is found. The rest is for Device.
  */
 export async function openSerial(port, { baud, ...options } = {}) {
     if (baud !== undefined) return Device.open(() => opened(port, baud), options);
@@ -24,7 +24,7 @@ export async function openSerial(port, { baud, ...options } = {}) {
     throw new MipError("no_device", `no device answers at ${BAUD_RATES.join(", ")} Bd; is it switched on, and on this port?`);
 }
 
-/** Does a device answer, even if it refuses? Earlier bytes may damage the first answer. */
+/** Does a device answer, even with a NACK? Earlier bytes may damage the first answer. */
 async function answers(device) {
     if (!session) throw new MipError("session", "the specification names no command to search with: pass `baud`");
     for (let i = 0; i < ATTEMPTS; i++) {

@@ -25,7 +25,7 @@ export async function stream(device, session, rates, set) {
     return nearest;
 }
 
-/** The base rate of a set in Hz; and the commands of older devices if it is one. */
+/** The base rate of a set in Hz, and the commands of older devices if the device is one. */
 async function baseRate(device, session, set) {
     try {
         return { base: session.rate(await device.request(session.baseRate(set))) };
@@ -62,7 +62,7 @@ export function setOf(rates, set) {
     return common[0];
 }
 
-/** That of the nearest rate; 1 for the highest. */
+/** The decimation of the nearest rate; 1 for the highest. */
 export function decimation(base, wanted) {
     if (!base || !wanted || wanted >= base) return 1;
     const below = Math.min(Math.floor(base / wanted), LARGEST);

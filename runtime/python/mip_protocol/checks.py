@@ -40,7 +40,7 @@ def checksum(data: bytes) -> bytes:
 
 
 def is_correct(data: bytes) -> bool:
-    """Does a packet have the correct checksum? Most that do not fail at the first sum, which is cheap."""
+    """Does a packet have the correct checksum? Most wrong ones fail at the first sum, which is cheap."""
     body = data[:-2]
     first = adler32(body, 0) & 0xFFFF
     if first > WRAPPED and first & 0xFF != data[-2]:
@@ -49,7 +49,7 @@ def is_correct(data: bytes) -> bool:
 
 
 def check_source(header: bytes, names: dict[str, Any]) -> tuple[list[str], str]:
-    """The text of a check of packets that begin with these four bytes: lines, and what must be true then.
+    """The text of a check of packets that begin with these four bytes: lines, and a condition.
 
     They use `buffer` and `at`, and what is added to `names`.
     """
@@ -87,7 +87,7 @@ def function(name: str, lines: Sequence[str], names: dict[str, Any]) -> Any:
 
 
 class Often(Generic[T]):
-    """Objects that are worth creating only for what occurs often. Keeps no more than `most` of them."""
+    """Objects that are worth creating only for frequent keys. Keeps no more than `most` of them."""
 
     def __init__(self, make: Callable[[bytes], T], most: int) -> None:
         self.made: dict[bytes, T] = {}
@@ -96,7 +96,7 @@ class Often(Generic[T]):
         self._counts: dict[bytes, int] = {}
 
     def count(self, key: bytes) -> None:
-        """One more of these has occurred."""
+        """Counts an occurrence of a key."""
         seen = self._counts.get(key, 0) + 1
         if seen < TIMES:
             if len(self._counts) >= 4 * self._most:

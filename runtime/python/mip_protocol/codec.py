@@ -164,7 +164,7 @@ class Block:
 
 
 def _needs(letter: str, value: Any) -> str:
-    """What a value should be that `struct` does not take; empty if it takes it."""
+    """The requirement of `struct` that a value violates; empty if there is none."""
     try:
         struct.pack(">" + letter, value)
         return ""
@@ -179,7 +179,7 @@ def _needs(letter: str, value: Any) -> str:
     return f"{'' if isinstance(value, int) else WHOLE}{least} to {most}"
 
 
-#: Of what is not a number; `typed` says it better if it knows the type.
+#: The requirement for what is not a number; `typed` is more exact if it knows the type.
 WHOLE = "a whole number from "
 
 
@@ -379,7 +379,7 @@ def elements(name: str, value: Any, count: int) -> Sequence[Any]:
 def vector(value: Any, *kinds: type[Any]) -> Any:
     """`value` as a vector of the first kind that has as many elements.
 
-    Anything else is returned unchanged; it is refused when it is sent.
+    Anything else is returned unchanged; it is rejected when it is sent.
     """
     if type(value) in kinds or (numbers := _numbers(value)) is None:
         return value
@@ -459,7 +459,7 @@ def mismatch(name: str, tag: object) -> EncodeError:
 
 
 def present(value: object, required: int, groups: Groups) -> int:
-    """How many parameters are there: those up to the first group with a None.
+    """How many parameters are present: those up to the first group with a None.
 
     A group is the number of its last parameter, its names, and whether it is a union, which
     may be None where it is required: then it is empty.

@@ -29,7 +29,7 @@ class Flag:
 
 @dataclass(frozen=True)
 class Variant:
-    """What differs on some devices, or for some values of another parameter."""
+    """A difference on some devices, or for some values of another parameter."""
 
     by: str  # "device", or the attribute that holds the other value
     keys: tuple[str | int, ...]  # ids of devices, or that value
@@ -55,7 +55,7 @@ class Parameter:
     cases: dict[int, Parameter | None] = field(default_factory=dict)
     units: tuple[str, ...] = ()  # one for all elements, or one for each
     frame: str = ""
-    valid: tuple[str, ...] = ()  # what says that it is valid: "flags.bit" or a bool; one, or each's
+    valid: tuple[str, ...] = ()  # its valid flags: "flags.bit" or a bool; one, or each's
     flags: tuple[Flag, ...] = ()  # the same; empty if that depends on the device
     minimum: float | None = None
     maximum: float | None = None

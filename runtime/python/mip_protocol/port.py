@@ -75,7 +75,7 @@ class SocketPort:
 
     def write(self, data: bytes) -> int:
         if not self._ready(selectors.EVENT_WRITE, WRITE_TIMEOUT):
-            raise TimeoutError("the other end takes nothing")
+            raise TimeoutError("the other end accepts no data")
         return self._socket.send(data)
 
     def close(self) -> None:
@@ -109,7 +109,7 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
 
 
 def cannot_open(url: str | os.PathLike[str], error: Exception) -> PortError:
-    """What says why a port cannot be opened. A ValueError is pyserial's, of a URL that it does not know."""
+    """The error for a port that cannot be opened. A ValueError is pyserial's, of a URL that it does not know."""
     number = getattr(error, "errno", None)
     if number in (errno.EAGAIN, errno.EBUSY):  # of a lock, of the device itself
         number, why = errno.EBUSY, IN_USE
@@ -190,14 +190,14 @@ def write_all(port: Any, data: bytes, wait: Callable[[float], object] = time.sle
             now = time.monotonic()
             end = now + WRITE_TIMEOUT if end is None else end
             if now >= end or wait(PAUSE):
-                raise TimeoutError("the other end takes nothing")
+                raise TimeoutError("the other end accepts no data")
 
 
 P = ParamSpec("P")
 
 
 def weakly(method: Callable[P, object]) -> Callable[P, None]:
-    """Calls a method as long as its object is there, and does not keep the object."""
+    """Calls a method while its object exists, without keeping the object alive."""
     reference = weakref.WeakMethod(method)
 
     def call(*args: P.args, **options: P.kwargs) -> None:

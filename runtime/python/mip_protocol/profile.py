@@ -111,12 +111,12 @@ class Device:
         return self.support(set, descriptor) in (Support.YES, Support.PROBABLE)
 
     def support(self, set: int, descriptor: int) -> Support:
-        """Does it have it? Shared fields are had in every data set; a whole profile lists all."""
+        """Does it have it? A shared field counts in every data set; a complete profile lists all."""
         found = self.why(set, descriptor)
         return found.answer if found else Support.UNKNOWN if self.incomplete else Support.NO
 
     def why(self, set: int, descriptor: int) -> Evidence | None:
-        """What says so; None if nothing does."""
+        """The evidence; None if there is none."""
         shared = self._said.get((0xFF, descriptor)) if set >= 0x80 else None
         return self._said.get((set, descriptor), shared)
 

@@ -1,4 +1,4 @@
-"""Starts the data of a device at rates in Hz: what is asked and sent, without a port.
+"""Starts the data of a device at rates in Hz: the commands, without a port.
 
 `steps` is for `Device.stream`.
 """
@@ -93,7 +93,7 @@ def set_of(rates: Mapping[type[Field], float], set: int | None) -> int:
 
 
 def decimation(base: int, wanted: float) -> int:
-    """That of the nearest rate; 1 for the highest."""
+    """The decimation of the nearest rate; 1 for the highest."""
     if not base or not wanted or wanted >= base:
         return 1
     below = min(int(base / wanted), LARGEST)

@@ -1,4 +1,4 @@
-"""How records are read and written: functions made from their layouts when they are first used.
+"""Functions that read and write records, made from their layouts when they are first used.
 
 A layout has a row for each parameter, in wire order: its name, the letters of `struct` that its
 numbers have, and what makes its value from these:
@@ -67,7 +67,7 @@ class Union(NamedTuple):
 
 
 class Group(NamedTuple):
-    """Parameters that are there or absent together: the number of the last, and their rows."""
+    """Parameters that are present or absent together: the number of the last, and their rows."""
 
     last: int
     rows: Layout
@@ -145,7 +145,7 @@ def selects(kind: Any) -> bool:
 
 
 def groups(kind: Any) -> tuple[Layout, list[Group]]:
-    """The rows that are always there, and the groups of the others: a counter stays with its array."""
+    """The rows that are always present, and the groups of the others: a counter stays with its array."""
     rows: Layout = kind._LAYOUT
     if kind._ALWAYS is None:
         return rows, []
@@ -174,7 +174,7 @@ class _Codec:
         self.count = 0
 
     def name(self, thing: Any) -> str:
-        """What the source calls a thing."""
+        """The name of a thing in the source."""
         self.count += 1
         name = f"k{self.count}"
         self.names[name] = thing
@@ -352,7 +352,7 @@ class _Codec:
 
 
 def _parts(rows: Sequence[Row]) -> Iterator[Layout]:
-    """Neighbouring numbers together. A wrong constant is the first thing to say of a record, so it ends a run."""
+    """Neighbouring numbers together. A wrong constant is reported first, so it ends a run."""
     joined: list[Row] = []
     for row in rows:
         if is_run(row):

@@ -139,7 +139,7 @@ def test_a_serial_port_is_opened_once(kind: Kind) -> None:
 
 def test_a_port_that_accepts_no_bytes(kind: Kind, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(port, "WRITE_TIMEOUT", 0.1)
-    with kind.at(Stuck()) as device, pytest.raises(mip.PortClosed, match="cannot write: the other end takes nothing"):
+    with kind.at(Stuck()) as device, pytest.raises(mip.PortClosed, match="cannot write: the other end accepts no data"):
         device.request(PING)
 
 

@@ -19,20 +19,20 @@
 extern "C" {
 #endif
 
-/** For how many milliseconds a read waits for the first byte. */
+/** Milliseconds that a read waits for the first byte. */
 #define MIP_LINE_WAIT 10
-/** For how many milliseconds a write waits until the other end takes something. */
+/** Milliseconds that a write waits until the other end accepts bytes. */
 #define MIP_LINE_PATIENCE 5000
 
-/** An open serial port or TCP connection. It stays where it is while a device uses it. */
+/** An open serial port or TCP connection. It must not move while a device uses it. */
 struct mip_line {
     /** For mip_device_init. */
     struct mip_port port;
     /** The file, the handle, or the socket of the system. */
     intptr_t handle;
-    /** What mip_line_open was called with, for mip_line_reopen. */
+    /** The name passed to mip_line_open, for mip_line_reopen. */
     const char *name;
-    /** The baud rate that it has. */
+    /** Its baud rate. */
     uint32_t baud;
     /** Is it a TCP connection? */
     bool is_tcp;
@@ -43,13 +43,13 @@ struct mip_line {
 /**
  * Opens a port: a TCP connection if the name is HOST:PORT, else a serial port, such as
  * /dev/ttyACM0 or COM3, with 8 data bits, no parity and no flow control. The program is its only
- * user as long as it is open. The name stays where it is. False if that failed: see `error`.
+ * user as long as it is open. The name must not move. False on failure: see `error`.
  */
 bool mip_line_open(struct mip_line *line, const char *name, uint32_t baud);
 
 /**
  * Opens a port again that was lost, as when mip_device_poll has returned false: closes it, and
- * tries to open it every 100 ms, for `within` milliseconds. The device goes on with it, at the same
+ * tries to open it every 100 ms, for `within` milliseconds. The device then continues at the same
  * baud rate:
  *
  *     while (mip_device_poll(&device) || mip_line_reopen(&line, 30000)) { ... }
@@ -61,10 +61,10 @@ bool mip_line_open(struct mip_line *line, const char *name, uint32_t baud);
 bool mip_line_reopen(struct mip_line *line, uint32_t within);
 
 /** Changes the baud rate of a serial port, and discards what has arrived; for mip_device_connect.
- * False if the system or the port does not have the rate, and for a TCP connection. */
+ * False if the system or the port does not support the rate, and for a TCP connection. */
 bool mip_line_set_baud(void *line, uint32_t baud);
 
-/** Closes it. */
+/** Closes a port. */
 void mip_line_close(struct mip_line *line);
 
 #ifdef __cplusplus

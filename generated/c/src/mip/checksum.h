@@ -18,7 +18,7 @@
 #define MIP_CHECKSUM_WORDS 1
 /** Sixteen bytes at a time. */
 #define MIP_CHECKSUM_SSE2 2
-/** The same. */
+/** Sixteen bytes at a time. */
 #define MIP_CHECKSUM_NEON 3
 
 /** @def MIP_CHECKSUM
@@ -75,11 +75,11 @@ static inline struct mip_sums words(const uint8_t *bytes, size_t size) {
     const uint64_t first = load(bytes) << (64 - 8 * size) % 64;
     uint64_t even = first & LANES; /* sums of bytes by their place in a word */
     uint64_t odd = (first >> 8) & LANES;
-    uint64_t before = 0; /* the sum of what the sums were before each word */
+    uint64_t before = 0; /* the sum of the sums before each word */
     size_t left = (size - 1) / 8;
     bytes += size - 8 * left;
     while (left > 0) {
-        size_t count = left < 15 ? left : 15; /* then lanes would overflow */
+        size_t count = left < 15 ? left : 15; /* more would overflow the lanes */
         left -= count;
         for (; count > 0; count--) {
             const uint64_t word = load(bytes);
@@ -134,7 +134,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     const uint8_t *last = bytes + (size - 16);
     const size_t rest = size % 16;
     __m128i done = block(bytes); /* sums of bytes by their place in a block */
-    __m128i before = zero;       /* the sum of what the sums were before each block */
+    __m128i before = zero;       /* the sum of the sums before each block */
     for (size_t at = 16; at + 16 <= size; at += 16) {
         before = _mm_add_epi8(before, done);
         done = _mm_add_epi8(done, block(bytes + at));
@@ -176,7 +176,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     const uint8_t *last = bytes + (size - 16);
     const size_t rest = size % 16;
     uint8x16_t done = vdupq_n_u8(0); /* sums of bytes by their place in a block */
-    uint8x16_t before = done;        /* the sum of what the sums were before each block */
+    uint8x16_t before = done;        /* the sum of the sums before each block */
     do {
         before = vaddq_u8(before, done);
         done = vaddq_u8(done, vld1q_u8(bytes));

@@ -35,7 +35,7 @@ void mip_client_wait(struct mip_client *client, struct mip_request *request, uin
     const uint32_t longer = request->exchange->timeout * 250U;
     uint32_t timeout = longer > client->timeout ? longer : client->timeout;
     struct mip_request **end = &client->waiting;
-    if (timeout > MIP_MAX_TIMEOUT) { /* or it would seem to be over */
+    if (timeout > MIP_MAX_TIMEOUT) { /* a longer one would seem to be over */
         timeout = MIP_MAX_TIMEOUT;
     }
     request->deadline = now + timeout;
@@ -107,8 +107,8 @@ mip_error mip_client_send(struct mip_client *client, struct mip_request *request
     return error;
 }
 
-/** What a field, which is a response of the command, is for a request that has asked for one: a
- * state; it still waits if it has not asked for this one. */
+/** The state of a request after a field that is a response to its command; it still waits if it has
+ * requested another one. */
 static uint8_t respond(struct mip_request *request, const struct mip_field *field) {
     const struct mip_response *r = request->asked;
     while (r->descriptor != field->descriptor ||
@@ -132,7 +132,7 @@ static uint8_t respond(struct mip_request *request, const struct mip_field *fiel
     return request->error != MIP_OK ? MIP_REQUEST_UNDECODABLE : MIP_REQUEST_ACKNOWLEDGED;
 }
 
-/** What an acknowledge of its command, and the field behind that, are for a request: a state. */
+/** The state of a request after an acknowledge of its command and the field after that. */
 static uint8_t judge(struct mip_request *request, uint8_t code, const struct mip_field *behind) {
     const struct mip_response *r = request->exchange->responses;
     if (code != 0) {
@@ -216,7 +216,7 @@ size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
         return 0;
     }
     for (const struct mip_request *r = client->waiting; r != NULL; r = r->next) {
-        mip_client_miss(client); /* they may be of its kind */
+        mip_client_miss(client); /* they may be commands as in a barrier */
     }
     client->behind = client->missed;
     const size_t size = client->behind / 2U;

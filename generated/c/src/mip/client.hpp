@@ -27,11 +27,11 @@ template <class Command> class request {
         cancel();
     }
 
-    /** Is it to be answered yet? */
+    /** Does it still wait for its answer? */
     bool waiting() const {
         return client_ != nullptr && request_.state == MIP_REQUEST_WAITING;
     }
-    /** How it went: not_sent before and while it waits, closed if it was cancelled. */
+    /** The outcome: not_sent before and while it waits, closed if it was cancelled. */
     mip::result<response> result() const {
         const mip_result of = {static_cast<mip_outcome>(request_.state), request_.code,
                                error_ != MIP_OK ? error_ : request_.error, request_.responded};
@@ -48,7 +48,7 @@ template <class Command> class request {
         }
     }
 
-    /** What is sent. */
+    /** The command that is sent. */
     Command command;
 
   private:
@@ -96,10 +96,10 @@ class client {
     client &operator=(const client &) = delete;
 
     /**
-     * Makes a packet of commands of one descriptor set: the bytes to write, which lie in the client
+     * Makes a packet of commands of one descriptor set: the bytes to write, which the client stores
      * until the next call. They begin with a barrier if the answer to an earlier command may still
-     * come. Requests that still wait are cancelled first. Empty if a command is refused: nothing is
-     * sent, and the result of that request has the error.
+     * arrive. Requests that still wait are cancelled first. Empty if a command cannot be encoded:
+     * nothing is sent, and the result of that request has the error.
      */
     template <class... Commands>
     [[nodiscard]] bytes send(std::uint32_t now, request<Commands> &...requests) {
@@ -118,7 +118,7 @@ class client {
     }
 
     /**
-     * Takes bytes as they arrive, in any pieces, and none to pass the time only: requests are
+     * Takes bytes as they arrive, in any pieces, or none to update the time only: requests are
      * answered or time out. All other fields go to the handlers, as in mip::dispatch.
      */
     template <class... Handlers>
@@ -146,7 +146,7 @@ class client {
     void timeout(std::uint32_t milliseconds) {
         client_.timeout = milliseconds;
     }
-    /** The client of C, for what has no name here. */
+    /** The client of C, for functions that have no equivalent here. */
     mip_client &c() {
         return client_;
     }

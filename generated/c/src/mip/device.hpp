@@ -26,13 +26,13 @@ enum class outcome {
     sent = MIP_SENT,
     /** The device has rejected it: `code` is the reason. */
     refused = MIP_REFUSED,
-    /** No answer came in time. */
+    /** No answer arrived in time. */
     timed_out = MIP_TIMED_OUT,
     /** The device has acknowledged it without sending its response. */
     missing_response = MIP_MISSING_RESPONSE,
     /** The device has sent a response that cannot be decoded: `error` is the reason. */
     undecodable = MIP_UNDECODABLE,
-    /** The port was gone before the answer came. */
+    /** The port was gone before the answer arrived. */
     closed = MIP_CLOSED,
     /** It was called from a handler of the same device. */
     busy = MIP_BUSY
@@ -55,7 +55,7 @@ class [[nodiscard]] basic_result {
     mip::outcome outcome() const {
         return static_cast<mip::outcome>(result_.outcome);
     }
-    /** The device's answer, if there was one: why it has refused the command. */
+    /** The acknowledge code, if there was an answer: why the device has rejected the command. */
     ack_code code() const {
         return static_cast<ack_code>(result_.code);
     }
@@ -108,10 +108,10 @@ auto operator<<(Stream &out, const result<Response> &of)
 /* --------------------------------------------------------------------------------------- commands
  */
 
-/** How the command is answered whose structure of C is given; headers of commands specialize it. */
+/** The answer to the command with this structure of C; headers of commands specialize it. */
 template <class Command> struct exchange;
 
-/** Says so for a structure. */
+/** Specializes it for a structure. */
 #define MIP_COMMAND_OF(type, answer)           \
     template <> struct exchange<::type> {      \
         using response = answer;               \
@@ -164,7 +164,7 @@ template <class Command, class Response, std::uint8_t... Function> struct fixed_
  */
 
 #ifdef __cpp_lib_concepts
-/** A way to the device, and a clock. */
+/** The port of a device, and a clock. */
 template <class T>
 concept port = requires(T &way, span<std::uint8_t> room, bytes packet) {
     /* As many bytes as have arrived, perhaps 0; without a value if the port is gone. */
@@ -202,7 +202,7 @@ template <MIP_PORT_TYPE Port> mip_port port_of(Port &port) {
  */
 
 /**
- * A device at a port. It has room for so many handlers, and does not move, because C holds
+ * A device at a port. It has room for `Handlers` handlers, and cannot be moved, because C keeps
  * addresses of its parts.
  */
 template <std::size_t Handlers = 8> class device {
@@ -300,7 +300,7 @@ template <std::size_t Handlers = 8> class device {
     packet current() const {
         return device_.packet != nullptr ? *device_.packet : mip_packet{nullptr, 0, 0};
     }
-    /** The device of C, for what has no name here. */
+    /** The device of C, for functions that have no equivalent here. */
     mip_device &c() {
         return device_;
     }

@@ -1,8 +1,8 @@
 /**
  * @file
- * What is said to compilers that understand it: MIP_API marks what a shared library exports,
- * MIP_INLINE, MIP_QUICK and MIP_APART what becomes part of its callers, MIP_CHECKED what callers
- * must look at.
+ * Attributes for compilers that know them: MIP_API marks the exports of a shared library,
+ * MIP_INLINE, MIP_QUICK and MIP_APART say what becomes part of its callers, MIP_CHECKED marks
+ * results that callers must check.
  *
  * A static library, and sources that are compiled with the program, need none of this. To build a
  * shared library, define MIP_SHARED for the library and its users, and MIP_BUILDING for the library
@@ -12,7 +12,7 @@
 #define MIP_EXPORT_H
 
 #ifndef MIP_SHARED
-/** Marks what programs can use of a shared library. */
+/** Marks the exports of a shared library. */
 #define MIP_API
 #elif defined(_WIN32) || defined(__CYGWIN__)
 #ifdef MIP_BUILDING
@@ -54,7 +54,7 @@
 #define MIP_INLINE static inline
 #endif
 
-/* The way of most fields is one function without calls; what others need is apart from it. */
+/* Most fields take one function without calls; code for the others is apart from it. */
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 /** A static function that becomes part of those that call it. */
 #define MIP_QUICK MIP_INLINE

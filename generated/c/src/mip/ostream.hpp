@@ -12,7 +12,7 @@
 
 namespace mip {
 
-/** What prints to a stream. */
+/** A printer to a stream. */
 inline mip_print print_to(std::ostream &out) {
     mip_print print = {};
     print.put = [](void *stream, const char *text, std::size_t size) {

@@ -281,7 +281,7 @@ static bool is_bitfield(const struct mip_parameter *p, const struct mip_names *n
            names->bits != NULL && names->size == p->capacity;
 }
 
-/** What follows the name of a parameter in its line. */
+/** The rest of a line after the name of a parameter. */
 static void put_items(const struct mip_print *print, const struct mip_parameter *p,
                       const struct mip_parameter *all, const uint8_t *record) {
     const struct mip_names *names = names_of(print, p, all, record);

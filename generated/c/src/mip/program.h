@@ -1,7 +1,7 @@
 /**
  * @file
- * The programs that describe layouts: what generated sources contain. Those of numbers only are run
- * by codec.c, the others by program.c.
+ * The programs in generated sources that describe layouts. Those of numbers only are run by
+ * codec.c, the others by program.c.
  *
  * A program is a row of steps in wire order, up to MIP_END. A step for numbers is one byte, kind
  * and count, and the place of the first one in the structure; the others follow it without a gap.
@@ -81,7 +81,7 @@ enum {
     MIP_STEP_GROUP
 };
 
-/** The descriptor sets of a field beside its first one. They are right before the program. */
+/** The descriptor sets of a field besides its first one. They are right before the program. */
 #define MIP_MORE_SETS(...) __VA_ARGS__
 
 /** The end of a program, or of a part of it. */

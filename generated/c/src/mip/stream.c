@@ -1,5 +1,5 @@
-/* Pieces of a stream, and the index of a log. The parser finds the packets; what it consumes beside
- * them is counted here, in the width of a pointer, because its own counter may wrap around. */
+/* Pieces of a stream, and the index of a log. The parser finds the packets; other bytes that it
+ * consumes are counted here, in the width of a pointer, because its own counter may wrap around. */
 #include "mip/stream.h"
 
 #include <string.h>
@@ -13,7 +13,7 @@ void mip_stream_init(struct mip_stream *stream) {
     mip_parser_init(&stream->parser);
 }
 
-/** How many bytes the parser keeps, because they may begin a packet. */
+/** The number of bytes that the parser keeps, because they may begin a packet. */
 static size_t held_by(const struct mip_parser *parser) {
     return (size_t)parser->length - parser->done;
 }
@@ -23,7 +23,7 @@ static bool waiting(const struct mip_stream *stream) {
     return stream->held > 0 || stream->given > 0 || stream->found;
 }
 
-/** Keeps what the parser holds: it drops the bytes that it skips. Returns their number. */
+/** Keeps the bytes that the parser holds, as it drops those that it skips. Returns their number. */
 static size_t keep(struct mip_stream *stream) {
     const size_t held = held_by(&stream->parser);
     if (held > 0) {

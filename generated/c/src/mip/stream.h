@@ -42,7 +42,7 @@ struct mip_stream {
     const uint8_t *from;
     /** Does the packet follow them? */
     bool found;
-    /** What the parser held before it was called. */
+    /** The bytes that the parser held before it was called. */
     uint8_t before[MIP_MAX_PACKET];
 };
 
@@ -72,7 +72,7 @@ MIP_API bool mip_stream_flush(struct mip_stream *stream, struct mip_piece *piece
  * Finds the packets of a log in memory, such as a mapped file, and stores the places of at most
  * `room` of them. Returns their number; less than `room` means that there are no more.
  *
- * `*at` is where the search begins, 0 at first. Afterwards it is where it goes on: call it again
+ * `*at` is where the search begins, 0 at first. Afterwards it is where it continues: call it again
  * for the next places, or when the log has grown. `ended`: no more bytes will follow, so that an
  * incomplete packet is discarded, and packets after its first bytes are found. Otherwise `*at`
  * stays at its first byte.

@@ -27,7 +27,7 @@
 extern "C" {
 #endif
 
-/** How long a device may take to reply, in milliseconds, unless the command has its own limit. */
+/** Milliseconds that a device may take to reply, unless the command has its own limit. */
 #define MIP_DEFAULT_TIMEOUT 1000
 /** The longest time-out, 24 days, because the time may wrap around. A longer one is shortened. */
 #define MIP_MAX_TIMEOUT UINT32_C(0x7FFFFFFF)
@@ -64,7 +64,7 @@ struct mip_exchange {
     uint8_t descriptor;
     /** Quarters of a second that a device may take to answer; 0: no longer than usual. */
     uint8_t timeout;
-    /** How many responses there are. */
+    /** The number of responses. */
     uint8_t response_count;
     /** The first of them whose tests hold is sent; if there is none, only an acknowledge. */
     const struct mip_response *responses;
@@ -84,7 +84,7 @@ struct mip_command {
 #define MIP_REQUEST_WAITING 0
 /** The device has carried out the command, and sent its response, if it has one. */
 #define MIP_REQUEST_ACKNOWLEDGED 1
-/** The device has refused the command; `code` is the reason. */
+/** The device has rejected the command; `code` is the reason. */
 #define MIP_REQUEST_REFUSED 3
 /** The device did not answer in time. */
 #define MIP_REQUEST_TIMED_OUT 4
@@ -202,9 +202,10 @@ MIP_CHECKED MIP_API mip_error mip_client_send(struct mip_client *client,
 MIP_API bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
 
 /**
- * The barrier that is to be sent before the next packet of commands: its size, and 0, mostly, if no
- * answer is late. `bytes` has room for MIP_MAX_BARRIER. Call it before the first mip_client_add of
- * each packet, and send what it returns, so that a late answer is never taken for another one:
+ * Writes the barrier that must be sent before the next packet of commands, and returns its size;
+ * mostly 0, as no answer is late. `bytes` has room for MIP_MAX_BARRIER. Call it before the first
+ * mip_client_add of each packet, and send these bytes, so that a late answer is never taken for
+ * another one:
  *
  *     size = mip_client_barrier(&client, bytes);
  *     ... send these bytes, if there are any ...
@@ -212,19 +213,19 @@ MIP_API bool mip_client_receive(struct mip_client *client, const struct mip_pack
  *     mip_client_add(...);
  *
  * It is a packet of several commands that change nothing (MIP_BARRIER_DESCRIPTOR). The device
- * answers in order, and those of one packet in one packet: how many there are tells which barrier
- * is answered. Until then, nothing answers the requests behind it, and from then on nothing those
+ * answers in order, and the commands of one packet in one packet: their number identifies the
+ * barrier. Until then, no answer belongs to the requests after it, and from then on, none to those
  * before it, which have timed out. A request whose barrier is not answered times out, although the
  * device may have carried it out.
  */
 MIP_API size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes);
 
-/** Is a packet the answer of a barrier that requests are behind? mip_client_receive calls this; who
- * calls mip_client_next, calls it first, and leaves the packet alone if it is. */
+/** Is a packet the answer to a barrier before waiting requests? mip_client_receive calls this; call
+ * it yourself before mip_client_next, and ignore the packet if it is. */
 MIP_API bool mip_client_passes(struct mip_client *client, const struct mip_packet *packet);
 
-/** Counts a command that was sent without a request, and whose answer may still come: the next
- * packet is to be sent behind a barrier. */
+/** Counts a command that was sent without a request, and whose answer may still arrive: the next
+ * packet must be sent after a barrier. */
 MIP_API void mip_client_miss(struct mip_client *client);
 
 /**

@@ -44,11 +44,11 @@ static size_t examine(const struct mip_parser *parser, size_t at, struct mip_pac
 }
 
 #ifndef __OPTIMIZE_SIZE__
-/** The payload of a packet of which the checksum takes a block at once. */
+/** The shortest payload of packets whose checksum takes a block at once. */
 #define SHORTEST 12
 /** What memcpy copies without a call: most packets. */
 #define BLOCK 64
-/** How many bytes two candidates may differ by if the sum of one is to follow from the other's. */
+/** The most bytes by which two candidates may differ if the sum of one follows from the other's. */
 #define NEAR 16
 
 /** Do these bytes have the checksum that follows them? */
@@ -220,8 +220,8 @@ bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
 }
 
 #ifndef __OPTIMIZE_SIZE__
-/** All of the caller's bytes, if there are any, belong to the packet whose beginning is in the
- * buffer. */
+/** Keeps all of the caller's bytes, if there are any, as they belong to the packet whose beginning
+ * is in the buffer. */
 MIP_APART bool extend(struct mip_parser *parser, const uint8_t **data, size_t *size) {
     if (*size == 0) {
         return false;
@@ -231,7 +231,7 @@ MIP_APART bool extend(struct mip_parser *parser, const uint8_t **data, size_t *s
     return false;
 }
 
-/** The caller's bytes have the rest of that packet. */
+/** Completes that packet, whose rest is in the caller's bytes. */
 MIP_APART bool complete(struct mip_parser *parser, const uint8_t **data, size_t *size,
                         struct mip_packet *packet) {
     const size_t missing = parser->missing;
@@ -252,7 +252,7 @@ MIP_APART bool complete(struct mip_parser *parser, const uint8_t **data, size_t 
     return true;
 }
 
-/** How much the packet whose beginning is in the buffer still needs is not known yet. */
+/** Continues a packet whose beginning is in the buffer, and whose size is not known yet. */
 MIP_APART bool begin(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
     while (parser->length < MIP_HEADER_SIZE && parser->done == 0 && *size > 0) {

@@ -29,13 +29,13 @@ enum mip_support {
 
 /** Why a device is believed to have some fields, or not to have them. */
 struct mip_profile_evidence {
-    /** What it says of them: an `enum mip_support`. */
+    /** Its answer: an `enum mip_support`. */
     uint8_t answer;
     /** Why, in words. */
     const char *why;
 };
 
-/** A command or a data field that a device has for certain or probably, or that it has not. */
+/** A command or a data field that a device has for certain or probably, or that it lacks. */
 struct mip_profile_field {
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
@@ -58,7 +58,7 @@ struct mip_profile_firmware {
     const char *versions;
 };
 
-/** How often a device samples the fields of a data set. */
+/** The rate at which a device samples the fields of a data set. */
 struct mip_profile_rate {
     /** The data set. */
     uint8_t descriptor_set;
@@ -68,7 +68,7 @@ struct mip_profile_rate {
 
 /** A port of a device. */
 struct mip_profile_port {
-    /** What the manual calls it. */
+    /** Its name in the manual. */
     const char *name;
     /** The number that commands use; 0 if there is none. */
     uint8_t id;
@@ -166,7 +166,7 @@ struct mip_profile {
     const struct mip_profile_field *refuses;
     /** The firmware that some of these fields require. */
     const struct mip_profile_firmware *firmware;
-    /** How often it samples each data set. */
+    /** The rates at which it samples data sets. */
     const struct mip_profile_rate *rates;
     /** Its ports. */
     const struct mip_profile_port *ports;
@@ -199,13 +199,13 @@ MIP_API const struct mip_profile *mip_profile_by_model(uint16_t model_number);
  */
 MIP_API uint16_t mip_model_number(const char *text, size_t size);
 
-/** Does the device have a command or a data field? Of a whole profile, what it does not list is
- * MIP_SUPPORT_NO. Shared fields are had in every data set. */
+/** Does the device have a command or a data field? A field that a complete profile does not list is
+ * MIP_SUPPORT_NO. A shared field counts in every data set. */
 MIP_API enum mip_support mip_profile_support(const struct mip_profile *profile,
                                              uint8_t descriptor_set, uint8_t descriptor);
 
-/** What the profile says of a command or a data field: its `evidence` says how certain it is, and
- * why. NULL if it says nothing. */
+/** The entry of a command or a data field in the profile: its `evidence` says how certain it is,
+ * and why. NULL if there is none. */
 MIP_API const struct mip_profile_field *mip_profile_find_field(const struct mip_profile *profile,
                                                                uint8_t descriptor_set,
                                                                uint8_t descriptor);

@@ -36,7 +36,7 @@ struct mip_set {
     uint8_t number;
     /** The index of the first of its entries in mip_registry. */
     uint16_t first;
-    /** How many there are. */
+    /** The number of its entries. */
     uint16_t count;
     /** Name in the specification: "3dm". */
     const char *name;

@@ -89,7 +89,7 @@
         return cells.every((cell) => cell === cells[0]);
     }
 
-    /** In a table without columns of devices, a row holds for those that it links to. */
+    /** In a table without columns of devices, a row applies to those that it links to. */
     function listed(row, different) {
         const ids = new Set(devicesIn(row).map(({ id }) => id));
         const of = [...chosen].filter((id) => ids.has(id));

@@ -48,7 +48,7 @@ globalThis.mipSearch = (() => {
         return patterns.every((pattern) => pattern.test(heading.toLowerCase())) && all.length ? patterns.length / all.length : 0;
     }
 
-    const PLACES = [3, 1.5, 1]; // what a word counts for in the heading, the title of the page, the text
+    const PLACES = [3, 1.5, 1]; // the weight of a word in the heading, the title of the page, the text
 
     /**
      * The sections of all pages that have the words, the best first. A rare word counts for more, and a heading for more than
@@ -140,7 +140,7 @@ globalThis.mipSearch = (() => {
         return instead ? { ...searchAs(index, texts, instead), instead } : found;
     }
 
-    /** A text without what is done with a setting: "read", "save". */
+    /** A text without the names of functions: "read", "save". */
     function withoutFunctions(index, text) {
         const names = index.protocol.model.functions.map(({ name }) => name);
         const words = text.split(/\s+/);

@@ -93,7 +93,7 @@
         table.dataset.narrow = last < LONG ? "short" : "long";
     }
 
-    /** What is too wide for the window breaks, and if that is not enough, scrolls by itself and can be reached by the keyboard. */
+    /** Breaks content that is too wide for the window; if that is not enough, it scrolls by itself, also by the keyboard. */
     function fit() {
         const boxes = [...document.querySelectorAll("article :is(.md-typeset__scrollwrap, .mip-scroll, pre > code)")];
         const isWide = (box) => box.scrollWidth > box.clientWidth;
@@ -107,7 +107,7 @@
 
     // ------------------------------------------------------------------------------------------------ whole programs
 
-    /** The language of a tab: its name, and how its files end. */
+    /** The language of a tab: its name, and the suffix of its files. */
     const LANGUAGES = {
         C: ["c", "c"],
         "C++": ["cpp", "cpp"],
@@ -160,7 +160,7 @@
         box.showModal();
     }
 
-    /** Each program of a field can be seen as a complete file. */
+    /** Offers each program of a field as a complete file. */
     function offerPrograms() {
         const role = document.querySelector("article a[href*='programs.html#programs.']")?.hash.split(".")[1];
         const field = document.querySelector("article h1[id*='.']")?.id;
@@ -220,7 +220,7 @@
         return element("p", { class: "mip-mine" }, "On my device, ", link, `: ${SAID[answerOf(device, name)]}.`);
     }
 
-    /** The page of a device can make it that of the reader; pages of fields and sets show what it has. */
+    /** Lets a reader choose a device on its page; the pages of fields and sets then show what it has. */
     async function myDevice() {
         const title = document.querySelector("article h1");
         const [, kind, name] = /\/(devices|fields|sets)\/(?:\w+\/)?([\w-]+)\.html/.exec(location.pathname) ?? [];
@@ -406,7 +406,7 @@
         header.append(form);
     }
 
-    /** On paper, nothing is folded. */
+    /** Unfolds everything on paper. */
     function unfoldOnPaper() {
         let folded = [];
         addEventListener("beforeprint", () => {
