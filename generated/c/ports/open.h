@@ -1,4 +1,5 @@
-/* What line.c asks of the system: posix.c or windows.c. Each opens a line, or sets its error. */
+/* The functions of the system for line.c, in posix.c or windows.c. Each opens a line, or sets its
+ * error. */
 #ifndef MIP_OPEN_H
 #define MIP_OPEN_H
 

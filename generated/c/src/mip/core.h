@@ -65,7 +65,7 @@ MIP_API unsigned long mip_version(void);
 MIP_API const char *mip_error_name(mip_error error);
 
 #ifndef __cplusplus
-/** What only C++ reads. */
+/** A text for C++ only. */
 #define MIP_IN_CPP(text)
 #else
 #define MIP_IN_CPP(text) text
@@ -94,19 +94,19 @@ struct mip_packet {
     const uint8_t *bytes;
     /** Header and checksum included. */
     size_t size;
-    /** What its fields are: MIP_SENSOR_SET, MIP_BASE_SET, ... */
+    /** Descriptor set of its fields: MIP_SENSOR_SET, MIP_BASE_SET, ... */
     uint8_t descriptor_set;
 };
 
 /** One field of a packet, not yet decoded. */
 struct mip_field {
-    /** What follows the descriptor. */
+    /** The bytes after the descriptor. */
     const uint8_t *data;
     /** Bytes of data. */
     uint8_t size;
     /** Descriptor set of the packet. */
     uint8_t descriptor_set;
-    /** Which field of the descriptor set it is. */
+    /** Descriptor of the field. */
     uint8_t descriptor;
 };
 
@@ -197,8 +197,8 @@ struct mip_builder {
     size_t capacity;
     /** Bytes used, without the checksum. */
     size_t length;
-    /** The first error of starting the packet or adding to it, for those who ask once at the end;
-     * MIP_OK if there was none. What was refused is not in the packet, which stays valid. */
+    /** The first error of starting the packet or adding to it, for callers that check once at the
+     * end; MIP_OK if there was none. Rejected fields are not in the packet, which stays valid. */
     mip_error error;
 };
 
@@ -269,10 +269,10 @@ struct mip_parser {
     uint32_t skipped;
     /** Bytes in the buffer. */
     uint16_t length;
-    /** How many of them are done with: the last packet, and what came before it. */
+    /** How many of them are used up: the last packet, and the bytes before it. */
     uint16_t done;
-    /** How many bytes the packet still needs whose header is at the beginning of the buffer, if the
-     * library is compiled for speed; 0 if that is not known. */
+    /** The number of bytes that are missing from the packet whose header is at the beginning of the
+     * buffer, if the library is compiled for speed; 0 if that is not known. */
     uint16_t missing;
     /** The beginning of a packet whose end has not arrived yet. */
     uint8_t buffer[MIP_MAX_PACKET];
@@ -356,14 +356,14 @@ struct mip_codec {
     uint8_t numbers;
     /** Size of the structure. */
     uint16_t size;
-    /** In how many further descriptor sets it occurs. Their numbers are right before `program`. */
+    /** The number of further descriptor sets with it. Their numbers are right before `program`. */
     uint8_t more_sets;
     /** MIP_SHAPE of a layout that is only numbers, wide ones before others, without gaps; else 0.
      */
     uint8_t shape;
     /** The steps that read and write it: see mip/program.h. */
     const uint8_t *program;
-    /** What runs them; NULL if they are only numbers. */
+    /** Runs the steps; NULL if they are only numbers. */
     const struct mip_interpreter *interpreter;
 };
 
@@ -373,8 +373,8 @@ MIP_API bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor
 /** Does the data of a field have this layout of its descriptor, as far as it reaches? */
 MIP_API bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field);
 
-/** Is it a field of this type, in any of the descriptor sets in which the type occurs? In which one
- * it is, its `descriptor_set` says. */
+/** Is it a field of this type, in any of the descriptor sets in which the type occurs? Its
+ * `descriptor_set` says in which one. */
 MIP_API bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec);
 
 /**
@@ -388,8 +388,8 @@ MIP_API mip_error mip_decode(const struct mip_codec *codec, void *value,
 MIP_API mip_error mip_decode_same(const struct mip_codec *codec, void *value,
                                   const struct mip_field *field);
 
-/** What each _decode calls. Most fields of a packet are others: they are refused before a call,
- * unless size matters more than speed. */
+/** Called by each _decode. Most fields of a packet are of other types: they are rejected before a
+ * call, unless size matters more than speed. */
 static inline mip_error mip_decode_only(const struct mip_codec *codec, uint8_t descriptor,
                                         void *value, size_t size, const struct mip_field *field) {
 #ifdef __OPTIMIZE_SIZE__
@@ -594,12 +594,12 @@ MIP_API void mip_set_bits(uint8_t *bytes, unsigned bits, uint64_t value);
 /* ----------------------------------------------------------------- arguments of constructors */
 
 #ifdef MIP_REFUSED_BY_COMPILER
-/** Is declared only: a call of it is an error. */
+/** Only declared: a call of it is an error. */
 void mip_neither_true_nor_false(void)
     MIP_REFUSED_BY_COMPILER("neither true nor false: are two arguments swapped?");
 #endif
 
-/** Returns its argument. Optimizing compilers refuse a constant that is neither true nor false,
+/** Returns its argument. Optimizing compilers reject a constant that is neither true nor false,
  * such as a descriptor set where `true` belongs. */
 static inline mip_bool mip_truth(mip_bool value) {
 #ifdef MIP_REFUSED_BY_COMPILER
@@ -611,7 +611,7 @@ static inline mip_bool mip_truth(mip_bool value) {
 }
 
 #ifdef MIP_REFUSED_BY_COMPILER
-/** Is declared only: a call of it is an error. */
+/** Only declared: a call of it is an error. */
 void mip_array_has_fewer_elements(void)
     MIP_REFUSED_BY_COMPILER("the array has fewer elements: use MIP_ARRAY(array)");
 #endif
@@ -619,7 +619,7 @@ void mip_array_has_fewer_elements(void)
 /** An array in place of its number of elements and its address, which are two arguments. */
 #define MIP_ARRAY(array) (sizeof(array) / sizeof((array)[0])), (array)
 
-/** Returns how many bytes so many elements take. Optimizing compilers refuse a constant count that
+/** Returns the size of `count` elements in bytes. Optimizing compilers reject a constant count that
  * is larger than the array. */
 static inline size_t mip_counted(size_t count, const void *items, size_t size) {
 #ifdef MIP_REFUSED_BY_COMPILER

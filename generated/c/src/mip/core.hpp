@@ -34,7 +34,7 @@ namespace mip {
  */
 
 /**
- * What is known of a layout: `key`, as mip_field_key has it, or 0 if the layout occurs in several
+ * Facts about a layout: `key`, as mip_field_key returns it, or 0 if the layout occurs in several
  * descriptor sets; `descriptor`; `name`, that of the specification; and `codec()`. Headers of
  * descriptor sets specialize it for each structure of C; types derived from one have the same.
  */
@@ -42,7 +42,7 @@ template <class T, class = void> struct traits;
 template <class T>
 struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {};
 
-/** Marks a structure of C as one. */
+/** Marks a structure of C as a layout. */
 #define MIP_LAYOUT(type, constant, number)                                \
     template <> struct traits<::type> {                                   \
         using c_type = ::type;                                            \
@@ -74,7 +74,7 @@ concept layout = requires { traits<T>::codec(); };
 /* ----------------------------------------------------------------------------------------- spans
  */
 
-/** Elements in memory of somebody else, in place of a pointer and a count. */
+/** Elements in memory that it does not own: a pointer and a count. */
 template <class T> class span {
   public:
     constexpr span() = default;
@@ -82,7 +82,7 @@ template <class T> class span {
     }
     template <std::size_t Size> constexpr span(T (&items)[Size]) : data_(items), size_(Size) {
     }
-    /** Of std::array, std::vector, std::span and others that have data and size. */
+    /** From std::array, std::vector, std::span and others that have data and size. */
     template <class Container, class = std::enable_if_t<std::is_convertible_v<
                                    decltype(std::declval<Container &>().data()), T *>>>
     constexpr span(Container &&items) : data_(items.data()), size_(items.size()) {
@@ -128,24 +128,23 @@ template <std::size_t Size> std::string_view text(const char (&characters)[Size]
 /* ------------------------------------------------------------------------- enumerations and flags
  */
 
-/* Enumerations and bitfields are `enum class`. What names_of returns says which of them a type is,
- * and where its names are. */
+/* Enumerations and bitfields are `enum class`. The type that names_of returns tells them apart. */
 
 /** The names of the values of an enumeration. */
 struct value_names {
-    /** They. */
+    /** The names. */
     const mip_names &table;
 };
 
 /** The names of the flags of a bitfield, which is a number. */
 struct flag_names {
-    /** They. */
+    /** The names. */
     const mip_names &table;
 };
 
 /** The names of the bits of a bitfield in bytes. */
 struct bit_names {
-    /** They. */
+    /** The names. */
     const mip_names &table;
 };
 
@@ -165,7 +164,7 @@ template <class E> using if_value = std::enable_if_t<has_names<E, value_names>::
 template <class E> using if_flags = std::enable_if_t<has_names<E, flag_names>::value>;
 template <class E> using if_bits = std::enable_if_t<has_names<E, bit_names>::value>;
 
-/** How far a mask is shifted. */
+/** The number of places by which a mask is shifted. */
 template <class Number> constexpr unsigned shift(Number mask) {
     unsigned places = 0;
     while (mask != 0 && (mask >> places & 1U) == 0) {
@@ -488,7 +487,7 @@ class packets {
     end_of_range end() const {
         return {};
     }
-    /** So far, bytes that are not part of a packet. */
+    /** Bytes so far that are not part of a packet. */
     std::uint32_t skipped() const {
         return parser_.skipped;
     }
@@ -605,8 +604,7 @@ class builder {
     builder(const builder &) = delete;
     builder &operator=(const builder &) = delete;
 
-    /** Adds a field, or a command such as `write_...{}`. What is refused leaves the packet as it
-     * was. */
+    /** Adds a field, or a command such as `write_...{}`. On an error the packet is unchanged. */
     template <class T> [[nodiscard]] mip_error add(const T &value) {
         typename detail::sent<T>::structure room;
         return mip_encode(&traits<decltype(room)>::codec(), detail::sent<T>::fill(value, &room),
@@ -620,7 +618,7 @@ class builder {
     mip_error error() const {
         return builder_.error;
     }
-    /** The packet, which lies in the builder. */
+    /** The packet, which is stored in the builder. */
     packet finish() {
         return mip_builder_finish(&builder_);
     }

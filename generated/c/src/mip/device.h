@@ -21,12 +21,12 @@
 extern "C" {
 #endif
 
-/** After how many milliseconds without a byte an incomplete packet is discarded: a little more
- * than the longest packet takes at 9600 Bd. */
+/** Milliseconds without a byte after which an incomplete packet is discarded: a little more than
+ * the longest packet takes at 9600 Bd. */
 #define MIP_DEFAULT_SILENCE 300
 
-/** For how many milliseconds a call waits longer than `timeout`, at most: as long as each read
- * fills all the room that it is given, so that the answer may already be waiting behind it. */
+/** The most milliseconds that a call waits beyond `timeout`, as long as each read fills its whole
+ * buffer, because the answer may already be waiting behind it. */
 #define MIP_BACKLOG 250
 
 /** The port of a device, and a clock. */
@@ -36,7 +36,7 @@ struct mip_port {
      * before. It may wait for a while if there are none, but must then return: a call that waits
      * for an answer does nothing but read. False if the port is gone and no more bytes will arrive;
      * those that it has stored are still handled. A terminal that was hung up has no bytes, as a
-     * silent one does: only poll() tells, by POLLHUP (see examples/posix.c).
+     * silent one does: only poll() detects it, by POLLHUP (see examples/posix.c).
      */
     bool (*read)(void *user, uint8_t *bytes, size_t size, size_t *count);
     /** Sends all of these bytes. False if that failed. */
@@ -59,16 +59,16 @@ extern MIP_API const struct mip_codec mip_any_field;
 
 /** What to do with a received field. */
 struct mip_handler {
-    /** Which type of field: its codec, such as &mip_sensor_scaled_accel_codec, or MIP_ANY_FIELD. */
+    /** The type of field: its codec, such as &mip_sensor_scaled_accel_codec, or MIP_ANY_FIELD. */
     const struct mip_codec *type;
-    /** In which descriptor set, such as that of one of two receivers, or MIP_ANY_SET. */
+    /** The descriptor set, such as that of one of two receivers, or MIP_ANY_SET. */
     uint8_t descriptor_set;
     /**
-     * Is called with it; NULL to ignore it. The `descriptor_set` of the field says in which set it
-     * came, if the type occurs in several. `arrived` is the time, by the clock of the port, when
-     * the last bytes of its packet had been read. The data of the field is valid until it returns.
-     * It must not wait: the answer to a command may be next. It cannot call a command of this
-     * device, which would return MIP_BUSY, nor poll the device.
+     * Called with the field; NULL to ignore it. The `descriptor_set` of the field says in which set
+     * it arrived, if the type occurs in several. `arrived` is the time, by the clock of the port,
+     * when the last bytes of its packet had been read. The data of the field is valid until the
+     * handler returns. It must not wait: the answer to a command may be next. It cannot call a
+     * command of this device, which would return MIP_BUSY, nor poll the device.
      */
     void (*handle)(void *user, const struct mip_field *field, uint32_t arrived);
     /** Is passed to it. */
@@ -77,7 +77,7 @@ struct mip_handler {
 
 struct mip_device;
 
-/** Is told of packets, for programs that handle all fields of a packet together. */
+/** Observes packets, for programs that handle all fields of a packet together. */
 struct mip_observer {
     /**
      * Is called twice for each packet: before its fields are handled, and after that, with `ends`.
@@ -107,8 +107,8 @@ struct mip_device {
      * that belong together, such as a time stamp and the values of that time. NULL outside
      * handlers and observers. */
     const struct mip_packet *packet;
-    /** Is told where each packet begins and ends; NULL, unless the program sets it. It stays where
-     * it is, and may be constant. */
+    /** Called where each packet begins and ends; NULL, unless the program sets it. It must not
+     * move, and may be constant. */
     const struct mip_observer *observer;
     /** Its `timeout` is how long the device may take to answer. */
     struct mip_client client;
@@ -116,8 +116,8 @@ struct mip_device {
     struct mip_parser parser;
 };
 
-/** How many bytes that are not part of a packet have been skipped since the last call with the same
- * `seen`, which is 0 before the first one. */
+/** The number of bytes outside packets since the last call with the same `seen`, which is 0 before
+ * the first one. */
 static inline uint32_t mip_gap(const struct mip_device *device, uint32_t *seen) {
     const uint32_t gap = device->parser.skipped - *seen;
     *seen = device->parser.skipped;
@@ -176,7 +176,7 @@ static inline bool mip_succeeded(struct mip_result result) {
  *     } while (mip_again(&retry, result));
  */
 struct mip_retry {
-    /** How often it is still sent, at most. */
+    /** The most attempts that are left. */
     unsigned attempts;
     /** A bit for each outcome after which it is sent again: 1u << MIP_TIMED_OUT. */
     unsigned outcomes;
@@ -203,8 +203,8 @@ MIP_API const char *mip_outcome_name(enum mip_outcome outcome);
 MIP_API const char *mip_result_reason(struct mip_result result);
 
 /**
- * Initializes a device. The port is copied; the handlers stay where they are, and may be constant,
- * or NULL if there are none. Nothing is sent or read.
+ * Initializes a device. The port is copied; the handlers must not move, and may be constant, or
+ * NULL if there are none. Nothing is sent or read.
  */
 MIP_API void mip_device_init(struct mip_device *device, const struct mip_port *port,
                              size_t handler_count, const struct mip_handler *handlers);

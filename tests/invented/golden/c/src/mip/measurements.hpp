@@ -61,7 +61,7 @@ using numbers = ::mip_measurements_numbers;
 
 struct strings_ : ::mip_measurements_strings {
     using c_type = ::mip_measurements_strings;
-    /** Perhaps with spaces around it. */
+    /** May have spaces around it. */
     std::string_view model() const {
         return ::mip::text(c_type::model);
     }
