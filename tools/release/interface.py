@@ -219,7 +219,7 @@ def rust(out: Path) -> Iterator[str]:
 
 
 def seen(*scopes: str) -> bool:
-    """Is an item of Rust public, and everything around it?"""
+    """Are an item of Rust and everything around it public?"""
     *outer, last = scopes
     if (outer and not seen(*outer)) or "pub(" in last:
         return False

@@ -190,7 +190,7 @@ Piece = tuple[str, frozenset[Address]]
 
 
 class Pieces:
-    """The pieces of a file: those of last time, and those of now."""
+    """The pieces of a file: those of the last run, and those of this one."""
 
     def __init__(self, slices: Slices, data: bytes | None) -> None:
         self.slices = slices

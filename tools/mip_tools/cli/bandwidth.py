@@ -192,9 +192,7 @@ def _adjusted(stream: Stream, profile: Any) -> Stream:
     if base <= 0:
         return stream
     if stream.rate > base * 1.000001:
-        raise Failure(
-            f"{profile.title} sends {show.set_name(stream.set)} at {base:g} Hz at most, not {stream.rate:g}"
-        )
+        raise Failure(f"{profile.title} sends {show.set_name(stream.set)} at {base:g} Hz at most, not {stream.rate:g}")
     actual = base / profile.decimation(stream.set, stream.rate)
     return stream._replace(rate=actual)
 

@@ -1,4 +1,4 @@
-"""Data from a device as a device file of a specification: a new one, or added to one that is there."""
+"""Data from a device as a device file of a specification: a new one, or an addition to an existing one."""
 
 from __future__ import annotations
 

@@ -173,7 +173,7 @@ def _found(chosen: Sequence[_Part], form: Form) -> instants.Instants:
         if time is not None:
             own = np.where(time.own[rows], time.values.view(np.int64)[rows], times.NONE)
         fields.append(instants.Fields(column.offset[rows], own, once and len(chosen) > 1))
-    # Of one type alone, the order is that of the log.
+    # With only one type, the order is that of the log.
     return instants.found(fields, form.by if len(fields) > 1 else "packet")
 
 

@@ -47,7 +47,7 @@ WARNED = (0.03, inf, 0.2, 10.0, 1.0)
 HIGH_GYRO_BIAS, WRONG_OFFSET = 0.01, 0.5
 #: The random walk of the complementary filter's attitude, in rad per square root of a second.
 WANDERS = 1e-3
-#: The largest error: so far away, nothing is known.
+#: The largest error, which means that nothing is known.
 MOST = 1e12
 
 #: Headings that the user sends, as they are called by the commands.

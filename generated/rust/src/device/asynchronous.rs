@@ -217,7 +217,7 @@ async fn read<P: Read, const N: usize, const Q: usize>(
     let (count, late) = {
         let mut read = pin!(port.read(part));
         poll_fn(|context| {
-            // Before reading, in case that the program is stopped in between. It is not asked again
+            // Before reading, in case the program is stopped in between. It is not asked again
             // when it is over.
             let late = *backlog < BACKLOG || sleep.as_mut().poll(context).is_ready();
             let count = read.as_mut().poll(context);

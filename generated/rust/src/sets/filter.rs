@@ -2,7 +2,7 @@
 //!
 //! Source: 3dm-gx5-15: 4.3 Estimation Filter Commands; 3dm-cv7-gnss-ins: Filter (0x0D).
 
-// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// The macros, which `src/macros` defines; `cargo doc` shows what they make:
 // `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
 // alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
 // it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.

@@ -5,7 +5,7 @@
 //!
 //! Source: mip-sdk-4: Rtk Commands (0x0F).
 
-// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// The macros, which `src/macros` defines; `cargo doc` shows what they make:
 // `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
 // alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
 // it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.

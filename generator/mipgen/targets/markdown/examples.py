@@ -201,7 +201,7 @@ def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:
 
 
 def _type(p: m.Parameter, around: Around) -> m.Enum | m.Bitfield | None:
-    """The type that names a value, be it by a sibling or by the device."""
+    """The type that names a value; a sibling or the device may select it."""
     named = next((v.type for v in _variants(p, around) if v.type is not None), None)
     return named or (p.leaf.named)
 

@@ -124,8 +124,8 @@ MIP_QUICK void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, b
     }
 }
 
-/* Layouts that occur often, without a loop. Two to four numbers of so many bits at a place, and the
- * gap at the end of the structure. */
+/* Layouts that occur often, without a loop. Two to four numbers of this many bits at a place, and
+ * the gap at the end of the structure. */
 #define MOVE_2(bits, at) \
     MOVE_1(bits, at);    \
     MOVE_1(bits, (at) + (bits) / 8)

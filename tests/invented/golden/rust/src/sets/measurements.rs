@@ -1,6 +1,6 @@
 //! Measurements (0x80, 0x81, 0x92): Data of every type; `tools` has what they are set up with.
 
-// What the macros make, which `cargo doc` shows and `src/macros` defines:
+// The macros, which `src/macros` defines; `cargo doc` shows what they make:
 // `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
 // alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
 // it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
