@@ -3,6 +3,7 @@
 
 #include "mip/3d.h"
 #include "mip/measurements_inline.h"
+#include "mip/program.h"
 #include "mip/shared.h"
 #include "mip/tools_commands.h"
 
@@ -295,6 +296,29 @@ static void constants(void) {
     CHECK(mip_tools_ping_encode(NULL, fresh(1)) == MIP_OK && strcmp(only_field(&packet), "") == 0);
 }
 
+/* A tag of two bytes: a case is found behind another one whose tag differs in its first byte. */
+static void wide_tags(void) {
+    struct wide {
+        uint16_t tag;
+        uint8_t value;
+    } wide;
+    static const uint8_t program[] = {
+        MIP_16_BITS(1, MIP_AT(struct wide, tag)),
+        MIP_SWITCH(2, 2, MIP_AT(struct wide, tag)),
+        MIP_CASE(3, 0x01, 0x00),
+        MIP_8_BITS(1, MIP_AT(struct wide, value)),
+        MIP_END,
+        MIP_CASE(3, 0x02, 0x00),
+        MIP_8_BITS(1, MIP_AT(struct wide, value)),
+        MIP_END,
+        MIP_END,
+    };
+    static const struct mip_codec codec = {1, 0x7F, MIP_COMMAND, 0, sizeof(wide), 0, 0, program, &mip_program};
+    const struct mip_field field = field_of(1, 0x7F, "020007");
+    CHECK(mip_decode(&codec, &wide, &field, NULL) == MIP_OK && wide.tag == 0x0200 && wide.value == 7);
+    CHECK(mip_encode(&codec, &wide, fresh(1)) == MIP_OK && strcmp(only_field(&packet), "020007") == 0);
+}
+
 int main(void) {
     presence();
     counts();
@@ -304,6 +328,7 @@ int main(void) {
     other_fields();
     names_of_values();
     unions();
+    wide_tags();
     strings();
     layouts();
     constants();

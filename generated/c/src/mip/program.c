@@ -129,7 +129,7 @@ static const uint8_t *selected(const uint8_t *program, uint8_t *tag, size_t size
     for (; cases > 0; cases--) {
         bool same = true;
         for (size_t i = 0; i < size; i++) {
-            same = same && *program++ == bytes[i];
+            same = *program++ == bytes[i] && same;
         }
         const size_t length = *program++;
         if (same) {
