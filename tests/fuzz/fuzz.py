@@ -28,7 +28,7 @@ import c_build  # noqa: E402
 import counts  # noqa: E402
 import crates  # noqa: E402
 from seeds import seeds  # noqa: E402
-from support import BUILD, model  # noqa: E402
+from support import BUILD, generate_invented, model  # noqa: E402
 
 
 class Target(NamedTuple):
@@ -181,6 +181,8 @@ def main() -> None:
     every = [*TARGETS, *OTHERS]
     parser.add_argument("--targets", nargs="*", default=every, choices=every)
     given = parser.parse_args()
+    if problem := generate_invented():  # as before all tests
+        sys.exit(problem)
     for name in given.targets:
         how = fuzz if name in TARGETS else fuzz_python if name in PYTHON else lambda _, seconds: compare(seconds)
         count = how(name, given.time)
