@@ -210,41 +210,47 @@ def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
     inside = _inside(list(error.absolute_path), root)
     if "propertyNames" in error.absolute_schema_path:
         yield [instance], f"the name '{instance}' must be {_form(schema) or rule}{strange(instance)}"
-        return
+    elif error.validator == "additionalProperties":
+        known = schema.get("properties", {})
+        for key in sorted(set(instance) - set(known)):
+            rest = "; if it ends the text before it, put the whole text in quotes"
+            yield [key], f"unknown key '{key}'{rest if instance[key] is None else nearest(key, known)}"
+    elif error.validator == "required":
+        for key in rule:
+            if key not in instance:
+                alone = _ALONE if key == "description" and "integer" in schema.get("type", ()) else ""
+                yield [], f"'{key}' is missing in {inside}{alone}"
+    else:
+        yield [], f"{inside}{_fault(error)}"
+
+
+#: The bounds of a number.
+_BOUNDS = {"minimum": "at least", "exclusiveMinimum": "more than", "maximum": "at most"}
+
+
+def _fault(error: Any) -> str:
+    """The fault of a value, as what its name continues with."""
+    instance, schema, rule = error.instance, error.schema, error.validator_value
     match error.validator:
-        case "additionalProperties":
-            known = schema.get("properties", {})
-            for key in sorted(set(instance) - set(known)):
-                rest = "; if it ends the text before it, put the whole text in quotes"
-                yield [key], f"unknown key '{key}'{rest if instance[key] is None else nearest(key, known)}"
-        case "required":
-            for key in rule:
-                if key not in instance:
-                    alone = _ALONE if key == "description" and "integer" in schema.get("type", ()) else ""
-                    yield [], f"'{key}' is missing in {inside}{alone}"
         case "type":
             kinds = [rule] if isinstance(rule, str) else rule
             wanted = _form(schema) or _kinds(kinds)
-            yield [], f"{inside} must be {wanted}, not {_shown(instance)}{_instead(instance, kinds)}"
+            return f" must be {wanted}, not {_shown(instance)}{_instead(instance, kinds)}"
         case "enum":
             known = [str(x) for x in rule]
-            yield [], f"{inside} must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
+            return f" must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
         case "const":
-            yield [], f"{inside} must be {_shown(rule)}, or be left out, not {_shown(instance)}"
+            return f" must be {_shown(rule)}, or be left out, not {_shown(instance)}"
         case "pattern":
-            yield [], f"{inside} must be {_form(schema) or rule}, not {_shown(instance)}{strange(instance)}"
-        case "minimum":
-            yield [], f"{inside} must be at least {rule}, not {_shown(instance)}"
-        case "exclusiveMinimum":
-            yield [], f"{inside} must be more than {rule}, not {_shown(instance)}"
-        case "maximum":
-            yield [], f"{inside} must be at most {rule}, not {_shown(instance)}"
+            return f" must be {_form(schema) or rule}, not {_shown(instance)}{strange(instance)}"
+        case "minimum" | "exclusiveMinimum" | "maximum":
+            return f" must be {_BOUNDS[error.validator]} {rule}, not {_shown(instance)}"
         case "minItems" | "minProperties" | "minLength":
-            yield [], f"{inside} must not be empty" if rule == 1 else f"{inside} must have at least {rule} items"
+            return " must not be empty" if rule == 1 else f" must have at least {rule} items"
         case "maxItems" | "maxProperties":
-            yield [], f"{inside} must have at most {rule} item{'s' if rule != 1 else ''}"
+            return f" must have at most {rule} item{'s' if rule != 1 else ''}"
         case _:
-            yield [], f"{inside}: {error.message}"
+            return f": {error.message}"
 
 
 def _inside(path: list[str | int], root: str) -> str:

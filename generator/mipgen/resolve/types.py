@@ -77,7 +77,8 @@ class Types:
             self._done[where, name] = resolved
         return self._done[where, name]
 
-    def _resolve(self, name: str, owner: str | None, node: Node) -> m.Type | None:
+    def _kind(self, name: str, node: Node) -> str | None:
+        """The key that says what kind of type it is; None if there is none, or if others do not fit it."""
         kinds = [k for k in ("enum", "bitfield", "bytes", "struct", "vector") if k in node]
         if len(kinds) != 1:
             wanted = "exactly one of enum, bitfield, bytes, struct, vector"
@@ -96,25 +97,26 @@ class Types:
                 place = node.keys.get(other, node.position)
                 self.problems.add(place, f"'{other}' {fault} the {kinds[0]} '{name}'")
                 return None
-        description = node.scalar("description", "")
-        if kinds[0] == "vector":
-            if "short" in node:
-                self.problems.add(node.keys["short"], f"the vector '{name}' has no 'short'; remove it")
-            scalar = m.SCALARS[node["vector"].value]
-            elements = node["elements"].plain()
-            for i, entry in enumerate(node["elements"]):
-                if entry.value in elements[:i]:
-                    self.problems.add(
-                        entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one"
-                    )
-            return m.Vector(name, scalar, tuple(elements), description, sentences(node, "uncertain"))
+        return kinds[0]
+
+    def _resolve(self, name: str, owner: str | None, node: Node) -> m.Type | None:
+        kind = self._kind(name, node)
+        if kind is None:
+            return None
+        if kind == "vector":
+            return self._vector(name, node)
         short = short_name(node, name, self.problems)
-        origin = (description, owner, sources(node, self.vocabulary, self.problems), sentences(node, "uncertain"))
-        if kinds[0] == "enum":
+        origin = (
+            node.scalar("description", ""),
+            owner,
+            sources(node, self.vocabulary, self.problems),
+            sentences(node, "uncertain"),
+        )
+        if kind == "enum":
             values = self._values(node)
             scalar = m.SCALARS[node["enum"].value]
             return m.Enum(name, scalar, values, *origin, short=short, position=node.position)
-        if kinds[0] == "struct":
+        if kind == "struct":
             record = self.record(list(node["struct"]), owner, inside=True)
             return m.Struct(
                 name, record.parameters, record.min_size, record.max_size, *origin, short=short, position=node.position,
@@ -125,6 +127,16 @@ class Types:
         if "include" in node:
             bits = tuple(sorted(bits, key=lambda b: (b.first, -b.last)))
         return m.Bitfield(name, base, size, bits, *origin, short=short, position=node.position)
+
+    def _vector(self, name: str, node: Node) -> m.Vector:
+        if "short" in node:
+            self.problems.add(node.keys["short"], f"the vector '{name}' has no 'short'; remove it")
+        elements = node["elements"].plain()
+        for i, entry in enumerate(node["elements"]):
+            if entry.value in elements[:i]:
+                self.problems.add(entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one")
+        scalar, description = m.SCALARS[node["vector"].value], node.scalar("description", "")
+        return m.Vector(name, scalar, tuple(elements), description, sentences(node, "uncertain"))
 
     def _values(self, node: Node) -> tuple[m.EnumValue, ...]:
         places = node["values"].keys

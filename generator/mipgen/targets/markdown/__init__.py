@@ -48,16 +48,9 @@ def files(model: m.Model) -> Iterator[File]:
     def page(path: str, template: str, **context: Any) -> File:
         return File(path, template, {"page": Page(path, index), **lists, **context})
 
-    yield File(
-        "mkdocs.yml",
-        "mkdocs.yml.j2",
-        {
-            "page": Page(places.INDEX, index),
-            **lists,
-            "examples": examples.parts(model),
-            "errata": sources.parts(model),
-        },
-    )  # its paths begin below docs/
+    printed, wrong = examples.parts(model), sources.parts(model)
+    navigation = {"page": Page(places.INDEX, index), **lists, "examples": printed, "errata": wrong}
+    yield File("mkdocs.yml", "mkdocs.yml.j2", navigation)  # its paths begin below docs/
     yield page(places.README, "index.md.j2")
     yield page(places.INDEX, "index.md.j2")
     if starts:
@@ -67,17 +60,26 @@ def files(model: m.Model) -> Iterator[File]:
     yield page(places.UNITS, "units.md.j2")
     for name, title, axes in frames.drawn(model):
         yield File(frames.drawing(name), "frame.svg.j2", {"title": title, "axes": axes, "centre": frames.CENTRE})
-    yield page(places.TYPES, "types.md.j2", family=None)
-    yield page(places.ERRATA, "errata.md.j2", parts=sources.parts(model))
-    for wrong in sources.parts(model):
-        yield page(wrong.path, "errata_of_manual.md.j2", part=wrong)
-    yield page(places.EXAMPLES, "examples.md.j2", parts=examples.parts(model))
-    for part in examples.parts(model):
-        yield page(part.path, "examples_of_set.md.j2", part=part)
+    yield page(places.ERRATA, "errata.md.j2", parts=wrong)
+    for part in wrong:
+        yield page(part.path, "errata_of_manual.md.j2", part=part)
+    yield page(places.EXAMPLES, "examples.md.j2", parts=printed)
+    for group in printed:
+        yield page(group.path, "examples_of_set.md.j2", part=group)
+    for name in comparisons:
+        yield page(places.comparison_page(name), f"compare/{name}.md.j2")
+    for name in places.INDEXES:
+        yield page(places.index_page(name), f"indexes/{name}.md.j2")
+    yield from _things(model, page)
+
+
+def _things(model: m.Model, page: Callable[..., File]) -> Iterator[File]:
+    """The pages that are each about one thing."""
     for tool in tools.TOOLS:
         yield page(places.tool_page(tool), "tool.md.j2", tool=tool)
     for s in model.sets:
         yield page(places.set_page(s.name), "set.md.j2", set=s, family=model.family(s.family))
+    yield page(places.TYPES, "types.md.j2", family=None)
     for x in model.families:
         if x.types:
             yield page(places.types_page(x.name), "types.md.j2", family=x)
@@ -85,10 +87,6 @@ def files(model: m.Model) -> Iterator[File]:
             yield page(places.field_page(f), "field.md.j2", field=f)
     for d in model.devices:
         yield page(places.device_page(d), "device.md.j2", device=d)
-    for name in comparisons:
-        yield page(places.comparison_page(name), f"compare/{name}.md.j2")
-    for name in places.INDEXES:
-        yield page(places.index_page(name), f"indexes/{name}.md.j2")
     for g in model.guides:
         yield page(places.guide_page(g), "guide.md.j2", guide=g)
 

@@ -95,31 +95,38 @@ def tool_page(tool: Tool) -> str:
     return f"docs/tools/{tool.name}.md"
 
 
+def own_page(thing: m.Set | m.Family | m.Device | Guide | Tool) -> str:
+    """The page that is about a thing as a whole."""
+    match thing:
+        case m.Set():
+            return set_page(thing.name)
+        case m.Family():
+            return types_page(thing.name)
+        case m.Device():
+            return device_page(thing)
+        case Guide():
+            return guide_page(thing)
+        case Tool():
+            return tool_page(thing)
+
+
 def place(thing: Thing, model: m.Model) -> tuple[str, str]:
     """The page of a thing, and its anchor there."""
     match thing:
         case str():
             page, _, anchor = thing.partition("#")
             return page, anchor
-        case m.Set():
-            return set_page(thing.name), ""
-        case m.Family():
-            return types_page(thing.name), ""
+        case m.Set() | m.Family() | m.Device() | Guide() | Tool():
+            return own_page(thing), ""
         case m.Field():
             page = PACKETS if thing.family == model.protocol.acknowledge.family else field_page(thing)
             return page, thing.full_name
-        case m.Device():
-            return device_page(thing), ""
-        case Guide():
-            return guide_page(thing), ""
         case m.Example():
             return examples_page(thing, model), f"example.{thing.id}"
         case m.Erratum():
             return errata_page(thing), f"erratum.{thing.id}"
         case m.Manual():
             return INDEX, f"manual.{thing.id}"
-        case Tool():
-            return tool_page(thing), ""
         case m.Word():
             kind = "frame" if thing in model.protocol.frames else "unit"
             return UNITS, f"{kind}." + re.sub(r"[^a-z0-9]+", "-", thing.title.lower()).strip("-")

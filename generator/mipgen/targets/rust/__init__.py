@@ -160,22 +160,24 @@ def identifiers(model: m.Model) -> Iterable[Identifier]:
     for function in model.protocol.functions:
         yield Identifier("protocol", names.call_type(function), f"the function {function.name}", None)
     for family in model.families:
-        yield Identifier("the features", names.feature(family), family.name, family.position, word=False)
-        yield Identifier("the crate", module(family.name), family.name, family.position)
-        for s in family.sets:
-            if name := names.set_constant(s, family):
-                yield Identifier(module(family.name), name, f"the set {s.name}", s.position)
+        yield from _family(family)
     for t in (model.protocol.function_selector, *model.all_types):
         yield from _type(of, t)
-    for family in model.families:
-        for f in family.fields:
-            yield from _field(model, f)
-        for f in family.fields:
-            yield from _record(of, f, f.full_name)
+    for f in model.fields:
+        yield from _field(model, f)
+        yield from _record(of, f, f.full_name)
     for union in of.unions:
         yield from _union(union)
     for d in model.devices:
         yield Identifier("devices", constant(d.name), d.name, d.position)
+
+
+def _family(family: m.Family) -> Iterator[Identifier]:
+    yield Identifier("the features", names.feature(family), family.name, family.position, word=False)
+    yield Identifier("the crate", module(family.name), family.name, family.position)
+    for s in family.sets:
+        if name := names.set_constant(s, family):
+            yield Identifier(module(family.name), name, f"the set {s.name}", s.position)
 
 
 def _field(model: m.Model, f: m.Field) -> Iterator[Identifier]:
