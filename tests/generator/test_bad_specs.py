@@ -27,7 +27,7 @@ MODULES = (
 )  # fmt: skip
 
 #: What reports a problem: calls of these, `raise Wrong(...)`, the faults that `syntax` returns, and the messages that
-#: `loader.messages` yields.
+#: `loader.messages` yields, with what `_fault_of_value` returns.
 REPORTERS = {"add", "problem", "complain", "wrong", "named", "_fits", "Wrong", "_fault", "Fault", "_unclosed"}
 
 FAULTS = {"_fault", "Fault", "_unclosed"}
@@ -135,7 +135,7 @@ def sites(path: Path) -> Iterator[Site]:
 
 def _reports(node: ast.Expr | ast.Raise | ast.Return, function: str) -> bool:
     value = node.exc if isinstance(node, ast.Raise) else node.value
-    if function == "_fault":  # of a value that does not obey its schema
+    if function == "_fault_of_value":  # of a value that does not obey its schema
         return isinstance(node, ast.Return)
     if isinstance(value, ast.Yield):
         return function == "messages"

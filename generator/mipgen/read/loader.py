@@ -221,14 +221,14 @@ def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
                 alone = _ALONE if key == "description" and "integer" in schema.get("type", ()) else ""
                 yield [], f"'{key}' is missing in {inside}{alone}"
     else:
-        yield [], f"{inside}{_fault(error)}"
+        yield [], f"{inside}{_fault_of_value(error)}"
 
 
 #: The bounds of a number.
 _BOUNDS = {"minimum": "at least", "exclusiveMinimum": "more than", "maximum": "at most"}
 
 
-def _fault(error: Any) -> str:
+def _fault_of_value(error: Any) -> str:
     """The fault of a value, as what its name continues with."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     match error.validator:
