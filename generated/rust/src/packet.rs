@@ -6,6 +6,7 @@ use core::ops::RangeInclusive;
 use crate::codec::Writer;
 use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 use crate::field::{Field, OneSet, RawField};
+use crate::parser::copy;
 use crate::protocol::SYNC;
 use crate::view::{self, View, Viewed};
 
@@ -19,6 +20,9 @@ pub const MAX_FIELD_DATA: usize = 253;
 pub(crate) const HEADER: usize = 4;
 pub(crate) const OVERHEAD: usize = HEADER + 2;
 const FIELD_HEADER: usize = 2;
+
+/// Data of a fixed size up to this one is summed before it is written to memory.
+const SMALL: usize = 32;
 
 /// Whether speed counts more than size: not on microcontrollers.
 pub(crate) const HOST: bool = cfg!(target_pointer_width = "64");
@@ -49,6 +53,30 @@ fn sums([mut a, mut b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
         b = b.wrapping_add(a);
     }
     [a, b]
+}
+
+/// Continues a checksum, four bytes at a time: the size of most values, which are still in registers.
+#[inline]
+fn quads([a, b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
+    // Two lanes of 16 bits; the rest is as in words.
+    const LANES: u32 = 0x00FF_00FF;
+    let (mut even, mut odd, mut before) = (0_u32, 0_u32, 0_u32);
+    let quads = bytes.chunks_exact(4);
+    let rest = quads.remainder();
+    let size = bytes.len().wrapping_sub(rest.len());
+    for quad in quads {
+        let quad = u32::from_le_bytes(quad.try_into().unwrap_or_default());
+        before = before.wrapping_add(even).wrapping_add(odd) & LANES;
+        even = even.wrapping_add(quad & LANES);
+        odd = odd.wrapping_add(quad >> 8 & LANES);
+    }
+    // The weights of even bytes are 4 and 2, those of odd ones 3 and 1.
+    let both = even.wrapping_add(odd);
+    let once = before.wrapping_mul(4).wrapping_add(even).wrapping_add(both);
+    let second = once.wrapping_add(once >> 16).wrapping_add(both.wrapping_mul(2));
+    let first = both.wrapping_add(both >> 16);
+    let b = b.wrapping_add(a.wrapping_mul(size as u8)).wrapping_add(second as u8);
+    sums([a.wrapping_add(first as u8), b], rest)
 }
 
 /// The same, sixteen bytes at a time: fast. `None` if there are too few, or so many that lanes
@@ -373,7 +401,7 @@ impl PacketBuilder {
         let [first, second, number, payload, ..] = &mut self.bytes;
         let [a, b] = SYNC;
         (*first, *second, *number, *payload) = (a, b, set, 0);
-        self.seal();
+        self.seal(Self::sums_of_header(set));
     }
 
     /// A packet with only this field, which occurs in one set.
@@ -408,9 +436,15 @@ impl PacketBuilder {
         if !T::occurs_in(self.set()) {
             return Err(EncodeError::set(T::NAME, set, self.set()));
         }
+        if HOST && T::FIXED && T::SIZE <= SMALL {
+            // The data stays in registers: to read what was just written to memory takes longer.
+            let mut data = [0; SMALL];
+            field.encode(&mut data)?;
+            let data = data.get(..T::SIZE).unwrap_or_default();
+            return self.append(T::NAME, set, T::DESCRIPTOR, data);
+        }
         let length = field.encode(self.free(T::NAME, set)?)?;
-        // A constant, where it is one: then so is the number of bytes to sum.
-        self.close(T::DESCRIPTOR, if T::FIXED { T::SIZE } else { length });
+        self.close(T::DESCRIPTOR, length);
         Ok(())
     }
 
@@ -435,22 +469,17 @@ impl PacketBuilder {
     ///
     /// The bytes do not fit, or no packet has the set.
     pub fn push_raw(&mut self, descriptor: u8, data: &[u8]) -> Result<(), EncodeError> {
-        let free = self.free("", self.set())?;
-        if data.len() > free.len() {
-            return Err(EncodeError::length("", data.len(), free.len()));
-        }
-        free.iter_mut().zip(data).for_each(|(place, byte)| *place = *byte);
-        self.close(descriptor, data.len());
-        Ok(())
+        self.append("", self.set(), descriptor, data)
     }
 
     /// Removes all fields, to build the next packet of the set: a loop with one builder clears the memory
     /// of a packet only once.
     #[inline]
     pub fn clear(&mut self) {
-        let [_, _, set, payload, a, b, ..] = &mut self.bytes;
+        let [_, _, set, payload, ..] = &mut self.bytes;
         *payload = 0;
-        [*a, *b] = Self::sums_of_header(*set);
+        let sums = Self::sums_of_header(*set);
+        self.seal(sums);
     }
 
     /// The bytes to send.
@@ -486,37 +515,62 @@ impl PacketBuilder {
         self.bytes.get_mut(start..end).ok_or(EncodeError::length(field, FIELD_HEADER, left))
     }
 
+    /// Adds a field from its data.
+    #[inline]
+    fn append(
+        &mut self,
+        field: &'static str,
+        set: u8,
+        descriptor: u8,
+        data: &[u8],
+    ) -> Result<(), EncodeError> {
+        let free = self.free(field, set)?;
+        if data.len() > free.len() {
+            return Err(EncodeError::length(field, data.len(), free.len()));
+        }
+        copy(free, data);
+        if HOST {
+            let (before, header) = self.head(descriptor, data.len());
+            self.seal(quads(sums(before, &header), data));
+        } else {
+            self.close(descriptor, data.len());
+        }
+        Ok(())
+    }
+
     /// Adds a field whose data is already in place.
+    #[inline]
+    fn close(&mut self, descriptor: u8, length: usize) {
+        let start = self.end();
+        let (before, _) = self.head(descriptor, length);
+        let field = self.bytes.get(start..self.end()).unwrap_or_default();
+        self.seal(sums(before, field));
+    }
+
+    /// Writes the header of a further field, and returns it and the checksum before it.
     ///
     /// The checksum continues from the last one. In the second sum, a byte counts as often as bytes
     /// follow it, and once more: the payload length, which grows, and all bytes before the field.
     #[inline]
-    fn close(&mut self, descriptor: u8, length: usize) {
+    fn head(&mut self, descriptor: u8, length: usize) -> ([u8; 2], [u8; 2]) {
         let end = self.end().min(MAX_PACKET);
-        let size = length.saturating_add(FIELD_HEADER);
-        let grown = size as u8;
+        let header = [length.saturating_add(FIELD_HEADER) as u8, descriptor];
+        let [grown, _] = header;
         let (head, tail) = self.bytes.split_at_mut(end);
-        let ([_, _, _, payload, ..], [a, b, ..]) = (head, &mut *tail) else { return };
+        let ([_, _, _, payload, ..], [a, b, ..]) = (head, tail) else { return ([0, 0], header) };
         *payload = payload.wrapping_add(grown);
         let since_length = (end as u8).wrapping_sub(3);
-        let first = a.wrapping_add(grown);
-        let second = b.wrapping_add(grown.wrapping_mul(since_length));
-        (*a, *b) = (grown, descriptor);
-        if size > tail.len() {
-            return;
-        }
-        let (field, behind) = tail.split_at_mut(size);
-        if let [a, b, ..] = behind {
-            [*a, *b] = sums([first, second], field);
-        }
+        let before = [a.wrapping_add(grown), b.wrapping_add(grown.wrapping_mul(since_length))];
+        [*a, *b] = header;
+        (before, header)
     }
 
     /// Sets the checksum.
-    fn seal(&mut self) {
-        let end = self.end().min(MAX_PACKET);
-        let (head, tail) = self.bytes.split_at_mut(end);
-        if let [a, b, ..] = tail {
-            [*a, *b] = checksum(head);
+    #[inline]
+    fn seal(&mut self, sums: [u8; 2]) {
+        let end = self.end();
+        if let Some([a, b, ..]) = self.bytes.get_mut(end..) {
+            [*a, *b] = sums;
         }
     }
 }

@@ -388,7 +388,8 @@ impl Parser {
 }
 
 /// Copies to the first places.
-fn copy(places: &mut [u8], bytes: &[u8]) {
+#[inline]
+pub(crate) fn copy(places: &mut [u8], bytes: &[u8]) {
     // On microcontrollers, `memcpy` may be larger than the parser.
     if HOST {
         if let Some(places) = places.get_mut(..bytes.len()) {
