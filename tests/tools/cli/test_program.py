@@ -135,7 +135,7 @@ MISUSE = (
         (["bandwidth", "base:ping@1"], "bandwidth: 'base' is not a data set; write SET:NAME@HZ"),
         (
             ["bandwidth", "sensor.scaled_accel@2000", "--device", DEVICE],
-            "bandwidth: 3DM-CV7-GNSS/INS sends sensor with 1000 Hz",
+            "bandwidth: 3DM-CV7-GNSS/INS sends sensor at 1000 Hz at most",
         ),
         (
             ["bandwidth", "sensor.scaled_accel@1000", "--baud", "9600"],
