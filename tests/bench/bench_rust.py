@@ -292,7 +292,7 @@ def report(readme: bool = False) -> str:
     out += f"[{PEER}](https://crates.io/crates/{PEER}) {PEER_VERSION}, which takes single bytes; or how many times\n"
     out += f"as many instructions those execute. The stream is like a recording: {SIZE // 1_000_000} MB, more than a\n"
     out += "cache holds, and 43 % of its fields are shared ones. Shuffled, no branch predictor knows what comes.\n"
-    out += "Chunks cut packets. In two rows the plain loop joins them, too, with a `Vec`.\n\n"
+    out += "A chunk may end inside a packet. In two rows, the plain loop also joins the parts, in a `Vec`.\n\n"
     out += table(heads[:columns], [row[:columns] for row in rows])
     if missing:
         out += f"\nThe other crate, {PEER}, cannot be fetched, and its columns are empty: {missing}\n"

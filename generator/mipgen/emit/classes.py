@@ -26,16 +26,16 @@ class Classes:
         """The module that defines it."""
         if isinstance(thing, m.Field):
             return self.module(thing.family) if thing.set else "protocol"
-        if thing.name == "function_selector":  # no type of a specification can be called so
+        if thing.name == "function_selector":  # a specification cannot define this type
             return "protocol"
         return self.module(thing.owner) if thing.owner else "types"
 
     def qualified(self, thing: m.Type | m.Field) -> str:
-        """What any module may call it that imports its module: `types.AckCode`."""
+        """Its name in a module that imports its module: `types.AckCode`."""
         return f"{self.home(thing)}.{self.name(thing)}"
 
     def reference(self, thing: m.Type | m.Field, where: str) -> str:
-        """What the module `where` calls it. What `protocol` defines is imported by name everywhere."""
+        """Its name in the module `where`. All modules import the names of `protocol`."""
         return self.name(thing) if self.home(thing) in (where, "protocol") else self.qualified(thing)
 
     def identifiers(self, model: m.Model, attributes: Attributes) -> Iterator[Identifier]:
