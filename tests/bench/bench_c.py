@@ -81,14 +81,14 @@ def version(compiler: str) -> str:
 # --------------------------------------------------------------------------- speed
 
 
-def measure(stream: Path, functions: dict[str, Path]) -> dict[str, float]:
+def measure(stream: Path, functions: dict[str, Path], turns: int = TURNS, rounds: int = ROUNDS) -> dict[str, float]:
     """Functions, each with its program -> the nanoseconds of its best round. They take turns, so that all see the
     same disturbances."""
     best: dict[str, float] = {}
     found: dict[str, str] = {}
-    for _ in range(TURNS):
+    for _ in range(turns):
         for name, program in functions.items():
-            time, found[name] = run(program, stream, name, str(ROUNDS)).split()
+            time, found[name] = run(program, stream, name, str(rounds)).split()
             best[name] = min(float(time), best.get(name, 1e18))
     assert len(set(found.values())) == 1, found  # all did the same work
     return best
