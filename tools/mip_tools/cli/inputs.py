@@ -72,7 +72,7 @@ def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
         raise Failure(f"{name} is a port, not a log; `mip record` writes a log of what it sends")
     try:
         if name == "-":
-            # Without the lock of a buffer, which a thread that still waits would hold when the program ends.
+            # Unbuffered: a thread blocked in a read would hold the buffer's lock when the program ends.
             yield from _converted(_read(getattr(sys.stdin.buffer, "raw", sys.stdin.buffer)), name)
         else:
             with open(name, "rb") as file:

@@ -358,7 +358,7 @@ def _names(things: Iterable[m.Parameter | m.Function]) -> list[str]:
 # --------------------------------------------------------------------------- operations
 
 
-#: Kind of a parameter -> what its operation has: name in the document -> attribute of the parameter.
+#: Attributes of an operation by the kind of its parameter: name in the document -> name in the model.
 _OPERATIONS: dict[m.Shape, dict[str, str]] = {
     "scalar": {"scalar": "scalar", "type": "named"},
     "constant": {"scalar": "scalar", "value": "constant"},
