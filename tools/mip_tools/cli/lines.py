@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..binding import OVERHEAD, Field, Packet, Parameter, RawField, info, registry
+from ..binding import OVERHEAD, Field, Packet, Parameter, info, registry
 from ..columns import layout, walk
 from ..columns.reader import Reader
-from ..columns.scan import HEADER, Array
+from ..columns.scan import Array
 from . import objects, row_texts, show
 from .decoding import Found, decoded
 from .selection import Selection
@@ -104,21 +104,13 @@ def lines(log: Log, selection: Selection, form: Lines | Objects) -> Iterator[tup
 
 
 def _lines(log: Log, piece: Piece, selection: Selection, form: Lines | Objects) -> list[str]:
-    keys: dict[tuple[int, int], list[walk.Run]] = {}
+    runs = []
     covered = np.zeros(len(piece.at), np.int64)
     for run in piece.runs or ():
         covered += np.bincount(run.packet, minlength=len(covered)) * (run.length + 2)
         if selection.has(run.set, run.descriptor):
-            keys.setdefault((run.set, run.descriptor), []).append(run)
-    packets, offsets, texts = [np.zeros(0, np.int64)], [np.zeros(0, np.uint8)], []
-    for (number, descriptor), runs in keys.items():
-        packet, offset = walk.places(runs, len(piece.at))
-        packets.append(packet)
-        offsets.append(offset)
-        texts += _fields(log, piece, number, descriptor, runs, packet, offset, form)
-    where = np.concatenate(packets)
-    order = np.lexsort((np.concatenate(offsets), where))
-    ordered = np.array([*texts, ""], object)[order].tolist()  # one more item keeps the array one-dimensional
+            runs.append(run)
+    where, texts = walk.in_order(runs, lambda *alike: _fields(log, piece, form, *alike))
     counts = np.bincount(where, minlength=len(piece.at))
     ends = np.cumsum(counts)
     shown = counts > 0 if not selection.everything else np.ones(len(piece.at), bool)
@@ -136,21 +128,15 @@ def _lines(log: Log, piece: Piece, selection: Selection, form: Lines | Objects) 
             one = Packet(piece.data[piece.at[i] : piece.end[i]].tobytes())
             found.append(form.packet(at, one, selection))
         else:
-            found.append(form.joined(at, number, ordered[end - count : end]))
+            found.append(form.joined(at, number, texts[end - count : end]))
     return found
 
 
 def _fields(
-    log: Log,
-    piece: Piece,
-    number: int,
-    descriptor: int,
-    runs: list[walk.Run],
-    packet: Array,
-    offset: Array,
-    form: Lines | Objects,
-) -> list[str]:
-    """The texts of fields of one set and descriptor."""
+    log: Log, piece: Piece, form: Lines | Objects, number: int, descriptor: int, runs: list[walk.Run]
+) -> tuple[Array, Array, list[str]]:
+    """The texts of fields of one set and descriptor, with their packets and their offsets in the payloads."""
+    packet, offset = walk.places(runs, len(piece.at))
     types = registry.types(number, descriptor)
     shape = layout.layout(types[0]) if len(types) == 1 else None
     if shape is not None and shape.plain and all(run.length == shape.dtype.itemsize for run in runs):
@@ -158,13 +144,8 @@ def _fields(
         reader.add(piece)
         made = form.fields(reader.column(), types[0], number)
         if made is not None:
-            return made
-    begin = piece.at[packet] + HEADER + offset
-    size = piece.data[begin - 2].astype(np.int64) - 2
-    return [
-        form.field(decoded(RawField(number, descriptor, piece.data[at : at + length].tobytes())))
-        for at, length in zip(begin.tolist(), size.tolist())
-    ]
+            return packet, offset, made
+    return packet, offset, [form.field(decoded(raw)) for raw in piece.fields(descriptor, packet, offset)]
 
 
 def _numbers(p: Parameter, values: Array) -> row_texts.Texts:

@@ -6,11 +6,11 @@ from collections.abc import Collection, Iterator
 
 import numpy as np
 
-from ..binding import Field, RawField, registry
+from ..binding import Field, registry
 from ..columns import Log, contents, layout, times, walk
 from ..columns.piece import Piece
 from ..columns.reader import Reader
-from ..columns.scan import HEADER, Array
+from ..columns.scan import Array
 from ..occurrence import Occurrence, of
 from . import row_texts
 from .decoding import decoded
@@ -57,23 +57,18 @@ class Messages:
 
     def _of_piece(self, part: Log, piece: Piece, first: int) -> Iterator[Message]:
         """The messages of a piece, whose first packet has this number."""
-        keys: dict[tuple[int, int], list[walk.Run]] = {}
-        for run in piece.runs or ():
-            if self._selection.has(run.set, run.descriptor):
-                keys.setdefault((run.set, run.descriptor), []).append(run)
-        packets, offsets, moments = ([np.zeros(0, np.int64)] for _ in range(3))
-        made: list[tuple[Occurrence, bytes]] = []
-        for (number, descriptor), runs in keys.items():
-            packet, offset, messages = self._rows(part, piece, number, descriptor, runs)
-            packets.append(packet)
-            offsets.append(offset)
-            moments.append(self._times(part, piece, number, packet))
-            made += messages
-        packet, time = np.concatenate(packets), np.concatenate(moments)
-        order = np.lexsort((np.concatenate(offsets), packet))
-        for row, number, moment in zip(order.tolist(), (packet[order] + first).tolist(), time[order].tolist()):
-            kind, data = made[row]
-            yield Message(kind, None if moment == times.NONE else moment, number, data)
+
+        def made(number: int, descriptor: int, runs: list[walk.Run]) -> tuple[Array, Array, list[Message]]:
+            packet, offset, rows = self._rows(part, piece, number, descriptor, runs)
+            moments, numbers = self._times(part, piece, number, packet).tolist(), (packet + first).tolist()
+            messages = [
+                Message(kind, None if moment == times.NONE else moment, number, data)
+                for (kind, data), moment, number in zip(rows, moments, numbers)
+            ]
+            return packet, offset, messages
+
+        wanted = [run for run in piece.runs or () if self._selection.has(run.set, run.descriptor)]
+        yield from walk.in_order(wanted, made)[1]
 
     def _times(self, part: Log, piece: Piece, number: int, packet: Array) -> Array:
         """The times of packets of a set."""
@@ -96,7 +91,7 @@ class Messages:
             if rows is not None:
                 return rows
         packet, offset = walk.places(runs, len(piece.at))
-        found = list(_decoded(piece, number, descriptor, packet, offset))
+        found = list(_decoded(piece, descriptor, packet, offset))
         kept = [row for row, one in enumerate(found) if one and one[0] in self._kinds and self._keeps(one[1])]
         messages = [(one[0], encoded(one[1], self._named)) for row in kept if (one := found[row])]
         return packet[kept], offset[kept], messages
@@ -121,21 +116,16 @@ class Messages:
             if self._drops and column.parameters[name].flags:
                 kept &= column.valid(name).reshape(len(packet), -1).all(axis=1)
         rows = np.flatnonzero(odd).tolist()
-        for row, one in zip(rows, _decoded(piece, number, kind.kind.DESCRIPTOR, packet[rows], offset[rows])):
+        for row, one in zip(rows, _decoded(piece, kind.kind.DESCRIPTOR, packet[rows], offset[rows])):
             if one:
                 messages[row] = kind, encoded(one[1], self._named)
         return packet[kept], offset[kept], [messages[row] for row in np.flatnonzero(kept).tolist()]
 
 
-def _decoded(
-    piece: Piece, number: int, descriptor: int, packet: Array, offset: Array
-) -> Iterator[tuple[Occurrence, Field] | None]:
+def _decoded(piece: Piece, descriptor: int, packet: Array, offset: Array) -> Iterator[tuple[Occurrence, Field] | None]:
     """Fields as objects; None where there is none."""
-    begin = piece.at[packet] + HEADER + offset
-    size = piece.data[begin - 2].astype(np.int64) - 2
-    for at, length in zip(begin.tolist(), size.tolist()):
-        found = decoded(RawField(number, descriptor, piece.data[at : at + length].tobytes()))
-        yield None if found.kind is None or found.value is None else (of(number, found.kind), found.value)
+    for found in map(decoded, piece.fields(descriptor, packet, offset)):
+        yield None if found.kind is None or found.value is None else (of(found.raw.set, found.kind), found.value)
 
 
 __all__ = ["Messages", "survey"]

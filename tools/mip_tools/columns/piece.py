@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-from .scan import Array
+from ..binding import RawField
+from .scan import HEADER, Array
 from .walk import Run
 
 NOTHING = np.zeros(0, np.uint8)
@@ -31,6 +33,13 @@ class Piece:
         if self._sets is None:
             self._sets = self.data[self.at + 2]
         return self._sets
+
+    def fields(self, descriptor: int, packet: Array, offset: Array) -> Iterator[RawField]:
+        """Fields with this descriptor: their packets, and the offsets of their data in the payloads."""
+        place = self.at[packet] + HEADER + offset
+        sets, sizes = self.data[self.at[packet] + 2], self.data[place - 2]
+        for number, begin, size in zip(sets.tolist(), place.tolist(), sizes.tolist()):
+            yield RawField(number, descriptor, self.data[begin : begin + size - 2].tobytes())
 
     def bare(self) -> Piece:
         """The same without the fields."""

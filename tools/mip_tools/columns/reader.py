@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ..binding import DecodeError, Field, RawField, chosen, info, registry
+from ..binding import DecodeError, Field, chosen, info, registry
 from ..occurrence import listed, named_set
 from . import general, layout, walk
 from .column import Column
 from .piece import Piece, Where
 from .rows import Rows
-from .scan import HEADER, Array
+from .scan import Array
 
 if TYPE_CHECKING:
     from .log import Log
@@ -95,12 +95,8 @@ class Reader:
 
     def _decoded(self, piece: Piece, packet: Array, offset: Array) -> Iterator[Field | None]:
         """The objects; None where they cannot be decoded, or have another type."""
-        place = piece.at[packet] + HEADER + offset
-        sets, sizes = piece.data[piece.at[packet] + 2], piece.data[place - 2]
-        for number, begin, size in zip(sets.tolist(), place.tolist(), sizes.tolist()):
-            data = piece.data[begin : begin + size - 2].tobytes()
-            raw = RawField(number, self._kind.DESCRIPTOR, data)
-            kind = chosen(registry.types(number, self._kind.DESCRIPTOR), raw)
+        for raw in piece.fields(self._kind.DESCRIPTOR, packet, offset):
+            kind = chosen(registry.types(raw.set, raw.descriptor), raw)
             try:
                 yield kind._received(raw) if kind is self._kind else None
             except DecodeError:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
 from . import native
 from .scan import HEADER, Array
+
+T = TypeVar("T")
 
 
 class Run(NamedTuple):
@@ -91,6 +93,29 @@ def places(runs: list[Run], packets: int) -> tuple[Array, Array]:
     offset = np.concatenate([_filled(run, run.offset) for run in runs])
     order = np.lexsort((offset, packet))
     return packet[order], offset[order]
+
+
+def in_order(
+    found: Iterable[Run], made: Callable[[int, int, list[Run]], tuple[Array, Array, list[T]]]
+) -> tuple[Array, list[T]]:
+    """The packets of some rows, and the rows, in the order of the log.
+
+    `made` is called once for each set and descriptor, with their runs. It returns the packets of its rows, the
+    offsets in the payloads that they are sorted by, and the rows.
+    """
+    alike: dict[tuple[int, int], list[Run]] = {}
+    for run in found:
+        alike.setdefault((run.set, run.descriptor), []).append(run)
+    packets, offsets = [np.zeros(0, np.int64)], [np.zeros(0, np.uint8)]
+    rows: list[T] = []
+    for key, runs in alike.items():
+        packet, offset, more = made(*key, runs)
+        packets.append(packet)
+        offsets.append(offset)
+        rows += more
+    packet = np.concatenate(packets)
+    order = np.lexsort((np.concatenate(offsets), packet))
+    return packet[order], [rows[row] for row in order.tolist()]
 
 
 def _filled(run: Run, value: int | Array) -> Array:
