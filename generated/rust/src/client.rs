@@ -19,7 +19,8 @@ use crate::view::{View, Viewed};
 /// forward, and may wrap around. A [`Device`](crate::device::Device) does both for a port.
 ///
 /// 1. [`Client::barrier`] returns a packet to send first, if a command before was not answered.
-///    Without it, the late answer to that one may be taken for that of the next one of its type.
+///    Without it, a late answer to that command may be taken for the answer to the next one of its
+///    type.
 /// 2. [`Client::send`] returns the bytes of one command to send; for several in one packet,
 ///    [`Client::request`] begins it, [`Request::add`] adds commands to it, and [`Request::send`]
 ///    returns its bytes.
@@ -32,9 +33,9 @@ use crate::view::{View, Viewed};
 /// [`Client::take`] does. For this purpose, each of the `N` slots has room for the longest
 /// response. The packet to send is also in the client, so that it need not be moved.
 ///
-/// A client is `Send` and not `Sync`: taking an event marks it as taken although it is only lent.
-/// Threads, tasks or interrupts that share a client need a mutex, as for everything that takes
-/// `&mut self`.
+/// A client is `Send` and not `Sync`: taking an event marks it as taken although it is only
+/// borrowed. Threads, tasks or interrupts that share a client need a mutex, as for everything that
+/// takes `&mut self`.
 #[derive(Clone, Debug)]
 pub struct Client<const N: usize = 8> {
     table: Table<[Slot; N]>,
@@ -42,18 +43,19 @@ pub struct Client<const N: usize = 8> {
 
 /// The part of a client that does not depend on the number of its slots: its code exists once.
 ///
-/// That of a new client is all zeros, so that it has no image in the memory of a program.
+/// In a new client it is all zeros, so that a client in static memory needs no initial values in
+/// the program.
 #[derive(Clone, Debug)]
 struct Table<S: ?Sized> {
     packet: PacketBuilder,
     /// The number of the next command, and that of the next event.
     next: u32,
     happened: u32,
-    /// The commands without an answer since a barrier was answered, at most [`BARRIERS`].
+    /// The number of commands without an answer since a barrier was answered, at most [`BARRIERS`].
     missed: u8,
     /// The number of commands in the last barrier, until it is answered.
     behind: u8,
-    /// The time that a reply may take beyond the usual one; it may wrap around.
+    /// The reply time-out minus [`DEFAULT_TIMEOUT_MS`]; it may wrap around.
     patience: u32,
     /// A bit for each field of the last packet that answers a command; a packet has at most 127.
     taken: [u32; 4],
@@ -67,9 +69,10 @@ type Slots = Table<[Slot]>;
 struct Slot {
     /// Taking an event changes only this, so that the event can be lent.
     state: Cell<State>,
-    /// The number of the event, of those that happened; the same if they happened at once.
+    /// The number of the event, in the order in which events happened; the same for events at the
+    /// same time.
     order: u32,
-    /// When it times out; how long it may take, until it is sent.
+    /// The time at which it times out; until it is sent, its time-out.
     deadline: u32,
     /// The number of commands in the barrier that must be answered first.
     behind: u8,
@@ -183,7 +186,7 @@ impl<C> fmt::Debug for Ticket<C> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RequestError {
-    /// The command does not encode, or the packet is full.
+    /// The command cannot be encoded, or the packet is full.
     Encode(EncodeError),
     /// The client has no free slot: commands are pending or have events that were not taken.
     Busy,
@@ -216,7 +219,7 @@ error!(RequestError);
 pub enum Answer<R> {
     /// The device carried it out. `R` is the response; `()` if the command has none.
     Acknowledged(R),
-    /// The device refused it.
+    /// The device rejected it.
     Refused(AckCode),
     /// No answer arrived in time.
     TimedOut,
@@ -229,7 +232,8 @@ pub enum Answer<R> {
 }
 
 impl<R: Response> Answer<R> {
-    /// The response, `()` for a command without one; an error if it is not known to be carried out.
+    /// The response, `()` for a command without one; an error if the command is not known to be
+    /// carried out.
     ///
     /// A command that the device does not answer is not an error.
     ///
@@ -261,7 +265,7 @@ impl<R: Response> Answer<R> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum CommandError {
-    /// The device refused it.
+    /// The device rejected it.
     Refused(AckCode),
     /// No answer arrived in time.
     TimedOut,
@@ -296,7 +300,7 @@ error!(CommandError);
 pub enum Outcome {
     /// The device carried it out, and the response is present, if the command requests one.
     Acknowledged,
-    /// The device refused it.
+    /// The device rejected it.
     Refused(AckCode),
     /// No answer arrived in time.
     #[default]
@@ -319,7 +323,7 @@ pub struct Event {
     pub descriptor: u8,
     /// The result.
     pub outcome: Outcome,
-    /// A payload that begins with it; without one, zeros.
+    /// A payload that begins with the response; zeros without one.
     response: [u8; MAX_PAYLOAD],
 }
 
@@ -349,7 +353,7 @@ impl Event {
         (self.id == ticket.id).then(|| self.decoded())
     }
 
-    /// The same, with the values of the response where they are: nothing is copied.
+    /// Like [`Event::answer`], with the values of the response in place: nothing is copied.
     #[must_use]
     pub fn view<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<View<'_, C::Response>>>
     where
@@ -405,7 +409,7 @@ impl defmt::Format for Event {
 /// The reply time-out, unless the command or the caller sets another one.
 pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
 
-/// The number of barriers: of 2 to 63 commands, whose acknowledges fit into one packet.
+/// The number of different barriers: of 2 to 63 commands, whose acknowledges fit into one packet.
 const BARRIERS: u8 = 62;
 
 /// No deadline is further away, so that the time can wrap around.
@@ -443,7 +447,7 @@ impl<const N: usize> Client<N> {
         client
     }
 
-    /// As a constant, so that it is memory that is cleared, and not a copy.
+    /// A constant, so that creating a client clears memory instead of copying it.
     #[allow(clippy::declare_interior_mutable_const)] // it is only copied
     const NEW: Self = Self {
         table: Table {
@@ -479,14 +483,15 @@ impl<const N: usize> Client<N> {
         deadlines.reduce(|first, other| if has_passed(first, other) { first } else { other })
     }
 
-    /// The barrier that is to be sent before the next packet of commands; `None`, mostly, if no answer
-    /// is late. Call it before [`Client::send`] and [`Client::request`], and send what it returns: then
-    /// a late answer is never taken for that of a later command.
+    /// The barrier to send before the next packet of commands; mostly `None`, because no answer is
+    /// late. Call it before [`Client::send`] and [`Client::request`], and send what it returns:
+    /// then a late answer is never taken for that of a later command.
     ///
-    /// It is a packet of several commands that change nothing. The device answers in order, and those
-    /// of one packet in one packet, whose size tells which barrier it answers. Until then, nothing
-    /// answers the commands behind it, and from then on nothing those before it, which have timed out.
-    /// A command whose barrier is not answered times out, although the device may have carried it out.
+    /// It is a packet of several commands that change nothing. The device answers in order, and
+    /// answers the commands of one packet in one packet, whose size identifies the barrier. Until
+    /// this answer, no reply belongs to the commands behind the barrier; from then on, none belongs
+    /// to those before it, which have timed out. A command whose barrier is not answered times out,
+    /// although the device may have carried it out.
     pub fn barrier(&mut self) -> Option<Packet<'_>> {
         self.table_mut().barrier()
     }
@@ -507,7 +512,7 @@ impl<const N: usize> Client<N> {
     ///
     /// # Errors
     ///
-    /// The command does not encode, or all slots are taken.
+    /// The command cannot be encoded, or all slots are taken.
     pub fn send<C: Command>(
         &mut self,
         command: &C,
@@ -548,7 +553,7 @@ impl<const N: usize> Client<N> {
 
     /// The event of this command, if it has happened. Events of other commands are kept.
     ///
-    /// It takes tickets of any type, also those of [`Request::add_any`]. A silent command has no
+    /// It accepts tickets of any type, also those of [`Request::add_any`]. A silent command has no
     /// event.
     pub fn take_event<C>(&mut self, ticket: &Ticket<C>) -> Option<&Event> {
         self.table().take(ticket.id)
@@ -622,7 +627,8 @@ impl Slots {
         Ok(Ticket { id, silent, command: PhantomData })
     }
 
-    /// The code that does not depend on the type of the command, so that it exists once.
+    /// The part of `add` that does not depend on the type of the command, so that its code exists
+    /// once.
     fn enter(
         &mut self,
         kind: &'static Kind,
@@ -631,7 +637,7 @@ impl Slots {
         encode: &dyn Fn(&mut Writer<'_>) -> Result<(), EncodeErrorKind>,
         sent_ms: Option<u32>,
     ) -> Result<u32, RequestError> {
-        // What is added while one is sent now is of a request that was dropped.
+        // If this command is sent now, those that were added belong to a request that was dropped.
         let free = self
             .slots
             .iter_mut()
@@ -661,7 +667,7 @@ impl Slots {
         Ok(id)
     }
 
-    /// Forgets commands. An answer that may still come is missed.
+    /// Forgets commands. Those that wait for an answer count as missed.
     fn free(&mut self, which: impl Fn(&Slot) -> bool) {
         for slot in self.slots.iter().filter(|slot| which(slot)) {
             if slot.is(State::Waiting) {
@@ -677,7 +683,7 @@ impl Slots {
             return None;
         }
         for _ in self.slots.iter().filter(|slot| slot.is(State::Waiting)) {
-            miss(&mut self.missed); // it may be of its kind
+            miss(&mut self.missed); // it may be a command as in a barrier
         }
         self.behind = self.missed.wrapping_add(1);
         self.packet.start(set);
@@ -685,7 +691,8 @@ impl Slots {
         Some(self.packet.packet())
     }
 
-    /// Does the packet answer the last barrier? Then nothing answers any more what was sent before.
+    /// Does the packet answer the last barrier? From then on, no reply belongs to what was sent
+    /// before it.
     fn passes(&mut self, fields: &Fields<'_>) -> bool {
         let (size, [set, descriptor]) = (self.behind, BARRIER);
         let (mut rest, mut left) = (fields.payload(), size);
@@ -715,7 +722,7 @@ impl Slots {
         true
     }
 
-    /// Looks for answers, and keeps which fields are part of one.
+    /// Looks for answers, and marks the fields that are part of one.
     fn receive(&mut self, mut fields: Fields<'_>) {
         self.taken = [0; 4];
         let (mut at, mut left) = (0, 0);
@@ -738,12 +745,13 @@ impl Slots {
     }
 
     /// Finds the command that an acknowledge and the field after it answer: the oldest one of its
-    /// kind. If there is one, its event happens; returns whether the field behind is its response.
+    /// kind. If there is one, its event happens. Returns the number of fields in the answer: 2 with
+    /// a response, 0 if there is no such command.
     ///
     /// A response never answers a command that does not ask for it, because it may be the late
     /// answer to another one; an acknowledge without a response first answers commands that ask for none.
     fn answers(&mut self, field: &RawField<'_>, rest: &Fields<'_>) -> u8 {
-        // Reads only these two bytes: to decode the whole field would need 100 bytes of code.
+        // Reads only these two bytes: decoding the whole field would need 100 bytes of code.
         let (command, code) = match (field.descriptor, field.data) {
             (Acknowledge::DESCRIPTOR, [command, code, ..]) => (*command, AckCode(*code)),
             _ => return 0,
@@ -778,7 +786,7 @@ impl Slots {
         self.slots.iter().find(|slot| slot.is(State::Done) && slot.event.id == id)
     }
 
-    /// The event of this command, if it has happened; it is taken.
+    /// Takes the event of this command, if it has happened.
     fn take(&self, id: u32) -> Option<&Event> {
         let slot = self.find(id)?;
         slot.state.set(State::Free);
@@ -789,7 +797,7 @@ impl Slots {
         if parser.holds() {
             return Some(parser.packet());
         }
-        let order = self.happened; // all at once: in the order of the commands
+        let order = self.happened; // the same for all: they stay in the order of the commands
         for slot in &mut self.slots {
             if slot.is(State::Waiting) && has_passed(slot.deadline, now_ms) {
                 if parser.holds_behind() {
@@ -804,7 +812,7 @@ impl Slots {
         None
     }
 
-    /// The event that happened first, of those that have not been taken; it is taken.
+    /// Takes the event that happened first, of those that have not been taken.
     fn first(&self) -> Option<&Event> {
         let (mut oldest, mut found) = ((0, 0), None);
         for slot in &self.slots {
@@ -820,7 +828,7 @@ impl Slots {
     }
 }
 
-/// One more command has no answer.
+/// Counts one more command without an answer.
 fn miss(missed: &mut u8) {
     *missed = if *missed < BARRIERS { missed.wrapping_add(1) } else { 1 };
 }
@@ -841,7 +849,7 @@ impl Slot {
         if code.0 != 0 {
             return Some(Outcome::Refused(code));
         }
-        // `contains` is 180 bytes of code on a microcontroller.
+        // `contains` needs 180 bytes of code on a microcontroller.
         #[allow(clippy::manual_contains)]
         let responds = behind
             .map_or(false, |field| kind.responses.iter().any(|known| *known == field.descriptor));
@@ -880,7 +888,7 @@ impl<'c> Request<'c> {
     ///
     /// # Errors
     ///
-    /// The command does not encode, the packet is full or of another set, or all slots are taken.
+    /// The command cannot be encoded, the packet is full or of another set, or all slots are taken.
     pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
         let set = self.table.packet.set();
         if set != C::SET {

@@ -40,7 +40,7 @@ pub trait Union: Sized {
     fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind>;
 }
 
-/// Items counted by another value. As a [`Wire`], they take the rest of the data.
+/// Items counted by another value. As a [`Wire`], they fill the rest of the data.
 pub trait Counted: Wire {
     /// Reads this number of items.
     fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, Invalid>;
@@ -48,8 +48,8 @@ pub trait Counted: Wire {
 
 /// Reads values from the front of a field's data.
 ///
-/// It remembers what was wrong: inside of a field, errors are only [`Invalid`], to be small and fast,
-/// and [`Reader::error`] tells the rest.
+/// It remembers what was wrong: its functions return only [`Invalid`], which is small and fast, and
+/// [`Reader::error`] returns the details.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
     data: &'a [u8],
@@ -76,7 +76,7 @@ impl<'a> Reader<'a> {
         self.data.len()
     }
 
-    /// The last error, as that of a field.
+    /// The last error, as the error of this field.
     #[must_use]
     #[inline]
     pub fn error(&self, field: &'static str) -> DecodeError {
@@ -88,7 +88,7 @@ impl<'a> Reader<'a> {
         DecodeError::new(self.kind, field, need, got)
     }
 
-    /// Constants distinguish layouts of one descriptor.
+    /// Was the last error a wrong constant? Constants distinguish layouts of one descriptor.
     #[inline]
     pub(crate) fn is_other_layout(&self) -> bool {
         self.kind == DecodeErrorKind::Constant
@@ -106,12 +106,12 @@ impl<'a> Reader<'a> {
         if count <= self.data.len() {
             return Ok(());
         }
-        (self.kind, self.need) = (DecodeErrorKind::Truncated, count); // behind what was read
+        (self.kind, self.need) = (DecodeErrorKind::Truncated, count); // not counting what was read
         Err(Invalid)
     }
 
-    // These are part of each value, and vanish where there are surely enough bytes. So they are
-    // there once at each place.
+    // Every value is read with these. They are inlined, so that the checks vanish where there are
+    // surely enough bytes.
 
     /// The next `count` bytes.
     #[inline(always)]
@@ -149,7 +149,7 @@ impl<'a> Reader<'a> {
         Err(self.wrong(DecodeErrorKind::Constant, need as usize, got as usize))
     }
 
-    /// The number of items that a counter states.
+    /// As many items as a counter states.
     #[inline]
     pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, Invalid> {
         L::decode_counted(usize::try_from(count.into()).unwrap_or(usize::MAX), self)
@@ -421,9 +421,9 @@ impl<T: Wire + Item, const N: usize> Wire for [T; N] {
 pub struct Bool(pub u8);
 
 impl Bool {
-    /// The usual byte.
+    /// False, with the usual byte.
     pub const FALSE: Self = Self(0);
-    /// The usual byte.
+    /// True, with the usual byte.
     pub const TRUE: Self = Self(1);
 
     /// Is it true?

@@ -30,10 +30,10 @@
 //! held back by noise are searched.
 //!
 //! **After a command that was not answered**, its answer may still arrive. The next command is
-//! therefore sent behind a barrier (see [`Client::barrier`]), and what comes before the answer of that
-//! is data: a late answer is never taken for that of another command. This costs a packet each way, and
-//! no further wait. It holds as long as the device answers commands in order; at another baud rate, and
-//! after a port was opened again, too.
+//! therefore sent behind a barrier (see [`Client::barrier`]), and what arrives before the answer to
+//! the barrier is data: a late answer is never taken for that of another command. This costs a
+//! packet each way, and no further wait. It works as long as the device answers commands in order,
+//! also at another baud rate, and after a port was opened again.
 //!
 //! **A command that changes the baud rate** is acknowledged at the old rate. `Device::change_baud`
 //! sends it, and changes the rate of the port, if the specification has the commands for it.
@@ -85,11 +85,11 @@ pub trait Port {
     /// Returns the errors of the port.
     fn write(&mut self, bytes: &[u8]) -> Result<(), Self::Error>;
 
-    /// A count of milliseconds that goes on, and may wrap around.
+    /// A count of milliseconds that only increases, and may wrap around.
     fn now_ms(&mut self) -> u32;
 
-    /// Changes the baud rate, and discards what was received at the old one. `false`: the port has no
-    /// baud rate, or not this one.
+    /// Changes the baud rate, and discards what was received at the old one. Returns `false` if the
+    /// port has no baud rate, or does not support this one.
     ///
     /// # Errors
     ///
@@ -136,7 +136,7 @@ impl<P: Port + ?Sized> Port for &mut P {
 pub enum DeviceError<E> {
     /// The command was not sent: it cannot be encoded, or too many are waiting.
     Request(RequestError),
-    /// It was sent, and refused, or not answered correctly.
+    /// It was sent, and rejected, or not answered correctly.
     Command(CommandError),
     /// The port could not read or write.
     Port(E),
@@ -180,10 +180,10 @@ const CHUNK: usize = 256;
 /// program was suspended, the answer may be behind the bytes that arrived in the meantime.
 const BACKLOG: u8 = 64;
 
-/// Reading them takes no longer than this many milliseconds; what takes longer is arriving now.
+/// The backlog is read for at most this many milliseconds; bytes that take longer are arriving now.
 const CATCH_UP: u32 = 100;
 
-/// Ends waiting after the deadline: nothing more has arrived, or too much.
+/// Ends waiting after the deadline, when nothing more arrives, or when the backlog is used up.
 fn is_over(late: bool, came: bool, backlog: &mut u8) -> bool {
     *backlog = backlog.saturating_sub(late.into());
     late && (!came || *backlog == 0)
@@ -200,13 +200,13 @@ impl Waited {
         Self { backlog: BACKLOG, since: None }
     }
 
-    /// Ends waiting, also if the port takes its time: then these bytes are not a backlog.
+    /// Ends waiting, also if reading takes long: then these bytes are not a backlog.
     fn is_over(&mut self, deadline: u32, now_ms: u32, came: bool) -> bool {
         if !has_passed(deadline, now_ms) {
             *self = Self::new();
             return false;
         }
-        // If it was stopped during this read, what has come is still to be read.
+        // If the program was stopped during this read, what has arrived is still to be read.
         let stopped = self.since.is_none() && now_ms.wrapping_sub(deadline) >= CATCH_UP;
         let since = *self.since.get_or_insert(now_ms);
         is_over(true, (came || stopped) && now_ms.wrapping_sub(since) < CATCH_UP, &mut self.backlog)
@@ -233,7 +233,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         chunk.get_mut(..size).unwrap_or_default()
     }
 
-    /// Takes received bytes. Do they end a packet?
+    /// Processes received bytes, and returns whether they complete a packet.
     fn arrived(&mut self, mut bytes: &[u8]) -> bool {
         let mut found = false;
         while let Some(packet) = self.parser.next(&mut bytes) {
@@ -250,7 +250,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         }
     }
 
-    /// When no bytes arrive for a while, packets after noise are found.
+    /// Finds packets after noise, when no bytes arrive for a while.
     fn look_behind(&mut self) -> bool {
         let mut found = false;
         while let Some(packet) = self.parser.look_behind() {
@@ -260,7 +260,8 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         found
     }
 
-    /// Begins again, with a barrier before the next command. Data that was kept stays.
+    /// Forgets what was received in part, and all commands; a barrier precedes the next one. Data
+    /// that was kept remains.
     #[cfg(feature = "open")]
     fn restart(&mut self) {
         while let Some(packet) = self.parser.flush() {
@@ -275,7 +276,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         Ok(self.client.take(ticket).unwrap_or(Answer::TimedOut).into_result()?)
     }
 
-    /// The same, as an answer that is kept.
+    /// Like `result`, but the answer is kept.
     fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
         self.client.known(ticket).unwrap_or(Answer::TimedOut)
     }
@@ -367,7 +368,7 @@ impl<P: Port> Device<P> {
 }
 
 impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
-    /// With a client of another time-out or size: `let device: Device<_, 1, 600> = …`.
+    /// A device with a client of another time-out or size: `let device: Device<_, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, client: Client<N>) -> Self {
         Self { port, core: Core::new(client) }
@@ -427,7 +428,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ///
     /// # Errors
     ///
-    /// Returns the error of the function, or that of the port.
+    /// Returns the error of the closure, or that of the port.
     pub fn send_all<T>(
         &mut self,
         set: u8,
@@ -450,14 +451,14 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         self.core.answer(ticket)
     }
 
-    /// The same with the response not decoded, for tickets of any type, also those of
-    /// [`Request::add_any`]. `None` for that of an earlier command, and if the device does not
-    /// answer the command.
+    /// Like [`Device::answer`], with the response not decoded, for tickets of any type, also those
+    /// of [`Request::add_any`]. `None` for an earlier command, and if the device does not answer
+    /// the command.
     pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
         self.core.client.known_event(ticket)
     }
 
-    /// Forgets the commands before. If one was not answered, a barrier is sent.
+    /// Forgets the earlier commands, and sends a barrier if one was not answered.
     fn begin(&mut self) -> Result<u32, DeviceError<P::Error>> {
         self.core.client.clear();
         if let Some(barrier) = self.core.client.barrier() {
@@ -466,7 +467,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(self.port.now_ms())
     }
 
-    /// Until no command waits.
+    /// Waits until no command is pending.
     fn wait(&mut self) -> Result<(), DeviceError<P::Error>> {
         let mut waited = Waited::new();
         while let Some(deadline) = self.core.client.deadline() {
@@ -519,7 +520,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         while self.core.data.pop().is_some() {}
     }
 
-    /// Keeps data for a time.
+    /// Receives data for some time, and keeps it.
     #[allow(dead_code)] // without the features of command sets
     pub(crate) fn pass(&mut self, wait_ms: u32) -> Result<(), DeviceError<P::Error>> {
         let end = after(self.port.now_ms(), wait_ms);
@@ -529,7 +530,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(())
     }
 
-    /// Reads once. Did something come?
+    /// Reads once, and returns whether bytes have arrived.
     fn read(&mut self) -> Result<bool, DeviceError<P::Error>> {
         let mut chunk = [0; CHUNK];
         let part = self.core.part(&mut chunk);

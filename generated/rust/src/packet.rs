@@ -24,7 +24,7 @@ const FIELD_HEADER: usize = 2;
 /// Data of a fixed size up to this one is summed before it is written to memory.
 const SMALL: usize = 32;
 
-/// Whether speed counts more than size: not on microcontrollers.
+/// True where speed matters more than size: not on microcontrollers.
 pub(crate) const HOST: bool = cfg!(target_pointer_width = "64");
 
 /// The two checksum bytes of a packet: sums over header and payload.
@@ -40,7 +40,7 @@ pub fn checksum(bytes: &[u8]) -> [u8; 2] {
 }
 
 /// The same, byte by byte: small.
-#[inline(never)] // beside words, which most packets take, it would only be in the way
+#[inline(never)] // most packets are summed by `words`, where this code would only take space
 fn small(bytes: &[u8]) -> [u8; 2] {
     sums([0, 0], bytes)
 }
@@ -83,7 +83,7 @@ fn quads([a, b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
 /// overflow.
 #[inline]
 fn words(bytes: &[u8]) -> Option<[u8; 2]> {
-    // Four lanes of 16 bits, each with eight that count.
+    // Four lanes of 16 bits, of which only the low eight matter.
     const LANES: u64 = 0x00FF_00FF_00FF_00FF;
     const SUM: u64 = 0x0001_0001_0001_0001;
     let size = Some(bytes.len()).filter(|size| *size <= MAX_PACKET)?;
@@ -94,7 +94,7 @@ fn words(bytes: &[u8]) -> Option<[u8; 2]> {
     let halves = |word: u64| (word & LANES, word >> 8 & LANES);
     // The first word is filled up with zeros in front, which change nothing.
     let first = word(0)? << (size.wrapping_mul(8).wrapping_neg() % 64);
-    // Sums of bytes by their place in a word, and the sum of what these were before each word.
+    // Sums of bytes by their place in a word, and the sum of what they were before each word.
     let ((mut even, mut odd), mut before) = (halves(first), 0_u64);
     let mut at = (size.wrapping_sub(1) % 8).wrapping_add(1);
     while let Some(pair) = bytes.get(at..at.wrapping_add(16)) {
@@ -227,7 +227,7 @@ impl<'a> Packet<'a> {
     /// The first field of this type, decoded; `None` if the packet has none.
     ///
     /// A type that occurs in several descriptor sets is found in packets of each of them;
-    /// [`Packet::set`] tells which one it is.
+    /// [`Packet::set`] returns which one it is.
     ///
     /// A field of this type that runs past the payload is an error
     /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), even if the part in the packet could be decoded.
@@ -237,7 +237,7 @@ impl<'a> Packet<'a> {
         self.search::<T>().map(|found| found.and_then(|field| T::decode(field.data)))
     }
 
-    /// The first field of this type, to read its values where they are; otherwise like
+    /// The first field of this type, to read its values in place; otherwise like
     /// [`Packet::find`].
     #[inline]
     #[must_use]
@@ -305,7 +305,7 @@ impl<'a> Fields<'a> {
         self.set
     }
 
-    /// Leaves out all further fields.
+    /// Skips all further fields.
     pub(crate) fn end(&mut self) {
         self.payload = &[];
     }
@@ -325,8 +325,8 @@ impl<'a> Fields<'a> {
         Some(RawField { set: self.set, descriptor, data })
     }
 
-    /// After the last sound field: the error of the field that runs past the payload, if it is the
-    /// one that is searched, as far as it is there.
+    /// After the last sound field: the error of the field that runs past the payload, if the part
+    /// that is present matches the searched one.
     #[cold]
     fn cut(
         &self,
@@ -363,8 +363,8 @@ impl core::iter::FusedIterator for Fields<'_> {}
 
 /// Builds a packet from fields. It holds a valid packet at any time.
 ///
-/// A field that does not fit is an error, and leaves the packet unchanged. It also owns its packet:
-/// [`From`] copies a received packet into it, without checking it again.
+/// A field that does not fit is an error, and leaves the packet unchanged. A builder also owns its
+/// packet: [`From`] copies a received packet into it, without checking it again.
 #[derive(Clone)]
 pub struct PacketBuilder {
     bytes: [u8; MAX_PACKET],
@@ -373,8 +373,8 @@ pub struct PacketBuilder {
 impl PacketBuilder {
     /// A packet of this descriptor set, without fields.
     ///
-    /// No packet has set 0 or 0xFF, for [`Packet::new`] neither: a builder with such a set accepts no
-    /// field, and its packet is not to be sent.
+    /// No packet has set 0 or 0xFF, and [`Packet::new`] accepts none: a builder with such a set
+    /// accepts no field, and its packet must not be sent.
     #[must_use]
     pub const fn new(set: u8) -> Self {
         let [first, second] = SYNC;
@@ -384,19 +384,19 @@ impl PacketBuilder {
         Self { bytes }
     }
 
-    /// The checksum without fields.
+    /// The checksum of a packet without fields.
     #[inline]
     const fn sums_of_header(set: u8) -> [u8; 2] {
         let [first, second] = SYNC;
         let sum = first.wrapping_add(second).wrapping_add(set);
-        // Each byte as often as bytes of the header follow it, and once more.
+        // Each byte counts as often as bytes of the header follow it, and once more.
         [sum, sum.wrapping_mul(2).wrapping_add(first.wrapping_mul(2)).wrapping_add(second)]
     }
 
     /// Memory to start a packet in.
     pub(crate) const BLANK: Self = Self { bytes: [0; MAX_PACKET] };
 
-    /// Begins again, with another set.
+    /// Begins the next packet, with another set.
     pub(crate) fn start(&mut self, set: u8) {
         let [first, second, number, payload, ..] = &mut self.bytes;
         let [a, b] = SYNC;
@@ -406,8 +406,8 @@ impl PacketBuilder {
 
     /// A packet with only this field, which occurs in one set.
     ///
-    /// A field of several sets does not tell which one is meant: begin its packet with
-    /// [`PacketBuilder::new`], and [push](PacketBuilder::push) it.
+    /// For a field of several sets, begin the packet with [`PacketBuilder::new`], and
+    /// [push](PacketBuilder::push) the field.
     ///
     /// # Errors
     ///
@@ -429,7 +429,7 @@ impl PacketBuilder {
     ///
     /// # Errors
     ///
-    /// The field does not occur in the set, does not encode, or does not fit.
+    /// The field does not occur in the set, cannot be encoded, or does not fit.
     #[inline]
     pub fn push<T: Field>(&mut self, field: &T) -> Result<(), EncodeError> {
         let set = T::SETS.first().copied().unwrap_or_default();
@@ -437,7 +437,8 @@ impl PacketBuilder {
             return Err(EncodeError::set(T::NAME, set, self.set()));
         }
         if HOST && T::FIXED && T::SIZE <= SMALL {
-            // The data stays in registers: to read what was just written to memory takes longer.
+            // The data stays in registers: reading back what was just written to memory takes
+            // longer.
             let mut data = [0; SMALL];
             field.encode(&mut data)?;
             let data = data.get(..T::SIZE).unwrap_or_default();
@@ -448,7 +449,7 @@ impl PacketBuilder {
         Ok(())
     }
 
-    /// The same, compiled once for all types; the set is that of the packet.
+    /// Like `push`, but compiled once for all types; the set is that of the packet.
     pub(crate) fn push_by(
         &mut self,
         name: &'static str,
@@ -467,7 +468,7 @@ impl PacketBuilder {
     ///
     /// # Errors
     ///
-    /// The bytes do not fit, or no packet has the set.
+    /// The bytes do not fit, or the set of the packet is 0 or 0xFF.
     pub fn push_raw(&mut self, descriptor: u8, data: &[u8]) -> Result<(), EncodeError> {
         self.append("", self.set(), descriptor, data)
     }
@@ -501,8 +502,8 @@ impl PacketBuilder {
         HEADER.saturating_add(payload.into())
     }
 
-    /// The place for the data of a further field. Its header will be where the checksum is; until
-    /// it is closed, the packet is unchanged.
+    /// The space for the data of a further field, whose header will replace the checksum. Until the
+    /// field is closed, the packet is unchanged.
     #[inline]
     fn free(&mut self, field: &'static str, set: u8) -> Result<&mut [u8], EncodeError> {
         if matches!(self.set(), 0 | 0xFF) {
@@ -547,10 +548,10 @@ impl PacketBuilder {
         self.seal(sums(before, field));
     }
 
-    /// Writes the header of a further field, and returns it and the checksum before it.
+    /// Writes the header of a further field, and returns the checksum before it, and the header.
     ///
-    /// The checksum continues from the last one. In the second sum, a byte counts as often as bytes
-    /// follow it, and once more: the payload length, which grows, and all bytes before the field.
+    /// The checksum continues from the last one. Its second sum adds up the first one after each
+    /// byte, so the growth of the payload length counts once for each byte since then.
     #[inline]
     fn head(&mut self, descriptor: u8, length: usize) -> ([u8; 2], [u8; 2]) {
         let end = self.end().min(MAX_PACKET);

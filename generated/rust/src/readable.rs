@@ -1,4 +1,4 @@
-//! What formats that people read, such as JSON, contain: names of values and bits, and NaN with its
+//! Values in formats that people read, such as JSON: names of values and bits, and NaN with its
 //! bits. Other formats contain the numbers.
 
 #![allow(dead_code)] // few parts of the specification use all of it
@@ -34,7 +34,7 @@ pub(crate) fn deserialize<'de, T: Readable, D: Deserializer<'de>>(
     T::read(deserializer)
 }
 
-/// A part of a value: what `serde` knows how to pass on.
+/// A part of a value, in a form that `serde` accepts.
 struct Part<T>(T);
 
 impl<T: Readable> Serialize for Part<&T> {
@@ -62,7 +62,7 @@ impl<T: Readable> Readable for Option<T> {
 
 // --------------------------------------------------------------------------- sequences
 
-/// Of any length, while `serde` itself knows arrays of at most 32 items.
+/// Arrays of any length; `serde` itself supports at most 32 items.
 impl<T: Readable + Item, const N: usize> Readable for [T; N] {
     fn write<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut tuple = serializer.serialize_tuple(N)?;
@@ -277,7 +277,7 @@ pub(crate) fn read_flags<'de, T: Flags, D: Deserializer<'de>>(
 struct Bitfield<T>(PhantomData<T>);
 
 impl<T: Flags> Bitfield<T> {
-    /// Adds bits; `None` if there are not that many.
+    /// Adds bits; `None` if they do not fit.
     fn add(storage: &mut T::Storage, first: u16, last: u16, number: u64) -> Option<()> {
         let bits = u16::try_from(core::mem::size_of::<T::Storage>()).ok()?.checked_mul(8)?;
         let before = if last < bits { storage.get(first, last) } else { return None };

@@ -70,8 +70,8 @@ impl FieldInfo {
         self.sets.contains(&set)
     }
 
-    /// Its name in a set, `set.field`, if it occurs there. What occurs in every set of its kind has
-    /// the same name everywhere.
+    /// Its name in a set, `set.field`, if it occurs there. A field of all data sets, or of all
+    /// command sets, has the same name everywhere.
     #[must_use]
     pub fn name_in(&self, set: u8) -> Option<&'static str> {
         self.occurs_in(set).then(|| self.occurrence(set).map_or(self.name, |found| found.name))
@@ -87,7 +87,7 @@ impl FieldInfo {
         self.occurrences.iter().find(|found| found.set == set)
     }
 
-    /// The field that has these bytes; if there are several layouts, that of the data.
+    /// The description of this field; if its descriptor has several layouts, that of the data.
     #[inline]
     #[must_use]
     pub fn of(field: &RawField<'_>) -> Option<&'static Self> {
@@ -96,7 +96,7 @@ impl FieldInfo {
 
     /// Its values, in the order of the packet: those that the type of the field holds.
     ///
-    /// It searches for the field; [`Listed::PARAMETERS`] are at hand where its type is known.
+    /// It searches for the field. If you know its type, use [`Listed::PARAMETERS`].
     #[must_use]
     pub fn parameters(&self) -> &'static [ParameterInfo] {
         let mut all = FIELDS.iter().zip(fields::PARAMETERS);
@@ -112,10 +112,10 @@ impl FieldInfo {
 pub struct ParameterInfo {
     /// The name in the specification.
     pub name: &'static str,
-    /// The names of the elements of a vector, or nothing.
+    /// The names of the elements of a vector; otherwise empty.
     pub elements: &'static [&'static str],
     /// The unit of all elements, or that of each: `["m/s"]`, `["deg", "deg", "m"]`; `["1"]` for a
-    /// plain number; nothing if it has none, or if another value decides it.
+    /// plain number; empty if it has none, or if another value decides it.
     pub units: &'static [&'static str],
     /// The frame of reference, if there is one and no other value decides it.
     pub frame: Option<&'static str>,
@@ -141,7 +141,7 @@ pub trait Listed:
     /// The descriptions of its values, in the order of the packet.
     const PARAMETERS: &'static [ParameterInfo];
 
-    /// The field as one of any type.
+    /// Converts the field to one of any type.
     #[must_use]
     fn into_any(self) -> AnyField;
 }
@@ -209,8 +209,8 @@ impl<V: Visitor> fmt::Debug for Own<V> {
     }
 }
 
-/// Calls the visitor as [`visit`] does, but with fields of your own, which come first: they take the
-/// place of those that the registry lists for the same descriptor.
+/// Like [`visit`], but also with fields of your own, which come first: they replace those that the
+/// registry lists for the same descriptor.
 ///
 /// ```
 /// use mip_protocol::registry::{visit_with, Listed, Own, Visitor};
@@ -272,8 +272,8 @@ pub fn visit_with<V: Visitor>(field: &RawField<'_>, own: &[Own<V>], visitor: V) 
     }
 }
 
-/// A field of any type that was decoded, and the descriptor set of its packet: one type may occur in
-/// several, each of which is another sensor or receiver.
+/// A field of any type that was decoded, and the descriptor set of its packet: one type may occur
+/// in several, each for another sensor or receiver.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -382,7 +382,7 @@ fn decode_with_trailing<T: Listed>(field: &RawField<'_>) -> Option<Result<Decode
     }
 }
 
-/// The result of `decode` in that case, once for all types.
+/// The result of `decode` after an error, compiled once for all types.
 #[cold]
 #[inline(never)]
 fn wrong<T>(reader: Reader<'_>, field: &'static str) -> Option<Result<T, DecodeError>> {
@@ -411,8 +411,8 @@ fn from_value<T: Listed>(
     T::from_value(value).map(T::into_any)
 }
 
-/// The row of each set in a table: that of the first range that has it, from 1.
-#[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // when the crate is compiled
+/// The row of each set in a table: that of the first range that contains it, counted from 1.
+#[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // evaluated at compile time
 const fn rows(ranges: &[&[(u8, u8)]]) -> [u8; 256] {
     let (mut rows, mut row, mut family) = ([0; 256], 0, 0);
     while family < ranges.len() {
@@ -435,7 +435,7 @@ const fn rows(ranges: &[&[(u8, u8)]]) -> [u8; 256] {
 }
 
 /// The number of rows.
-#[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // when the crate is compiled
+#[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // evaluated at compile time
 const fn count(ranges: &[&[(u8, u8)]]) -> usize {
     let (mut count, mut family) = (0, 0);
     while family < ranges.len() {

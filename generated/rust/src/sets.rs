@@ -1,4 +1,4 @@
-//! One module for each family of descriptor sets, and what begins with a device.
+//! One module for each family of descriptor sets, and one for the first steps with a device.
 
 #[cfg(feature = "aiding")]
 pub mod aiding;

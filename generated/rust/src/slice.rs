@@ -28,7 +28,8 @@ pub const fn packets(bytes: &[u8]) -> Packets<'_> {
 #[must_use = "iterators are lazy and do nothing unless consumed"]
 pub struct Packets<'a> {
     rest: &'a [u8],
-    /// What begins with the first candidate that the end cuts, unless a packet was found behind it.
+    /// The bytes from the first candidate that the end cuts off, unless a packet was found behind
+    /// it.
     open: &'a [u8],
     skipped: usize,
 }
@@ -67,7 +68,7 @@ impl<'a> Iterator for Packets<'a> {
 }
 
 impl<'a> Packets<'a> {
-    /// Searches for a packet that is not the next thing.
+    /// Searches for a packet that is not at the front.
     fn search(&mut self) -> Option<Packet<'a>> {
         let (mut rest, given) = (self.rest, self.rest.len());
         let mut open: &[u8] = &[];

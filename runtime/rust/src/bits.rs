@@ -19,7 +19,7 @@ pub struct Bits {
 
 /// The storage of a bitfield.
 pub(crate) trait Storage: Copy {
-    /// The bits `first` to `last`, where they are.
+    /// The bits `first` to `last`, in place.
     fn part(self, first: u16, last: u16) -> Self;
     /// The bits `first` to `last` as a number.
     fn get(self, first: u16, last: u16) -> u64;
@@ -278,7 +278,7 @@ impl<const N: usize> Storage for [u8; N] {
 
 /// A bitfield, for its iterators.
 pub trait BitSet: Copy {
-    /// The bits `first` to `last`, where they are.
+    /// The bits `first` to `last`, in place.
     #[must_use]
     fn part(self, first: u16, last: u16) -> Self;
     /// The bits that are not set in the other.
@@ -342,7 +342,7 @@ impl<B: BitSet> Iterator for Iter<B> {
 
 /// Writes the names of the bits that are set, the numbers that are not 0, and the bits that remain.
 ///
-/// A name whose bits another has told is left out.
+/// A name is left out if an earlier one has covered its bits.
 pub(crate) fn debug<S: Storage + Hexadecimal>(
     name: &str,
     storage: S,

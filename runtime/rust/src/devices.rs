@@ -24,9 +24,9 @@ pub struct Profile {
     pub generation: Option<u8>,
     /// The manual that describes it, if one is known.
     pub manual: Option<&'static str>,
-    /// Sentences on what is not known of it. If there are any, it may have more than is listed.
+    /// Statements on what is unknown about it. If there are any, it may have more than is listed.
     pub incomplete: &'static [&'static str],
-    /// The commands and data fields that it has for certain or probably.
+    /// The commands and data fields that it certainly or probably has.
     pub fields: &'static [Supported],
     /// The commands and data fields that it is known not to have.
     pub refuses: &'static [Supported],
@@ -67,7 +67,7 @@ pub struct Evidence {
     pub why: &'static str,
 }
 
-/// A field that a device has for certain or probably, or that it has not.
+/// A field that a device certainly or probably has, or does not have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Supported {
@@ -101,7 +101,7 @@ pub struct Firmware {
 pub struct BaseRate {
     /// The descriptor set.
     pub set: u8,
-    /// Rate in Hz, divided by a decimation; 0 if data is sent as it arrives.
+    /// The rate in Hz, which a decimation divides; 0 if data is sent as it arrives.
     pub hertz: f64,
 }
 
@@ -163,16 +163,17 @@ impl Profile {
         ALL.iter().copied().find(called)
     }
 
-    /// The device of this model number; `None` if it is unknown, for example of a newer device.
+    /// The device of this model number; `None` if it is unknown, for example that of a newer
+    /// device.
     #[must_use]
     pub fn by_model(number: u16) -> Option<&'static Self> {
         ALL.iter().copied().find(|device| device.model_number == Some(number))
     }
 
-    /// Does the device have a field in packets of this set? Of a whole profile, what it does not
-    /// list is [`Support::No`].
+    /// Does the device have a field in packets of this set? If the profile is complete, this is
+    /// [`Support::No`] for fields that it does not list.
     ///
-    /// Shared fields are had in every data set.
+    /// Shared fields are supported in every data set.
     #[must_use]
     pub fn support(&self, set: u8, descriptor: u8) -> Support {
         match self.field(set, descriptor) {
@@ -182,8 +183,8 @@ impl Profile {
         }
     }
 
-    /// What the profile says of a field in packets of this set: its evidence says how certain it is,
-    /// and why.
+    /// The entry of the profile for a field in packets of this set; its evidence states how certain
+    /// it is, and why.
     #[must_use]
     pub fn field(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
         let matches = |f: &&Supported| f.set == set || (f.set == 0xFF && set >= 0x80);
@@ -191,8 +192,8 @@ impl Profile {
         said.find(|f| f.descriptor == descriptor && matches(f))
     }
 
-    /// Does it have this field, for certain or probably, in one of the sets in which it occurs?
-    /// [`Profile::support`] asks for one set.
+    /// Does it certainly or probably have this field, in one of the sets in which the field occurs?
+    /// For a single set, use [`Profile::support`].
     #[must_use]
     pub fn has<T: crate::Field>(&self) -> bool {
         let found = |set: &u8| self.support(*set, T::DESCRIPTOR);

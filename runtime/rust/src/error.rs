@@ -30,7 +30,7 @@ pub struct DecodeError {
     pub got: usize,
 }
 
-/// The kinds of errors in the data of a field.
+/// The kinds of errors in the data of a field; after the colon, the meaning of `need` and `got`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -59,7 +59,7 @@ pub struct EncodeError {
     pub got: usize,
 }
 
-/// The kinds of errors in the values of a field, or in the place to write them to.
+/// The kinds of errors when a field is encoded; after the colon, the meaning of `need` and `got`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -72,21 +72,21 @@ pub enum EncodeErrorKind {
     Count,
     /// A union does not contain the member that its tag selects.
     Tag,
-    /// It does not fit into a field, a packet or the caller's buffer: the number of bytes needed,
-    /// at least, and of those free.
+    /// The data does not fit into a field, a packet or the caller's buffer: the number of bytes
+    /// needed, at least, and of those free.
     Length,
-    /// The field does not occur in the descriptor set of the packet: a set in which it does, and that
-    /// of the packet.
+    /// The field does not occur in the descriptor set of the packet: a set in which it occurs, and
+    /// that of the packet.
     Set,
 }
 
-/// The data of a field are invalid: the [`Reader`](crate::Reader) that was reading them knows why.
+/// The data of a field is invalid: [`Reader::error`](crate::Reader::error) returns the reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Invalid;
 
 impl DecodeError {
-    /// The same error in a field.
+    /// An error in this field.
     #[must_use]
     pub(crate) const fn new(
         kind: DecodeErrorKind,
@@ -109,13 +109,13 @@ impl EncodeError {
         Self { kind, field, need, got }
     }
 
-    /// Bytes that do not fit.
+    /// The error for bytes that do not fit.
     #[must_use]
     pub(crate) const fn length(field: &'static str, need: usize, got: usize) -> Self {
         Self::new(EncodeErrorKind::Length, field, need, got)
     }
 
-    /// A field that occurs in one set, and a packet of another.
+    /// The error for a field that occurs in one set, and a packet of another.
     #[must_use]
     pub(crate) const fn set(field: &'static str, need: u8, got: u8) -> Self {
         Self::new(EncodeErrorKind::Set, field, need as usize, got as usize)

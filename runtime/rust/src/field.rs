@@ -109,13 +109,13 @@ pub trait Command: OneSet {
     }
 }
 
-/// A command that has the function `FUNCTION`, from one of its constructors; mostly named as
-/// [`Read`](crate::protocol::Read), [`Write`](crate::protocol::Write) and so on. Its type states what
-/// it is answered with.
+/// A command with the function `FUNCTION`, from one of its constructors; its usual names are
+/// [`Read`](crate::protocol::Read), [`Write`](crate::protocol::Write) and so on. Its type
+/// determines its response.
 ///
 /// A call can be sent or searched wherever a field can: `field.get::<Read<PpsSourceControl>>()`
-/// is `None` for other functions. Its values can be read as those of the command; to change them,
-/// take the command out, whose function can be any: [`Call::into_command`].
+/// is `None` for other functions. Its values can be read like those of the command; to change them,
+/// convert it to the command, which may have any function: [`Call::into_command`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(transparent))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -125,8 +125,8 @@ impl<C, const FUNCTION: u8> Call<C, FUNCTION> {
     /// The function.
     pub const FUNCTION: FunctionSelector = FunctionSelector(FUNCTION);
 
-    /// From a command with this function.
-    #[allow(dead_code)] // without commands that have one
+    /// Wraps a command that has this function.
+    #[allow(dead_code)] // if no command has a function
     pub(crate) const fn of(command: C) -> Self {
         Self(command)
     }
@@ -191,9 +191,9 @@ impl<C: OneSet, const FUNCTION: u8> OneSet for Call<C, FUNCTION> {
     const SET: u8 = C::SET;
 }
 
-/// A command that has the function `FUNCTION`, among others.
+/// A command that supports the function `FUNCTION`, among others.
 pub trait Takes<const FUNCTION: u8>: Command {
-    /// What it is answered with then.
+    /// The response for this function.
     type Response: Response;
 }
 
@@ -213,7 +213,7 @@ impl<C: Takes<FUNCTION>, const FUNCTION: u8> Command for Call<C, FUNCTION> {
     }
 }
 
-/// Recognizes a response and says whether it can be decoded; `None` for other fields.
+/// Recognizes a response, and returns whether it can be decoded; `None` for other fields.
 pub type ResponseCheck = fn(&RawField<'_>) -> Option<bool>;
 
 /// The check for one type of response.
@@ -366,7 +366,7 @@ impl<'a> RawField<'a> {
         self.is::<T>().then(|| T::decode(self.data))
     }
 
-    /// Its values where they are, if it is a field of this type.
+    /// Reads its values in place, if it is a field of this type.
     #[inline]
     #[must_use]
     pub fn view<T: Field + Viewed>(&self) -> Option<Result<View<'a, T>, DecodeError>> {
@@ -376,9 +376,9 @@ impl<'a> RawField<'a> {
 
 /// Runs the arm for the type of a field, with the decoded value.
 ///
-/// It is what a chain of [`RawField::get`] does, and takes one look at each field, where
-/// [`Packet::find`](crate::Packet::find) looks for one type after another. Its value is a `Result`: a
-/// field that cannot be decoded is an error. Without an arm `_`, nothing happens for other types.
+/// Like a chain of [`RawField::get`], it looks at each field once, while
+/// [`Packet::find`](crate::Packet::find) searches the packet for each type. It returns a `Result`:
+/// a field that cannot be decoded is an error. Without an arm `_`, nothing happens for other types.
 ///
 /// ```
 /// use mip_protocol::{dispatch, protocol::Acknowledge, DecodeError, RawField};
@@ -425,8 +425,8 @@ macro_rules! dispatch {
     };
 }
 
-/// The numbers from the first one on.
-#[allow(clippy::indexing_slicing)] // when the crate is compiled
+/// `N` consecutive numbers, from the first one.
+#[allow(clippy::indexing_slicing)] // evaluated at compile time
 pub(crate) const fn run<const N: usize>(first: u8) -> [u8; N] {
     let (mut numbers, mut at, mut number) = ([0; N], 0, first);
     while at < N {

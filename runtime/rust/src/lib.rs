@@ -1,7 +1,7 @@
 #![doc = include_str!("../README.md")]
 #![doc = include_str!("map.md")]
 #![cfg_attr(feature = "default", doc = include_str!("sets.md"))]
-// Texts name fields of other sets, which may be disabled.
+// Doc comments link to fields of other sets, which may be disabled.
 #![cfg_attr(not(feature = "default"), allow(rustdoc::broken_intra_doc_links))]
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -20,7 +20,7 @@
 )]
 // Deprecated fields still have to be read, and there is no heap to put a large variant on.
 #![allow(deprecated, clippy::large_enum_variant)]
-// Of clippy's pedantic lints, which are otherwise silent:
+// Clippy's pedantic lints report nothing else:
 #![allow(
     // sums wrap, and bits and sizes are known to fit;
     clippy::cast_possible_truncation,
@@ -35,7 +35,7 @@
     clippy::ref_option,
     clippy::trivially_copy_pass_by_ref,
     clippy::unnecessary_wraps,
-    // what vanishes where it is inlined was measured.
+    // the gain from inlining was measured.
     clippy::inline_always
 )]
 
@@ -75,7 +75,7 @@ pub mod registry;
 mod sets;
 pub mod types;
 
-#[allow(unused_imports)] // without any set
+#[allow(unused_imports)] // if no set is enabled
 pub use sets::*;
 
 pub use bits::Bits;

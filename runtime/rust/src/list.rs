@@ -35,7 +35,7 @@ pub struct List<T, const N: usize> {
     given: usize,
 }
 
-/// The bit of [`List::given`] that says so.
+/// The bit of [`List::given`] that marks a list as overflowed.
 const OVERFLOWED: usize = !(usize::MAX >> 1);
 
 /// The elements of a [`List`] or an array: all numbers, enumerations, bitfields and structures.
@@ -107,7 +107,7 @@ impl<T: Item, const N: usize> List<T, N> {
 }
 
 impl<T, const N: usize> List<T, N> {
-    /// Appends an item. A list that has overflowed takes none until it is cleared.
+    /// Appends an item. A list that has overflowed accepts none until it is cleared.
     ///
     /// # Errors
     ///
@@ -288,14 +288,14 @@ impl<T: Item + Clone, const M: usize, const N: usize> From<&[T; M]> for List<T, 
     }
 }
 
-/// Of a slice that is too long, the first items: see [`List::overflowed`].
+/// Keeps the first items of a slice that is too long: see [`List::overflowed`].
 impl<T: Item + Clone, const N: usize> From<&[T]> for List<T, N> {
     fn from(items: &[T]) -> Self {
         items.iter().cloned().collect()
     }
 }
 
-/// Of a `Vec` that is too long, the first items: see [`List::overflowed`].
+/// Keeps the first items of a `Vec` that is too long: see [`List::overflowed`].
 #[cfg(feature = "alloc")]
 impl<T: Item, const N: usize> From<Vec<T>> for List<T, N> {
     fn from(items: Vec<T>) -> Self {
@@ -303,7 +303,7 @@ impl<T: Item, const N: usize> From<Vec<T>> for List<T, N> {
     }
 }
 
-/// Of a `Vec` that is too long, the first items: see [`List::overflowed`].
+/// Keeps the first items of a `Vec` that is too long: see [`List::overflowed`].
 #[cfg(feature = "alloc")]
 impl<T: Item + Clone, const N: usize> From<&Vec<T>> for List<T, N> {
     fn from(items: &Vec<T>) -> Self {
@@ -311,7 +311,7 @@ impl<T: Item + Clone, const N: usize> From<&Vec<T>> for List<T, N> {
     }
 }
 
-/// The first items of an iterator that yields too many: see [`List::overflowed`].
+/// Keeps the first items of an iterator that yields too many: see [`List::overflowed`].
 impl<T: Item, const N: usize> FromIterator<T> for List<T, N> {
     fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
         let mut list = Self::new();

@@ -6,7 +6,7 @@ use core::fmt;
 
 use crate::packet::{Packet, PacketBuilder, PacketError};
 
-/// A packet that owns its bytes; to keep packets, or to send them to another thread.
+/// A packet that owns its bytes, so that it can be kept, or sent to another thread.
 ///
 /// A packet is not checked again:
 ///

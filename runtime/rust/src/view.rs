@@ -31,9 +31,9 @@ pub struct View<'a, T> {
     of: PhantomData<fn() -> T>,
 }
 
-// Functions, because a view has methods of any name.
+// Functions, because the methods of a view are named after the values of the field.
 
-/// The bytes of a field, if there are enough.
+/// A view of the bytes of a field, if there are enough.
 #[inline]
 pub(crate) fn open<T: Field + Viewed>(data: &[u8]) -> Result<View<'_, T>, DecodeError> {
     if data.len() < T::SIZE {

@@ -15,7 +15,7 @@ use crate::parser::{behind, Parser};
 /// A device at a port with the traits of `embedded-io-async`; the asynchronous form of
 /// [`Device`](super::Device). It needs no particular executor.
 ///
-/// The second argument returns a future that waits for a number of milliseconds:
+/// `sleep` is a function that returns a future, which waits for a number of milliseconds:
 /// `|ms| Timer::after_millis(ms.into())` of `embassy-time`, or
 /// `|ms| tokio::time::sleep(Duration::from_millis(ms.into()))`.
 ///
@@ -42,7 +42,8 @@ impl<P, S> AsyncDevice<P, S> {
 }
 
 impl<P, S, const N: usize, const Q: usize> AsyncDevice<P, S, N, Q> {
-    /// With a client of another time-out or size: `let device: AsyncDevice<_, _, 1, 600> = …`.
+    /// A device with a client of another time-out or size:
+    /// `let device: AsyncDevice<_, _, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, sleep: S, client: Client<N>) -> Self {
         Self { port, sleep, core: Core::new(client) }
@@ -104,7 +105,7 @@ where
     ///
     /// # Errors
     ///
-    /// Returns the error of the function, or that of the port.
+    /// Returns the error of the closure, or that of the port.
     pub async fn send_all<T>(
         &mut self,
         set: u8,
@@ -116,7 +117,7 @@ where
         }
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
-        let packet = request.send(0); // with it, time begins
+        let packet = request.send(0); // time counts from here
         if !packet.payload().is_empty() {
             write(&mut self.port, packet.bytes()).await?;
         }
@@ -141,8 +142,8 @@ where
         self.core.answer(ticket)
     }
 
-    /// The same with the response not decoded, for tickets of any type, also those of
-    /// [`Request::add_any`]. `None` for that of an earlier command, and if the device does not
+    /// Like [`AsyncDevice::answer`], with the response not decoded, for tickets of any type, also
+    /// those of [`Request::add_any`]. `None` for an earlier command, and if the device does not
     /// answer the command.
     pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
         self.core.client.known_event(ticket)
@@ -192,7 +193,7 @@ async fn write<P: Write>(port: &mut P, mut bytes: &[u8]) -> Result<(), DeviceErr
     }
 }
 
-/// Lets other futures run once: otherwise the time may not go on.
+/// Lets other futures run once: otherwise a timer may never end.
 async fn pause() {
     let mut again = true;
     poll_fn(|context| {
@@ -217,8 +218,8 @@ async fn read<P: Read, const N: usize, const Q: usize>(
     let (count, late) = {
         let mut read = pin!(port.read(part));
         poll_fn(|context| {
-            // Before reading, in case the program is stopped in between. It is not asked again
-            // when it is over.
+            // The time comes first, in case the program is stopped in between. It is not polled
+            // again after it is over.
             let late = *backlog < BACKLOG || sleep.as_mut().poll(context).is_ready();
             let count = read.as_mut().poll(context);
             match count {

@@ -41,7 +41,7 @@ impl<T, F> EmbeddedPort<T, F> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum EmbeddedError<E> {
-    /// That of the driver.
+    /// The error of the driver.
     Driver(E),
     /// The driver accepts no bytes: its `write` returned 0.
     WriteZero,

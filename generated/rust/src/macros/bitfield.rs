@@ -1,6 +1,6 @@
 //! Bitfields.
 
-/// Named bits of a number or of bytes, with the surface of the crate `bitflags`, version 2.
+/// Named bits of a number or of bytes, with the interface of the crate `bitflags`, version 2.
 macro_rules! bitfield {
     (
         $(#[$meta:meta])*
@@ -197,7 +197,7 @@ macro_rules! bit_sets {
                 *self = self.difference(bits);
             }
 
-            /// Changes these bits.
+            /// Inverts these bits.
             #[inline]
             pub fn toggle(&mut self, bits: Self) {
                 *self = self.symmetric_difference(bits);
@@ -223,14 +223,14 @@ macro_rules! bit_sets {
                 Self($crate::bits::merge!($storage, and, self.0, other.0))
             }
 
-            /// The bits that are set here but not there.
+            /// The bits that are set in this one, but not in the other.
             #[inline]
             #[must_use]
             pub const fn difference(self, other: Self) -> Self {
                 Self($crate::bits::merge!($storage, and_not, self.0, other.0))
             }
 
-            /// The bits that are set in exactly one of them.
+            /// The bits that are set in exactly one.
             #[inline]
             #[must_use]
             pub const fn symmetric_difference(self, other: Self) -> Self {

@@ -12,7 +12,7 @@ macro_rules! spec_name {
     };
 }
 
-/// Errors for `dyn Error`, with `std` or where the compiler has it without.
+/// Implements `Error`, if `std` or `core` has it.
 macro_rules! error {
     ($($name:ident)+) => {$(
         #[cfg(any(feature = "core-error", feature = "std"))]

@@ -175,7 +175,7 @@ macro_rules! vector {
             }
         }
 
-        /// An array, as it is in the trees of values.
+        /// Written as an array, as in the trees of values.
         #[cfg(feature = "serde")]
         impl serde::Serialize for $name {
             fn serialize<S: serde::Serializer>(

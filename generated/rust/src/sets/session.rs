@@ -17,11 +17,11 @@ pub const BAUD_RATES: [u32; 10] = [
     115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800,
 ];
 
-/// For how many milliseconds a ping may be answered.
+/// The time in milliseconds in which a ping must be answered.
 const LISTEN: u32 = 150;
-/// A device changes its baud rate so many milliseconds after the acknowledge.
+/// The time in milliseconds from the acknowledge until a device has changed its baud rate.
 const CHANGE: u32 = 250;
-/// How often a command is sent, if it is not answered, or incorrectly.
+/// The number of attempts for a command that is not answered, or answered incorrectly.
 const ATTEMPTS: u8 = 3;
 
 /// Opens a port, finds the device there, and sets it to idle: its streams are then off until
@@ -61,7 +61,7 @@ pub fn open(place: &str) -> Result<Device<crate::device::Line>, DeviceError<std:
     }
 }
 
-/// That a device was not found, with the remedy.
+/// The error for a device that was not found, with the remedy.
 #[cfg(feature = "open")]
 fn nobody(place: &str, rates: &[u32]) -> std::io::Error {
     let list = std::format!("{rates:?}");
@@ -78,7 +78,7 @@ fn nobody(place: &str, rates: &[u32]) -> std::io::Error {
 pub struct Rate {
     descriptor: u8,
     hz: f32,
-    /// Empty: any.
+    /// Empty for any set.
     sets: &'static [u8],
     name: &'static str,
 }
@@ -192,7 +192,7 @@ fn is_refused<T, E>(result: &Result<T, DeviceError<E>>) -> bool {
     matches!(result, Err(DeviceError::Command(CommandError::Refused(_))))
 }
 
-/// Calls a command again if noise may have been the cause.
+/// Repeats a command if noise may have been the cause of an error.
 fn repeated<T, E>(
     mut call: impl FnMut() -> Result<T, DeviceError<E>>,
 ) -> Result<T, DeviceError<E>> {
@@ -242,10 +242,10 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(found)
     }
 
-    /// Starts the data of a descriptor set: asks its base rate, writes which fields are sent and how
-    /// often, in this order, switches the stream on, and ends the idle state. Returns the base rate
-    /// in Hz, at which fields are sent whose rate is 0; a base rate of 0 means that data is sent as
-    /// it arrives.
+    /// Starts the data of a descriptor set: reads its base rate, writes which fields are sent and
+    /// how often, in this order, switches the stream on, and ends the idle state. Returns the base
+    /// rate in Hz, at which fields are sent whose rate is 0; a base rate of 0 means that data is
+    /// sent as it arrives.
     ///
     /// Fields that all sets share, such as time stamps, come first. If the device rejects the first
     /// command, the older commands of the set take its place. Commands that are not answered are
@@ -273,7 +273,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
             0x82 => Some(repeated(|| self.request(&crate::mip_3dm::GetFilterBaseRate::new())).map(|x| x.rate)),
             _ => None,
         };
-        // If it rejects this one, too, it does not have the set.
+        // If it rejects this one as well, it does not have the set.
         let base = older_rate.filter(|rate| !is_refused(rate)).unwrap_or(current)?;
         for rate in rates {
             let nearest = f32::from(base) / f32::from(rate.decimation(base));
@@ -317,8 +317,9 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     ///
     /// # Errors
     ///
-    /// The port has no baud rate, or the command writes none ([`DeviceError::NoBaudRate`]); it is
-    /// refused; the port fails; or the device answers at neither rate ([`CommandError::TimedOut`]).
+    /// The port has no baud rate, or the command writes none ([`DeviceError::NoBaudRate`]); the
+    /// device rejects it; the port fails; or the device answers at neither rate
+    /// ([`CommandError::TimedOut`]).
     pub fn change_baud<C>(&mut self, command: &C) -> Result<u32, DeviceError<P::Error>>
     where
         C: ChangesBaud,

@@ -3,10 +3,10 @@
 //!
 //! Source: 3dm-cv7-gnss-ins: Shared (0xFF); 3dm-cv7-gnss-ins: Shared Data Descriptors.
 
-// The macros, which `src/macros` defines; `cargo doc` shows what they make:
-// `open_enum!` and `bitfield!` types of values; `record!` a structure with its codec; `union!` its
-// alternatives; `view!` methods that read single values; `constructors!` and `setters!` what makes
-// it; `field!` its sets and descriptor; `command!` and `responses!` how it is answered.
+// The macros are in `src/macros`; `cargo doc` shows what they generate. `open_enum!` and
+// `bitfield!`: types of values; `record!`: a structure with its codec; `union!`: its alternatives;
+// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill it;
+// `field!`: its sets and descriptor; `command!` and `responses!`: the answers to it.
 
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;

@@ -12,13 +12,13 @@ use super::{Device, DeviceError, Port};
 
 /// While nothing arrives, a read returns after this time, so that commands can time out.
 const READ: Duration = Duration::from_millis(10);
-/// A connection is made, and bytes are accepted, in this time.
+/// The time-out for connecting, and for writing.
 const WRITE: Duration = Duration::from_secs(5);
-/// The rate of a port whose place names none.
+/// The baud rate of a port whose place names none.
 const USUAL: u32 = 115_200;
-/// Until a port that was lost is tried again.
+/// The pause before a lost port is tried again.
 const PAUSE: Duration = Duration::from_millis(100);
-/// The step of a log's clock at its end.
+/// A log's clock jumps by this at its end, so that nothing waits for more.
 const END: u32 = 1 << 30;
 
 /// A serial port, a TCP connection, or a log, at a place that is written as text:

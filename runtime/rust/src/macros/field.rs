@@ -44,7 +44,7 @@ macro_rules! sets {
     };
 }
 
-/// A field in a single set has a constant for it.
+/// A field that occurs in a single set has a constant for it.
 macro_rules! one_set {
     ($name:ident $set:literal) => {
         impl $crate::OneSet for $name {
@@ -54,8 +54,8 @@ macro_rules! one_set {
     ($name:ident $($several:tt)+) => {};
 }
 
-/// How a command is answered: with what, and with what for which functions; in which layouts; and when
-/// not at all.
+/// The answers to a command: its response, the responses for its functions, the layouts of a
+/// response, and when there is no answer.
 macro_rules! command {
     (
         $name:ident -> $response:ty;

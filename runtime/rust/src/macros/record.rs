@@ -224,7 +224,7 @@ macro_rules! setters {
     ($name:ident $(fn $with:ident($member:ident: $type:ty);)*) => {
         impl $name {
             $(
-                #[doc = concat!("With `", stringify!($member), "`, which is optional.")]
+                #[doc = concat!("Adds `", stringify!($member), "`, which is optional.")]
                 #[inline]
                 #[must_use]
                 pub fn $with(mut self, $member: $type) -> Self {
@@ -237,7 +237,7 @@ macro_rules! setters {
     (call $name:ident $(fn $with:ident($member:ident: $type:ty);)*) => {
         impl<const FUNCTION: u8> $crate::Call<$name, FUNCTION> {
             $(
-                #[doc = concat!("With `", stringify!($member), "`, which is optional.")]
+                #[doc = concat!("Adds `", stringify!($member), "`, which is optional.")]
                 #[inline]
                 #[must_use]
                 pub fn $with(self, $member: $type) -> Self {
@@ -267,7 +267,7 @@ macro_rules! union {
         #[non_exhaustive]
         pub enum $name {
             $($(#[$variant_meta])* $variant $(($type))?,)*
-            /// Nothing, for a tag that the specification does not know.
+            /// No member, for a tag that the specification does not know.
             #[cfg_attr(feature = "serde", serde(rename = "other"))]
             Other($tag),
         }
@@ -333,7 +333,7 @@ macro_rules! union {
     };
 }
 
-/// The values of a record that are always at the same places: their types, and where they begin.
+/// The values of a record that are always at the same places: their types and offsets.
 macro_rules! view {
     ($name:ident $($member:ident $(: $type:ty)? $(as $part:ty)?, at $at:literal;)*) => {
         impl $crate::Viewed for $name {}
@@ -344,7 +344,7 @@ macro_rules! view {
     };
 }
 
-/// The method for one of them; that for a structure lends it.
+/// The method for one of them; for a structure, it returns a view.
 macro_rules! viewed {
     ($name:ident $member:ident: $type:ty, $at:literal) => {
         #[doc = concat!("See [`", stringify!($name), "::", stringify!($member), "`].")]

@@ -22,8 +22,8 @@ macro_rules! registry {
             <$type as Listed>::INFO,
         )*)*];
 
-        /// Their parameters, in the same order: apart, so that only a program that asks for
-        /// them contains them.
+        /// Their parameters, in the same order; separate, so that only a program that uses them
+        /// contains them.
         pub(super) static PARAMETERS: &[&[ParameterInfo]] = &[$($(
             #[cfg($when)]
             <$type as Listed>::PARAMETERS,
@@ -97,9 +97,9 @@ macro_rules! registry {
             &[$(($first, $crate::bits::last!($first $(, $last)?)),)+],
         )*];
 
-        /// The types of the descriptors of each row; of several layouts, the first one. The first row
-        /// is that of unknown sets.
-        #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // when the crate is compiled
+        /// The types of the descriptors of each row; if there are several layouts, the first one.
+        /// The first row is for unknown sets.
+        #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // evaluated at compile time
         static TABLE: [[Id; 256]; count(ROWS) + 1] = {
             const PLACES: [u8; 256] = rows(ROWS);
             const ALL: &[(Id, &[u8], u8)] = &[$($(
@@ -123,7 +123,7 @@ macro_rules! registry {
         };
 
         /// The types of the descriptors of each set.
-        #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // when the crate is compiled
+        #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // evaluated at compile time
         static IDS: [&[Id; 256]; 256] = {
             const PLACES: [u8; 256] = rows(ROWS);
             let (mut ids, mut set) = ([&TABLE[0]; 256], 0);
@@ -144,7 +144,7 @@ macro_rules! registry {
         /// the data.
         #[inline]
         pub fn visit<V: Visitor>(field: &RawField<'_>, visitor: V) -> V::Output {
-            // Here, where the set is known for all fields of a packet.
+            // Looked up here, because the set is the same for all fields of a packet.
             visit_as(field.data, field.descriptor, ids(field.set), field.set, visitor)
         }
 
@@ -219,7 +219,7 @@ macro_rules! registry {
 
             /// Adds it to a request, if it is a command.
             #[inline]
-            #[allow(unused_variables)] // few sets are without commands
+            #[allow(unused_variables)] // if there are no commands
             pub(crate) fn add_to(
                 &self,
                 request: &mut Request<'_>,
@@ -299,7 +299,7 @@ macro_rules! parameters {
     };
 }
 
-/// Statements for all sets, unless a set has its own.
+/// The text for all sets, unless a set has its own.
 macro_rules! own {
     ($common:literal) => {
         $common
@@ -318,7 +318,7 @@ macro_rules! optional {
     };
 }
 
-/// Adds commands to a request; other fields are errors.
+/// Adds a command to a request; `None` for other fields.
 macro_rules! add_to {
     (Command, $request:ident, $field:ident) => {
         Some($request.add($field).map(Ticket::untyped))
@@ -329,7 +329,7 @@ macro_rules! add_to {
     }};
 }
 
-/// The fields that a device supports, with the functions that it takes.
+/// The fields that a device supports, with the functions that it accepts.
 macro_rules! supported {
     ($($set:literal $descriptor:literal $name:literal [$($function:ident)*] $evidence:expr;)*) => {
         &[$($crate::devices::Supported {

@@ -1,4 +1,4 @@
-//! The fields, in the form that [`registry!`] takes.
+//! The fields, in the form that [`registry!`] expects.
 
 use super::*;
 
