@@ -1,4 +1,4 @@
-// Aiding commands: how its fields are called, read and written. The declarations say what they mean.
+// Aiding commands: the names and layouts of its fields. The declarations describe their meaning.
 
 import * as codec from "./mip/codec.mjs";
 import * as field from "./mip/field.mjs";

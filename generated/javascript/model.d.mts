@@ -1,3 +1,3 @@
-/** The specification, as mip.json of the JSON target has it. */
+/** The specification, as in mip.json of the JSON target. */
 declare const model: { readonly format: string; readonly [part: string]: any };
 export default model;

@@ -1,4 +1,4 @@
-// Sensor data: how its fields are called, read and written. The declarations say what they mean.
+// Sensor data: the names and layouts of its fields. The declarations describe their meaning.
 
 import * as codec from "./mip/codec.mjs";
 import * as field from "./mip/field.mjs";

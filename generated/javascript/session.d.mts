@@ -2,5 +2,5 @@
 
 import type { GetDeviceInfoResponse } from "./base.mjs";
 
-/** What a device says of itself. */
+/** The device information. */
 export type Identity = GetDeviceInfoResponse;

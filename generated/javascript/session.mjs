@@ -3,7 +3,7 @@
 import * as base from "./base.mjs";
 import * as mip3dm from "./3dm.mjs";
 
-/** The rates of the serial ports of all known devices, that of a new device first. */
+/** The baud rates of all known devices, the usual one first. */
 export const BAUD_RATES = [115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800];
 
 export const session = {

@@ -852,7 +852,7 @@ SETS[0x95] = { number = 0x95, name = "gnss_external_2", title = "External GNSS d
 SETS[0xA0] = { number = 0xA0, name = "system_data", title = "System data", fields = {}, named = { } }
 SETS[0xFF] = { number = 0xFF, name = "shared", title = "Shared data", fields = {}, named = { [0xFF] = "Debug ticks", } }
 
--- A field in each of its sets, where it has a name and filters of its own.
+-- Adds a field to each of its sets, where it has a name and filters of its own.
 local function field(f, places)
   for _, place in ipairs(places) do
     local own = setmetatable({ set = place.set, name = place.name, title = place.title }, { __index = f })
@@ -4391,7 +4391,7 @@ local DEVICES = {
 }
 
 -- ---------------------------------------------------------------------------------------------------------- filters
--- What can be filtered: a field of Wireshark for every value, element and bit, `mip.<set>.<field>.<parameter>.<part>`.
+-- The display filters: a field of Wireshark for every value, element and bit, `mip.<set>.<field>.<parameter>.<part>`.
 
 local mip = Proto(NAME, TITLE)
 local stream = Proto("mip_stream", TITLE .. ", chunks of a byte stream")
@@ -4498,7 +4498,7 @@ end
 
 local bind_rows
 
--- A row with the filters of its place: a structure has others in each field that holds it.
+-- Adds the filters of its place to a row: a structure has different ones in each field that contains it.
 local bind = {}
 
 local function bound(row, path)
@@ -4548,7 +4548,7 @@ function bind.array(row, path)
   end
   local readings = {}
   for _, r in ipairs(row.readings or {}) do
-    if not r.flags or r.member then -- bits are those of the whole array
+    if not r.flags or r.member then -- bits belong to the whole array
       readings[#readings + 1] = r
     end
   end
@@ -4584,7 +4584,7 @@ end
 local function bind_field(f)
   local path = PREFIX .. "." .. f.name
   f.body = bind_rows(f.rows, path)
-  if not f.plain then -- else a value has the name
+  if not f.plain then -- otherwise a value has this name
     f.filter = filter(ProtoField.none(path, f.title, f.doc))
   end
 end
@@ -4624,7 +4624,7 @@ local function take(reader, size)
   return at
 end
 
--- How many items of `size` bytes an array has.
+-- The number of items of `size` bytes that an array has.
 local function length(row, size, reader, record)
   local left = reader.stop - reader.at
   if row.count then
@@ -4720,7 +4720,7 @@ function read.switch(b, reader, record, nodes)
   made.size = reader.at - made.at
 end
 
--- Parameters that are there together or not at all; true if they are there.
+-- Reads parameters that are present together or not at all; true if they are present.
 local function read_group(b, required, reader, record, nodes)
   local row = b.row
   local mark, least = reader.at, row.last <= required
@@ -4763,7 +4763,7 @@ local function read_field(f, reader, record, nodes)
   end
 end
 
--- The nodes of a field, the numbers of its parameters, the bytes left over, and what is wrong:
+-- Decodes a field. Returns its nodes, the numbers of its parameters, the number of bytes left over, and the problem:
 -- { kind = "truncated", "count" or "constant", text = ... }.
 local function decode(f, raw)
   local reader, record, nodes = { raw = raw, at = 0, stop = #raw }, {}, {}
@@ -4774,7 +4774,7 @@ local function decode(f, raw)
   return nodes, record, reader.stop - reader.at, not good and problem or nil
 end
 
--- The layout that data of a descriptor have: see `choose`.
+-- Does the data contain the constants of a layout, as far as it reaches?
 local function fits(f, raw)
   for _, constant in ipairs(f.constants or {}) do
     local found = raw:sub(constant.at + 1, constant.at + #constant.value)
@@ -4785,8 +4785,7 @@ local function fits(f, raw)
   return true
 end
 
--- Constants tell it, as far as the data reach; then it is the one of this size, else the longest that the data hold,
--- else the shortest.
+-- Chooses the layout of data: among those whose constants match, the longest that the data can hold, else the shortest.
 local function choose(candidates, raw)
   if not candidates or #candidates < 2 then
     return candidates and candidates[1]
@@ -4827,7 +4826,7 @@ local function unit(row)
   return found ~= "" and " " .. found or ""
 end
 
--- How the value of a number is written in the line of its vector or field.
+-- The text of a number in the line of its vector or field.
 local function written(made, range)
   local row = made.row
   if row.type == "float" then
@@ -4883,7 +4882,8 @@ local function bit_items(made, item, range)
   end
 end
 
--- The bytes of a node. They are taken from the packet: an empty part of a part is an error in Wireshark.
+-- The bytes of a node. They are a range of the packet, because an empty range of another range is an error in
+-- Wireshark.
 local function span(made, context)
   return context.data:range(context.base + made.at, made.size)
 end
@@ -4894,8 +4894,8 @@ local function add_one(made, context)
   return add[made.row.kind](made, context)
 end
 
--- `context`: the packet, where the data of the field are in it, the tree, the numbers of the record, and what an outer
--- record says of its members.
+-- `context`: the packet, the offset of the field's data in it, the tree, the numbers of the record, and the readings
+-- that an outer record has for its members.
 local function within(context, tree, record, readings)
   return {
     data = context.data, base = context.base,
@@ -4994,7 +4994,7 @@ function add.switch(made, context)
   end
 end
 
--- Adds all nodes; the first values as a text for the line of the field.
+-- Adds all nodes; returns the first values as a text for the line of the field.
 local function add_nodes(nodes, data, base, tree, record)
   local texts, size = {}, 0
   local context = { data = data, base = base, tree = tree, record = record }
@@ -5009,10 +5009,10 @@ local function add_nodes(nodes, data, base, tree, record)
 end
 
 -- --------------------------------------------------------------------------------------------------------- exchange
--- Which answer belongs to which command. Packets are seen in order once; what was found then is used again whenever
--- Wireshark shows a packet anew.
+-- Matches answers with commands. Wireshark passes packets in order once; what was found then is used again whenever it
+-- shows a packet again.
 
-local WAIT = 2.0 -- seconds: a command that waits longer is not the one that is answered if a later one can be
+local WAIT = 2.0 -- seconds; an answer after this time is matched with a later command, if there is one
 local WAITING_AT_MOST = 16 -- commands of a descriptor in a conversation
 
 local exchanges -- conversation and descriptor -> commands that wait for an answer, in the order in which they were sent
@@ -5041,7 +5041,7 @@ local function waiting(conversation, number, descriptor)
   return exchanges[place]
 end
 
--- A command was sent: key names the field, and is the same whenever the packet is shown.
+-- Notes that a command was sent; `key` identifies its field, and is the same whenever the packet is shown.
 local function command_sent(key, conversation, number, descriptor, f, record, frame, time)
   if not known[key] and answered(f, record) then
     local exchange = { request = frame, sent = time, patience = math.max(WAIT, f.timeout or 0) }
@@ -5055,7 +5055,7 @@ local function command_sent(key, conversation, number, descriptor, f, record, fr
   return known[key]
 end
 
--- An acknowledge came: the oldest command of this descriptor that may still wait, else the newest.
+-- Matches an acknowledge with the oldest command of this descriptor that may still wait, else with the newest.
 local function answer_came(key, conversation, number, descriptor, frame, time)
   if not known[key] then
     local queue, found = waiting(conversation, number, descriptor), nil
@@ -5120,9 +5120,9 @@ local function is_set(number)
   return number ~= 0 and number ~= SHARED
 end
 
--- Every place is tried in order, and a packet is taken whole: its start and size. After a header without a
--- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
--- with `final`, no bytes follow. At most `limit` packets.
+-- Finds packets, at most `limit`: returns the start and size of each, and where a packet begins that may continue in
+-- later bytes; with `final`, no bytes follow. After a header without a packet, the search continues one byte after its
+-- sync.
 local function scan(raw, final, limit)
   local found, at = {}, 0
   while at < #raw and #found ~= limit do
@@ -5173,8 +5173,8 @@ local function recognized(raw)
   return false
 end
 
--- What bytes between packets are: { at, size, reason }, or { at, size, broken = true } for a packet whose checksum
--- alone is wrong.
+-- Divides bytes between packets into pieces: { at, size, reason }, or { at, size, broken = true } for a packet whose
+-- checksum alone is wrong.
 local function pieces(raw, at, stop)
   local found = {}
   while at < stop do
@@ -5215,7 +5215,7 @@ local function show_skipped(piece, data, tree)
   item:add_proto_expert_info(experts.skipped)
 end
 
--- Shows what is wrong with a field whose data cannot be decoded.
+-- Shows the bytes of a field that cannot be decoded.
 local function show_raw(item, range)
   item:add(own.field_data, range)
 end
@@ -5229,7 +5229,7 @@ local function command_title(number, descriptor)
   return set and set.named[descriptor] or string.format("0x%02X", descriptor)
 end
 
-local show = {} -- by role: what is said of a field beside its values; returns its text for the info column
+local show = {} -- by role: shows more of a field than its values; returns its text for the info column
 
 function show.command(f, packet, item, record, key)
   if packet.good then
@@ -5291,7 +5291,7 @@ local function show_field(packet, at, size, index, tree)
   local nodes, record, left, problem = decode(f, raw)
   local text = add_nodes(nodes, packet.data, at + 2, item, record)
   if problem then
-    if problem.kind ~= "constant" then -- which is shown at its value
+    if problem.kind ~= "constant" then -- a wrong constant is shown at its value
       item:add_proto_expert_info(experts[problem.kind], problem.text)
     end
     show_raw(item, data)
@@ -5372,7 +5372,7 @@ local function show_packet(packet, tree)
 end
 
 -- ------------------------------------------------------------------------------------------------------- transports
--- Bytes come in TCP segments, in datagrams, or in chunks of a serial line.
+-- Bytes arrive in TCP segments, in datagrams, or in chunks of a serial line.
 
 local interface = Field.new("frame.interface_id")
 
@@ -5383,7 +5383,7 @@ local function conversation_of(pinfo)
   return string.format("%s %s %s", pinfo.port_type, ports, found and tostring(found.value) or "")
 end
 
--- Shows all packets and skipped bytes from `from` to `stop`; true if there was a packet.
+-- Shows all packets and skipped bytes from `from` to `stop`; returns the texts of the packets, and their direction.
 local function show_bytes(data, raw, packets, from, stop, pinfo, tree)
   local texts, direction = {}, 0
   local conversation = conversation_of(pinfo)
@@ -5433,7 +5433,7 @@ local function show_sides(pinfo, direction)
   end
 end
 
--- A datagram, or any bytes that are whole.
+-- A datagram, or other bytes that are complete.
 local function dissect_whole(tvb, pinfo, tree)
   local raw = tvb:raw()
   local texts, direction = show_bytes(tvb, raw, scan(raw, true), 0, #raw, pinfo, tree)
@@ -5442,13 +5442,13 @@ local function dissect_whole(tvb, pinfo, tree)
   return tvb:len()
 end
 
--- A chunk of a TCP stream or a serial line. Chunks come in order once; what was held back before each of them is kept,
--- so that it is shown in the same way whenever Wireshark comes back to it. Wireshark's own reassembly is for packets
--- whose length is known: it shows packets twice if a header turns out to be none when more bytes have come.
+-- A chunk of a TCP stream or a serial line. Wireshark passes chunks in order once. The bytes held back before each are
+-- kept, so that it is shown in the same way whenever Wireshark returns to it. Wireshark's own reassembly is for packets
+-- of known length: it shows packets twice if a header turns out to be none when more bytes have arrived.
 local held -- line -> bytes held back behind its latest chunk
 local before -- line -> chunk -> bytes held back before it
 
--- Those before a chunk, and is it new?
+-- The bytes held back before a chunk, and whether the chunk is new.
 local function held_before(line, chunk)
   before[line] = before[line] or {}
   local known = before[line][chunk]
@@ -5465,7 +5465,7 @@ local function dissect_chunk(tvb, pinfo, tree)
     data = ByteArray.new(raw, true):tvb("MIP, with the bytes of earlier frames")
   end
   local packets, rest = scan(raw, false)
-  if new then -- while a capture goes on, Wireshark may come back to earlier chunks
+  if new then -- during a capture, Wireshark may return to earlier chunks
     held[line] = rest and raw:sub(rest + 1) or ""
   end
   local texts, direction = show_bytes(data, raw, packets, 0, rest or #raw, pinfo, tree)
@@ -5616,10 +5616,10 @@ local LONGEST = 255 + AROUND -- bytes of a packet
 local PROBE = 65536 -- bytes at the start of a log, in which a packet must be
 local LUMP = 4096 -- the most bytes in a frame between packets
 
--- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
+-- The tags in front of an exported PDU: the name of its dissector, and the end of the tags.
 local EXPORTED = "\0\12\0" .. string.char(#NAME) .. NAME .. "\0\0\0\0"
 
--- The bytes of the next frame; nil at the end of the file. They depend on nothing but what follows in the file.
+-- The bytes of the next frame; nil at the end of the file. They depend only on what follows in the file.
 local function next_bytes(file)
   local from = file:seek("cur")
   local raw = file:read(LONGEST)

@@ -1,4 +1,4 @@
-//! Finds a device, asks what it is, and shows its accelerations at 100 Hz until no more arrive.
+//! Finds a device, shows its model, and then its accelerations at 100 Hz until no more arrive.
 //!
 //!     cargo run --example stream --features open -- serial:/dev/ttyACM0
 

@@ -33,7 +33,7 @@ local function take(reader, size)
   return at
 end
 
--- How many items of `size` bytes an array has.
+-- The number of items of `size` bytes that an array has.
 local function length(row, size, reader, record)
   local left = reader.stop - reader.at
   if row.count then
@@ -129,7 +129,7 @@ function read.switch(b, reader, record, nodes)
   made.size = reader.at - made.at
 end
 
--- Parameters that are there together or not at all; true if they are there.
+-- Reads parameters that are present together or not at all; true if they are present.
 local function read_group(b, required, reader, record, nodes)
   local row = b.row
   local mark, least = reader.at, row.last <= required
@@ -172,7 +172,7 @@ local function read_field(f, reader, record, nodes)
   end
 end
 
--- The nodes of a field, the numbers of its parameters, the bytes left over, and what is wrong:
+-- Decodes a field. Returns its nodes, the numbers of its parameters, the number of bytes left over, and the problem:
 -- { kind = "truncated", "count" or "constant", text = ... }.
 local function decode(f, raw)
   local reader, record, nodes = { raw = raw, at = 0, stop = #raw }, {}, {}
@@ -183,7 +183,7 @@ local function decode(f, raw)
   return nodes, record, reader.stop - reader.at, not good and problem or nil
 end
 
--- The layout that data of a descriptor have: see `choose`.
+-- Does the data contain the constants of a layout, as far as it reaches?
 local function fits(f, raw)
   for _, constant in ipairs(f.constants or {}) do
     local found = raw:sub(constant.at + 1, constant.at + #constant.value)
@@ -194,8 +194,7 @@ local function fits(f, raw)
   return true
 end
 
--- Constants tell it, as far as the data reach; then it is the one of this size, else the longest that the data hold,
--- else the shortest.
+-- Chooses the layout of data: among those whose constants match, the longest that the data can hold, else the shortest.
 local function choose(candidates, raw)
   if not candidates or #candidates < 2 then
     return candidates and candidates[1]

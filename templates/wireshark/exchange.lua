@@ -1,8 +1,8 @@
 -- --------------------------------------------------------------------------------------------------------- exchange
--- Which answer belongs to which command. Packets are seen in order once; what was found then is used again whenever
--- Wireshark shows a packet anew.
+-- Matches answers with commands. Wireshark passes packets in order once; what was found then is used again whenever it
+-- shows a packet again.
 
-local WAIT = 2.0 -- seconds: a command that waits longer is not the one that is answered if a later one can be
+local WAIT = 2.0 -- seconds; an answer after this time is matched with a later command, if there is one
 local WAITING_AT_MOST = 16 -- commands of a descriptor in a conversation
 
 local exchanges -- conversation and descriptor -> commands that wait for an answer, in the order in which they were sent
@@ -31,7 +31,7 @@ local function waiting(conversation, number, descriptor)
   return exchanges[place]
 end
 
--- A command was sent: key names the field, and is the same whenever the packet is shown.
+-- Notes that a command was sent; `key` identifies its field, and is the same whenever the packet is shown.
 local function command_sent(key, conversation, number, descriptor, f, record, frame, time)
   if not known[key] and answered(f, record) then
     local exchange = { request = frame, sent = time, patience = math.max(WAIT, f.timeout or 0) }
@@ -45,7 +45,7 @@ local function command_sent(key, conversation, number, descriptor, f, record, fr
   return known[key]
 end
 
--- An acknowledge came: the oldest command of this descriptor that may still wait, else the newest.
+-- Matches an acknowledge with the oldest command of this descriptor that may still wait, else with the newest.
 local function answer_came(key, conversation, number, descriptor, frame, time)
   if not known[key] then
     local queue, found = waiting(conversation, number, descriptor), nil

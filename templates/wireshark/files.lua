@@ -5,10 +5,10 @@ local LONGEST = 255 + AROUND -- bytes of a packet
 local PROBE = 65536 -- bytes at the start of a log, in which a packet must be
 local LUMP = 4096 -- the most bytes in a frame between packets
 
--- What Wireshark puts in front of an exported PDU: the name of its dissector, and the end of such tags.
+-- The tags in front of an exported PDU: the name of its dissector, and the end of the tags.
 local EXPORTED = "\0\12\0" .. string.char(#NAME) .. NAME .. "\0\0\0\0"
 
--- The bytes of the next frame; nil at the end of the file. They depend on nothing but what follows in the file.
+-- The bytes of the next frame; nil at the end of the file. They depend only on what follows in the file.
 local function next_bytes(file)
   local from = file:seek("cur")
   local raw = file:read(LONGEST)

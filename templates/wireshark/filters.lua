@@ -1,5 +1,5 @@
 -- ---------------------------------------------------------------------------------------------------------- filters
--- What can be filtered: a field of Wireshark for every value, element and bit, `mip.<set>.<field>.<parameter>.<part>`.
+-- The display filters: a field of Wireshark for every value, element and bit, `mip.<set>.<field>.<parameter>.<part>`.
 
 local mip = Proto(NAME, TITLE)
 local stream = Proto("mip_stream", TITLE .. ", chunks of a byte stream")
@@ -106,7 +106,7 @@ end
 
 local bind_rows
 
--- A row with the filters of its place: a structure has others in each field that holds it.
+-- Adds the filters of its place to a row: a structure has different ones in each field that contains it.
 local bind = {}
 
 local function bound(row, path)
@@ -156,7 +156,7 @@ function bind.array(row, path)
   end
   local readings = {}
   for _, r in ipairs(row.readings or {}) do
-    if not r.flags or r.member then -- bits are those of the whole array
+    if not r.flags or r.member then -- bits belong to the whole array
       readings[#readings + 1] = r
     end
   end
@@ -192,7 +192,7 @@ end
 local function bind_field(f)
   local path = PREFIX .. "." .. f.name
   f.body = bind_rows(f.rows, path)
-  if not f.plain then -- else a value has the name
+  if not f.plain then -- otherwise a value has this name
     f.filter = filter(ProtoField.none(path, f.title, f.doc))
   end
 end

@@ -26,9 +26,9 @@ local function is_set(number)
   return number ~= 0 and number ~= SHARED
 end
 
--- Every place is tried in order, and a packet is taken whole: its start and size. After a header without a
--- packet the search goes on one byte behind its sync. `rest` is where a packet begins that may go on in later bytes;
--- with `final`, no bytes follow. At most `limit` packets.
+-- Finds packets, at most `limit`: returns the start and size of each, and where a packet begins that may continue in
+-- later bytes; with `final`, no bytes follow. After a header without a packet, the search continues one byte after its
+-- sync.
 local function scan(raw, final, limit)
   local found, at = {}, 0
   while at < #raw and #found ~= limit do
@@ -79,8 +79,8 @@ local function recognized(raw)
   return false
 end
 
--- What bytes between packets are: { at, size, reason }, or { at, size, broken = true } for a packet whose checksum
--- alone is wrong.
+-- Divides bytes between packets into pieces: { at, size, reason }, or { at, size, broken = true } for a packet whose
+-- checksum alone is wrong.
 local function pieces(raw, at, stop)
   local found = {}
   while at < stop do
@@ -121,7 +121,7 @@ local function show_skipped(piece, data, tree)
   item:add_proto_expert_info(experts.skipped)
 end
 
--- Shows what is wrong with a field whose data cannot be decoded.
+-- Shows the bytes of a field that cannot be decoded.
 local function show_raw(item, range)
   item:add(own.field_data, range)
 end
@@ -135,7 +135,7 @@ local function command_title(number, descriptor)
   return set and set.named[descriptor] or string.format("0x%02X", descriptor)
 end
 
-local show = {} -- by role: what is said of a field beside its values; returns its text for the info column
+local show = {} -- by role: shows more of a field than its values; returns its text for the info column
 
 function show.command(f, packet, item, record, key)
   if packet.good then
@@ -197,7 +197,7 @@ local function show_field(packet, at, size, index, tree)
   local nodes, record, left, problem = decode(f, raw)
   local text = add_nodes(nodes, packet.data, at + 2, item, record)
   if problem then
-    if problem.kind ~= "constant" then -- which is shown at its value
+    if problem.kind ~= "constant" then -- a wrong constant is shown at its value
       item:add_proto_expert_info(experts[problem.kind], problem.text)
     end
     show_raw(item, data)

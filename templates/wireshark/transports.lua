@@ -1,5 +1,5 @@
 -- ------------------------------------------------------------------------------------------------------- transports
--- Bytes come in TCP segments, in datagrams, or in chunks of a serial line.
+-- Bytes arrive in TCP segments, in datagrams, or in chunks of a serial line.
 
 local interface = Field.new("frame.interface_id")
 
@@ -10,7 +10,7 @@ local function conversation_of(pinfo)
   return string.format("%s %s %s", pinfo.port_type, ports, found and tostring(found.value) or "")
 end
 
--- Shows all packets and skipped bytes from `from` to `stop`; true if there was a packet.
+-- Shows all packets and skipped bytes from `from` to `stop`; returns the texts of the packets, and their direction.
 local function show_bytes(data, raw, packets, from, stop, pinfo, tree)
   local texts, direction = {}, 0
   local conversation = conversation_of(pinfo)
@@ -60,7 +60,7 @@ local function show_sides(pinfo, direction)
   end
 end
 
--- A datagram, or any bytes that are whole.
+-- A datagram, or other bytes that are complete.
 local function dissect_whole(tvb, pinfo, tree)
   local raw = tvb:raw()
   local texts, direction = show_bytes(tvb, raw, scan(raw, true), 0, #raw, pinfo, tree)
@@ -69,13 +69,13 @@ local function dissect_whole(tvb, pinfo, tree)
   return tvb:len()
 end
 
--- A chunk of a TCP stream or a serial line. Chunks come in order once; what was held back before each of them is kept,
--- so that it is shown in the same way whenever Wireshark comes back to it. Wireshark's own reassembly is for packets
--- whose length is known: it shows packets twice if a header turns out to be none when more bytes have come.
+-- A chunk of a TCP stream or a serial line. Wireshark passes chunks in order once. The bytes held back before each are
+-- kept, so that it is shown in the same way whenever Wireshark returns to it. Wireshark's own reassembly is for packets
+-- of known length: it shows packets twice if a header turns out to be none when more bytes have arrived.
 local held -- line -> bytes held back behind its latest chunk
 local before -- line -> chunk -> bytes held back before it
 
--- Those before a chunk, and is it new?
+-- The bytes held back before a chunk, and whether the chunk is new.
 local function held_before(line, chunk)
   before[line] = before[line] or {}
   local known = before[line][chunk]
@@ -92,7 +92,7 @@ local function dissect_chunk(tvb, pinfo, tree)
     data = ByteArray.new(raw, true):tvb("MIP, with the bytes of earlier frames")
   end
   local packets, rest = scan(raw, false)
-  if new then -- while a capture goes on, Wireshark may come back to earlier chunks
+  if new then -- during a capture, Wireshark may return to earlier chunks
     held[line] = rest and raw:sub(rest + 1) or ""
   end
   local texts, direction = show_bytes(data, raw, packets, 0, rest or #raw, pinfo, tree)

@@ -8,7 +8,7 @@ local function unit(row)
   return found ~= "" and " " .. found or ""
 end
 
--- How the value of a number is written in the line of its vector or field.
+-- The text of a number in the line of its vector or field.
 local function written(made, range)
   local row = made.row
   if row.type == "float" then
@@ -64,7 +64,8 @@ local function bit_items(made, item, range)
   end
 end
 
--- The bytes of a node. They are taken from the packet: an empty part of a part is an error in Wireshark.
+-- The bytes of a node. They are a range of the packet, because an empty range of another range is an error in
+-- Wireshark.
 local function span(made, context)
   return context.data:range(context.base + made.at, made.size)
 end
@@ -75,8 +76,8 @@ local function add_one(made, context)
   return add[made.row.kind](made, context)
 end
 
--- `context`: the packet, where the data of the field are in it, the tree, the numbers of the record, and what an outer
--- record says of its members.
+-- `context`: the packet, the offset of the field's data in it, the tree, the numbers of the record, and the readings
+-- that an outer record has for its members.
 local function within(context, tree, record, readings)
   return {
     data = context.data, base = context.base,
@@ -175,7 +176,7 @@ function add.switch(made, context)
   end
 end
 
--- Adds all nodes; the first values as a text for the line of the field.
+-- Adds all nodes; returns the first values as a text for the line of the field.
 local function add_nodes(nodes, data, base, tree, record)
   local texts, size = {}, 0
   local context = { data = data, base = base, tree = tree, record = record }

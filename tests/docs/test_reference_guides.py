@@ -142,7 +142,8 @@ def section(text: str, title: str) -> str:
 
 
 def test_a_migration_names_what_is_not_the_same(manual: Manual) -> None:
-    """Values that have another meaning, those of responses included; functions that are not taken; all that is new."""
+    """Values that have another meaning, those of responses included; functions that are not accepted; all that is
+    new."""
     of = manual.model
     for move, guide in ((g.migration, g) for g in of.guides if g.migration is not None):
         page = page_of(manual, guide)
@@ -158,8 +159,8 @@ def test_a_migration_names_what_is_not_the_same(manual: Manual) -> None:
         lost = {name: taken[0][name] - taken[1][name] for name in both}
         assert rows == {name: functions for name, functions in lost.items() if functions}
         new = {name for name in taken[1] if name not in {s.field.full_name for s in move.before.supports}}
-        assert set(re.findall(r"#([\w.]+)\)", section(page, "What is new"))) == new
-        told = words(section(page, "What has another meaning"))
+        assert set(re.findall(r"#([\w.]+)\)", section(page, "New commands and data"))) == new
+        told = words(section(page, "Different meanings"))
         for v in (v for d in (move.before, move.after) for v in d.variants):
             if {move.before.id, move.after.id} <= {d.id for d in of.devices_of(v.field)}:
                 assert v.parameter.name in told, v.path

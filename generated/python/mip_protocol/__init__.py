@@ -61,7 +61,7 @@ if TYPE_CHECKING:
 
 __version__ = VERSION
 
-#: Module -> the names of it that are imported when they are first used.
+#: Module -> its names, which are imported when they are first used.
 _HOMES = {
     "baud": "detect_baud",
     "client": "Answer Client Outcome Received Skipped TimedOut",
@@ -73,7 +73,7 @@ _HOMES = {
 _LAZY = {name: home for home, names in _HOMES.items() for name in names.split()}
 _MODULES = ("aio", "devices", "reflection", "registry")
 
-if not TYPE_CHECKING:  # for type checkers it would have any name
+if not TYPE_CHECKING:  # type checkers would accept any name
 
     def __getattr__(name: str) -> Any:
         from importlib import import_module

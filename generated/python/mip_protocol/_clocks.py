@@ -19,7 +19,7 @@ TIMESTAMPS: dict[tuple[int, int], str] = {
     (0xFF, 0xD5): "reference",
 }
 
-#: Day -> by how many seconds the clocks with an epoch are ahead of UTC, from 00:00 UTC of that day on.
+#: Day -> the seconds by which clocks with an epoch are ahead of UTC, from 00:00 UTC of that day.
 LEAP_SECONDS: tuple[tuple[str, int], ...] = (
     ("1981-07-01", 1),
     ("1982-07-01", 2),

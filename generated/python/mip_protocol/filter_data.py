@@ -347,7 +347,7 @@ class Cv7StatusFlags(IntFlag):
         return FilterCondition((self >> 0) & 0x3)
 
     def with_filter_condition(self, value: int) -> Cv7StatusFlags:
-        """The same with bits 0 to 1 set to a number."""
+        """A copy with bits 0 to 1 set to a number."""
         value = codec.fits("filter_condition", value, 2)
         return Cv7StatusFlags(int(self) & ~0x3 | value << 0)
 
@@ -357,7 +357,7 @@ class Cv7StatusFlags(IntFlag):
         return int((self >> 12) & 0xF)
 
     def with_solution_error(self, value: int) -> Cv7StatusFlags:
-        """The same with bits 12 to 15 set to a number."""
+        """A copy with bits 12 to 15 set to a number."""
         value = codec.fits("solution_error", value, 4)
         return Cv7StatusFlags(int(self) & ~0xF000 | value << 12)
 

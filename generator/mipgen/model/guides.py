@@ -1,7 +1,7 @@
 """Guides: the part of the model that `spec/guides` defines.
 
 A guide answers the question of somebody who wants to do something: which packets to send, in which order and why,
-and what comes back. Packets and answers are computed; the values in them are the author's.
+and the replies. Packets and answers are computed; the values in them are the author's.
 """
 
 from __future__ import annotations

@@ -124,7 +124,7 @@ class Facts:
         return [f"note: {quoted(self.note())}"] if self.note() else []
 
     def contradictions(self) -> dict[str, str]:
-        """Contradictions in the profile of the generated package: data set -> what is said of it."""
+        """Contradictions in the profile of the generated package: data set -> a sentence."""
         found = {}
         known = self.model.profile.base_rates if self.model.profile else {}
         for number, rate in self.told.base_rates.items():

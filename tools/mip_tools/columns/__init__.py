@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 try:
     import numpy as _numpy  # noqa: F401
 except ImportError:
-    if not TYPE_CHECKING:  # for type checkers it would have any name
+    if not TYPE_CHECKING:  # type checkers would accept any name
 
         def __getattr__(name: str) -> Any:
             from ..binding import MissingExtra

@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_3dm 3DM (0x0C)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_poll_imu_data_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_imu_data_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll IMU Data. */
@@ -61,10 +61,10 @@ static inline struct mip_result mip_call_3dm_poll_imu_data_with(
     return mip_device_call(device, &mip_3dm_poll_imu_data_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_poll_gnss_data_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_gnss_data_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll GNSS Data. */
@@ -104,10 +104,10 @@ static inline struct mip_result mip_call_3dm_poll_gnss_data_with(
     return mip_device_call(device, &mip_3dm_poll_gnss_data_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_poll_filter_data_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_filter_data_exchange;
 
 /**
@@ -147,10 +147,10 @@ static inline struct mip_result mip_call_3dm_poll_filter_data_with(
     return mip_device_call(device, &mip_3dm_poll_filter_data_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_poll_nmea_data_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_nmea_data_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll NMEA Data. */
@@ -188,10 +188,10 @@ static inline struct mip_result mip_call_3dm_poll_nmea_data_with(
     return mip_device_call(device, &mip_3dm_poll_nmea_data_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_get_imu_base_rate_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_get_imu_base_rate_exchange;
 
 /**
@@ -213,10 +213,10 @@ static inline struct mip_result mip_call_3dm_get_imu_base_rate(
                               &mip_3dm_get_imu_base_rate_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_get_gnss_base_rate_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange;
 
 /**
@@ -238,10 +238,10 @@ static inline struct mip_result mip_call_3dm_get_gnss_base_rate(
                               &mip_3dm_get_gnss_base_rate_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_imu_message_format_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_imu_message_format_exchange;
 
 /**
@@ -321,10 +321,10 @@ static inline struct mip_result mip_call_3dm_imu_message_format_with(
                            &mip_3dm_imu_message_format_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_gnss_message_format_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_gnss_message_format_exchange;
 
 /**
@@ -406,10 +406,10 @@ static inline struct mip_result mip_call_3dm_gnss_message_format_with(
                            &mip_3dm_gnss_message_format_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_filter_message_format_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_filter_message_format_exchange;
 
 /**
@@ -498,10 +498,10 @@ static inline struct mip_result mip_call_3dm_filter_message_format_with(
                            &mip_3dm_filter_message_format_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_get_filter_base_rate_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_get_filter_base_rate_exchange;
 
 /**
@@ -524,10 +524,10 @@ static inline struct mip_result mip_call_3dm_get_filter_base_rate(
                               &mip_3dm_get_filter_base_rate_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_nmea_message_format_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_nmea_message_format_exchange;
 
 /**
@@ -608,10 +608,10 @@ static inline struct mip_result mip_call_3dm_nmea_message_format_with(
                            &mip_3dm_nmea_message_format_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_poll_data_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_data_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll Data. */
@@ -653,10 +653,10 @@ mip_call_3dm_poll_data_with(struct mip_device *device, const struct mip_3dm_poll
     return mip_device_call(device, &mip_3dm_poll_data_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_get_base_rate_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_get_base_rate_exchange;
 
 /**
@@ -698,10 +698,10 @@ static inline struct mip_result mip_call_3dm_get_base_rate_with(
                            &mip_3dm_get_base_rate_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_message_format_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_message_format_exchange;
 
 /**
@@ -805,10 +805,10 @@ static inline struct mip_result mip_call_3dm_message_format_with(
                            &mip_3dm_message_format_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_factory_streaming_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_factory_streaming_exchange;
 
 /**
@@ -843,10 +843,10 @@ static inline struct mip_result mip_call_3dm_factory_streaming_with(
     return mip_device_call(device, &mip_3dm_factory_streaming_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_data_stream_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_data_stream_control_exchange;
 
 /**
@@ -973,10 +973,10 @@ static inline struct mip_result mip_call_3dm_data_stream_control_with(
                            &mip_3dm_data_stream_control_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_raw_rtcm_2_3_message_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange;
 
 /**
@@ -1012,10 +1012,10 @@ static inline struct mip_result mip_call_3dm_raw_rtcm_2_3_message_with(
     return mip_device_call(device, &mip_3dm_raw_rtcm_2_3_message_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_constellation_settings_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_constellation_settings_exchange;
 
 /**
@@ -1106,10 +1106,10 @@ static inline struct mip_result mip_call_3dm_constellation_settings_with(
                            &mip_3dm_constellation_settings_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_gnss_sbas_settings_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange;
 
 /**
@@ -1195,10 +1195,10 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_with(
                            &mip_3dm_gnss_sbas_settings_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_gnss_assisted_fix_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange;
 
 /**
@@ -1272,10 +1272,10 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_with(
                            &mip_3dm_gnss_assisted_fix_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_gnss_time_assistance_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_gnss_time_assistance_exchange;
 
 /**
@@ -1330,10 +1330,10 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_with(
                            &mip_3dm_gnss_time_assistance_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_pps_source_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_pps_source_control_exchange;
 
 /**
@@ -1409,10 +1409,10 @@ static inline struct mip_result mip_call_3dm_pps_source_control_with(
                            &mip_3dm_pps_source_control_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_get_event_support_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_get_event_support_exchange;
 
 /**
@@ -1452,10 +1452,10 @@ static inline struct mip_result mip_call_3dm_get_event_support_with(
                            &mip_3dm_get_event_support_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_event_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_event_control_exchange;
 
 /**
@@ -1553,10 +1553,10 @@ static inline struct mip_result mip_call_3dm_event_control_with(
                            &mip_3dm_event_control_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_get_event_trigger_status_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_get_event_trigger_status_exchange;
 
 /**
@@ -1605,10 +1605,10 @@ static inline struct mip_result mip_call_3dm_get_event_trigger_status_with(
                            &mip_3dm_get_event_trigger_status_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_get_event_action_status_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_get_event_action_status_exchange;
 
 /**
@@ -1656,10 +1656,10 @@ static inline struct mip_result mip_call_3dm_get_event_action_status_with(
                            &mip_3dm_get_event_action_status_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_event_trigger_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_event_trigger_config_exchange;
 
 /**
@@ -1759,10 +1759,10 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_with(
                            &mip_3dm_event_trigger_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_event_action_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_event_action_config_exchange;
 
 /**
@@ -1864,10 +1864,10 @@ static inline struct mip_result mip_call_3dm_event_action_config_with(
                            &mip_3dm_event_action_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_device_settings_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_device_settings_exchange;
 
 /**
@@ -1916,10 +1916,10 @@ static inline struct mip_result mip_call_3dm_device_settings_with(
     return mip_device_call(device, &mip_3dm_device_settings_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_euler_exchange;
 
 /**
@@ -2009,10 +2009,10 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_euler_w
                            &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_quaternion_exchange;
 
 /**
@@ -2109,10 +2109,10 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_quatern
                            response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_dcm_exchange;
 
 /**
@@ -2202,10 +2202,10 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_transform_dcm_wit
                            &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_gps_dynamics_mode_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange;
 
 /**
@@ -2276,10 +2276,10 @@ static inline struct mip_result mip_call_3dm_gps_dynamics_mode_with(
                            &mip_3dm_gps_dynamics_mode_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_imu_signal_conditioning_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange;
 
 /**
@@ -2377,10 +2377,10 @@ static inline struct mip_result mip_call_3dm_imu_signal_conditioning_with(
                            &mip_3dm_imu_signal_conditioning_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_imu_timestamp_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_imu_timestamp_exchange;
 
 /**
@@ -2438,10 +2438,10 @@ static inline struct mip_result mip_call_3dm_imu_timestamp_with(
                            &mip_3dm_imu_timestamp_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_accel_bias_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_accel_bias_exchange;
 
 /**
@@ -2538,10 +2538,10 @@ mip_call_3dm_accel_bias_with(struct mip_device *device, const struct mip_3dm_acc
                            &mip_3dm_accel_bias_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_gyro_bias_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_gyro_bias_exchange;
 
 /**
@@ -2636,10 +2636,10 @@ mip_call_3dm_gyro_bias_with(struct mip_device *device, const struct mip_3dm_gyro
                            &mip_3dm_gyro_bias_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_capture_gyro_bias_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_capture_gyro_bias_exchange;
 
 /**
@@ -2679,10 +2679,10 @@ static inline struct mip_result mip_call_3dm_capture_gyro_bias_with(
                            &mip_3dm_gyro_bias_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_mag_hard_iron_offset_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange;
 
 /**
@@ -2777,10 +2777,10 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_with(
                            &mip_3dm_mag_hard_iron_offset_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_mag_soft_iron_matrix_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange;
 
 /**
@@ -2875,10 +2875,10 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_with(
                            &mip_3dm_mag_soft_iron_matrix_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_coning_sculling_enable_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_coning_sculling_enable_exchange;
 
 /**
@@ -2955,10 +2955,10 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_with(
                            &mip_3dm_coning_sculling_enable_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_uart_baud_rate_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_uart_baud_rate_exchange;
 
 /**
@@ -3028,10 +3028,10 @@ static inline struct mip_result mip_call_3dm_uart_baud_rate_with(
                            &mip_3dm_uart_baud_rate_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_gpio_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_gpio_config_exchange;
 
 /**
@@ -3141,10 +3141,10 @@ mip_call_3dm_gpio_config_with(struct mip_device *device, const struct mip_3dm_gp
                            &mip_3dm_gpio_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_gpio_state_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_gpio_state_exchange;
 
 /**
@@ -3201,10 +3201,10 @@ mip_call_3dm_gpio_state_with(struct mip_device *device, const struct mip_3dm_gpi
                            &mip_3dm_gpio_state_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_odometer_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_odometer_config_exchange;
 
 /**
@@ -3286,10 +3286,10 @@ static inline struct mip_result mip_call_3dm_odometer_config_with(
                            &mip_3dm_odometer_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_imu_low_pass_filter_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange;
 
 /**
@@ -3413,10 +3413,10 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_with(
                            &mip_3dm_imu_low_pass_filter_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_complementary_filter_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_complementary_filter_exchange;
 
 /**
@@ -3508,10 +3508,10 @@ static inline struct mip_result mip_call_3dm_complementary_filter_with(
                            &mip_3dm_complementary_filter_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_sensor_range_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_sensor_range_exchange;
 
 /**
@@ -3608,10 +3608,10 @@ static inline struct mip_result mip_call_3dm_sensor_range_with(
                            &mip_3dm_sensor_range_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange;
 
 /**
@@ -3652,10 +3652,10 @@ static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges_with(
                            &mip_3dm_get_calibrated_sensor_ranges_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_low_pass_filter_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_low_pass_filter_exchange;
 
 /**
@@ -3775,10 +3775,10 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_with(
                            &mip_3dm_low_pass_filter_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_data_stream_format_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_data_stream_format_exchange;
 
 /**
@@ -3885,10 +3885,10 @@ static inline struct mip_result mip_call_3dm_data_stream_format_with(
                            &mip_3dm_data_stream_format_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_device_power_state_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_device_power_state_exchange;
 
 /**
@@ -3985,10 +3985,10 @@ static inline struct mip_result mip_call_3dm_device_power_state_with(
                            &mip_3dm_device_power_state_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_gps_advanced_settings_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_gps_advanced_settings_exchange;
 
 /**
@@ -4036,10 +4036,10 @@ static inline struct mip_result mip_call_3dm_gps_advanced_settings_with(
     return mip_device_call(device, &mip_3dm_gps_advanced_settings_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3dm_device_status_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_device_status_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. */

@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_aiding Aiding commands (0x13)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_frame_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_frame_config_exchange;
 
 /**
@@ -127,10 +127,10 @@ static inline struct mip_result mip_call_aiding_frame_config_with(
                            &mip_aiding_frame_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_echo_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_echo_control_exchange;
 
 /**
@@ -199,10 +199,10 @@ static inline struct mip_result mip_call_aiding_echo_control_with(
                            &mip_aiding_echo_control_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_ecef_position_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_ecef_position_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. ECEF position. */
@@ -245,10 +245,10 @@ static inline struct mip_result mip_call_aiding_ecef_position_with(
     return mip_device_call(device, &mip_aiding_ecef_position_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_llh_position_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_llh_position_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. LLH position. */
@@ -299,10 +299,10 @@ static inline struct mip_result mip_call_aiding_llh_position_with(
     return mip_device_call(device, &mip_aiding_llh_position_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_height_above_ellipsoid_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange;
 
 /**
@@ -344,10 +344,10 @@ static inline struct mip_result mip_call_aiding_height_above_ellipsoid_with(
     return mip_device_call(device, &mip_aiding_height_above_ellipsoid_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_ecef_velocity_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_ecef_velocity_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. ECEF velocity. */
@@ -390,10 +390,10 @@ static inline struct mip_result mip_call_aiding_ecef_velocity_with(
     return mip_device_call(device, &mip_aiding_ecef_velocity_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_ned_velocity_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_ned_velocity_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. NED velocity. */
@@ -439,10 +439,10 @@ static inline struct mip_result mip_call_aiding_ned_velocity_with(
     return mip_device_call(device, &mip_aiding_ned_velocity_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_body_frame_velocity_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_body_frame_velocity_exchange;
 
 /**
@@ -488,10 +488,10 @@ static inline struct mip_result mip_call_aiding_body_frame_velocity_with(
     return mip_device_call(device, &mip_aiding_body_frame_velocity_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_true_heading_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_true_heading_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. True heading. */
@@ -533,10 +533,10 @@ static inline struct mip_result mip_call_aiding_true_heading_with(
     return mip_device_call(device, &mip_aiding_true_heading_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_magnetic_field_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_magnetic_field_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic field. */
@@ -580,10 +580,10 @@ static inline struct mip_result mip_call_aiding_magnetic_field_with(
     return mip_device_call(device, &mip_aiding_magnetic_field_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_aiding_pressure_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_pressure_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Pressure. */

@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_base Base (0x01)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_ping_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_ping_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Ping. */
@@ -36,10 +36,10 @@ static inline struct mip_result mip_call_base_ping(struct mip_device *device) {
     return mip_device_send(device, &mip_base_ping_exchange, MIP_NO_DATA(mip_base_ping_exchange), 0);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_set_idle_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_set_idle_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Set to idle. */
@@ -56,10 +56,10 @@ static inline struct mip_result mip_call_base_set_idle(struct mip_device *device
                            MIP_NO_DATA(mip_base_set_idle_exchange), 0);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_get_device_info_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_get_device_info_exchange;
 
 /**
@@ -81,10 +81,10 @@ static inline struct mip_result mip_call_base_get_device_info(
                               &mip_base_get_device_info_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_get_device_descriptors_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_get_device_descriptors_exchange;
 
 /**
@@ -106,10 +106,10 @@ static inline struct mip_result mip_call_base_get_device_descriptors(
                               &mip_base_get_device_descriptors_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_built_in_test_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_built_in_test_exchange;
 
 /**
@@ -131,10 +131,10 @@ static inline struct mip_result mip_call_base_built_in_test(
                               &mip_base_built_in_test_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_resume_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_resume_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Resume. */
@@ -150,10 +150,10 @@ static inline struct mip_result mip_call_base_resume(struct mip_device *device) 
                            0);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_get_extended_descriptors_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_get_extended_descriptors_exchange;
 
 /**
@@ -176,10 +176,10 @@ static inline struct mip_result mip_call_base_get_extended_descriptors(
                               &mip_base_get_extended_descriptors_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_continuous_built_in_test_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_continuous_built_in_test_exchange;
 
 /**
@@ -201,10 +201,10 @@ static inline struct mip_result mip_call_base_continuous_built_in_test(
                               &mip_base_continuous_built_in_test_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_comm_speed_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_comm_speed_exchange;
 
 /**
@@ -345,10 +345,10 @@ mip_call_base_comm_speed_with(struct mip_device *device, const struct mip_base_c
                            &mip_base_comm_speed_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_gps_time_update_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_gps_time_update_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. */
@@ -462,10 +462,10 @@ static inline struct mip_result mip_call_base_gps_time_update_with(
     return mip_device_call(device, &mip_base_gps_time_update_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_base_soft_reset_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_soft_reset_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Reset device. */

@@ -1,21 +1,21 @@
 /* Finds a device, and starts its data. */
 #include "mip/connect.h"
 
-/** For how many milliseconds a ping may be answered; at each rate, there are two: bytes of another
- * rate may damage the first. */
+/** The time in milliseconds in which a ping must be answered. Two are sent at each rate, because
+ * bytes of another rate may damage the first. */
 #define LISTEN 150
 #define PINGS 2
 
 static const uint32_t bauds[] = {115200, 3000000, 921600, 460800, 230400,
                                  57600,  38400,   19200,  9600,   4800};
 
-/** A packet: something has been heard. */
+/** Notes that a packet has arrived. */
 static void hear(void *user, const struct mip_device *device, bool ends) {
     (void)device, (void)ends;
     *(bool *)user = true;
 }
 
-/** Pings at the current rate until any packet comes. `*heard`: has one come? */
+/** Pings at the current rate until any packet arrives, and sets `*heard` then. */
 static struct mip_result ping(struct mip_device *device, bool *heard) {
     const struct mip_observer listening = {hear, heard};
     const struct mip_observer *const observer = device->observer;
@@ -33,7 +33,7 @@ static struct mip_result ping(struct mip_device *device, bool *heard) {
     return result;
 }
 
-/** Finds the baud rate. True if a device is there. */
+/** Finds the baud rate. True if a device was heard. */
 static bool find(struct mip_device *device, bool (*set_baud)(void *user, uint32_t baud),
                  struct mip_result *result) {
     bool heard = false;
@@ -53,10 +53,10 @@ static bool find(struct mip_device *device, bool (*set_baud)(void *user, uint32_
     return heard;
 }
 
-/** One command of several, and what they share. */
+/** One step of several; `shared` is the data of all. */
 typedef struct mip_result step(struct mip_device *device, void *shared);
 
-/** Sends commands, each as often as it needs, until one fails. */
+/** Runs steps, and repeats each that is not answered, until one fails. */
 static struct mip_result run(struct mip_device *device, step *const *steps, size_t count,
                              void *shared) {
     struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK, false};
@@ -89,11 +89,11 @@ struct mip_result mip_device_connect(struct mip_device *device,
                : result;
 }
 
-/** What a stream consists of. */
+/** The settings of a stream. */
 struct plan {
     uint8_t descriptor_set;
     uint8_t count;
-    /* Does the device have only the commands of older ones? */
+    /* Does the device support only the commands of older devices? */
     bool older;
     struct mip_rate *rates;
     struct mip_3dm_get_base_rate_response base;
@@ -154,7 +154,7 @@ static uint16_t decimation(float base, float wanted) {
     return (uint16_t)(faster - wanted <= wanted - slower ? below : below + 1);
 }
 
-/** No command: computes the decimations, if the device has all rates. */
+/** Sends nothing: computes the decimations, and checks that the device has all rates. */
 static struct mip_result divide(struct mip_device *device, void *shared) {
     struct plan *plan = (struct plan *)shared;
     struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK, false};

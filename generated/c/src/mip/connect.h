@@ -1,7 +1,7 @@
 /**
  * @file
- * The first minutes with a device: finds its baud rate, asks what it is, and starts its data at
- * rates in Hz.
+ * The first minutes with a device: finds its baud rate, reads its device information, and starts
+ * its data at rates in Hz.
  *
  *     struct mip_device device;
  *     struct mip_base_get_device_info_response identity;
@@ -28,10 +28,11 @@ extern "C" {
 
 /**
  * Finds a device: tries each baud rate until anything answers a ping, or sends data; then sets the
- * device to idle, and asks what it is. Commands that are not answered are repeated.
+ * device to idle, and reads its device information. Commands that are not answered are repeated.
  *
- * `set_baud` changes the rate of the port; it returns false if the port cannot have the rate. It
- * gets the `user` of the port. NULL: the port has no rate, or has the right one. The rates are
+ * `set_baud` changes the rate of the port; it returns false if the port cannot have the rate. Its
+ * argument `user` is that of the port. Pass NULL if the port has no rate, or the right one. The
+ * rates are
  * 115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800.
  * A rate at which no device answers takes about a third of a second.
  *
@@ -42,8 +43,8 @@ MIP_API struct mip_result mip_device_connect(struct mip_device *device,
                                              bool (*set_baud)(void *user, uint32_t baud),
                                              struct mip_base_get_device_info_response *identity);
 
-/** The profile of a device that has said what it is; NULL if it is not known, for example of a
- * newer device. Links the profiles of all devices. */
+/** The profile of a device by its device information; NULL if it is not known, for example that of
+ * a newer device. Links the profiles of all devices. */
 static inline const struct mip_profile *
 mip_device_profile(const struct mip_base_get_device_info_response *identity) {
     uint16_t number = mip_model_number(identity->device_info.model_number,
@@ -56,7 +57,7 @@ mip_device_profile(const struct mip_base_get_device_info_response *identity) {
 
 /** A field of a stream, and how often it is sent. */
 struct mip_rate {
-    /** Which field of the set: MIP_..._DESCRIPTOR. */
+    /** The field of the set: MIP_..._DESCRIPTOR. */
     uint8_t descriptor;
     /** In Hz; 0: as often as the device can. */
     float wanted;
@@ -66,7 +67,7 @@ struct mip_rate {
 };
 
 /**
- * Starts the data of a set: asks the base rate of the set, writes which fields are sent and how
+ * Starts the data of a set: reads the base rate of the set, writes which fields are sent and how
  * often, in this order, switches the stream on, and ends the idle state. Fields that all sets
  * share, such as time stamps, come first. If the device rejects the first command, the older
  * commands of the set take its place.

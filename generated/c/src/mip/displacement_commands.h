@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_displacement Displacement commands (0x11)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_displacement_get_calibration_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_displacement_get_calibration_exchange;
 
 /**
@@ -45,10 +45,10 @@ static inline struct mip_result mip_call_displacement_get_calibration(
                               &mip_displacement_get_calibration_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_displacement_output_rate_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_displacement_output_rate_exchange;
 
 /**
@@ -86,10 +86,10 @@ static inline struct mip_result mip_call_displacement_output_rate_with(
                            &mip_displacement_output_rate_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_displacement_device_time_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_displacement_device_time_exchange;
 
 /**

@@ -4325,17 +4325,17 @@ struct mip_filter_accel_magnitude_adaptive {
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x44
 /** Its name in the specification. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_NAME "filter.accel_magnitude_error_adaptive_measurement"
-/** The value of `present` if frequency is the last parameter that is there. */
+/** The value of `present` if frequency is the last parameter that is present. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_FREQUENCY 2
-/** The value of `present` if low_limit is the last parameter that is there. */
+/** The value of `present` if low_limit is the last parameter that is present. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_LOW_LIMIT 3
-/** The value of `present` if high_limit is the last parameter that is there. */
+/** The value of `present` if high_limit is the last parameter that is present. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_HIGH_LIMIT 4
-/** The value of `present` if low_limit_uncertainty is the last parameter that is there. */
+/** The value of `present` if low_limit_uncertainty is the last parameter that is present. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_LOW_LIMIT_UNCERTAINTY 5
-/** The value of `present` if high_limit_uncertainty is the last parameter that is there. */
+/** The value of `present` if high_limit_uncertainty is the last parameter that is present. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_HIGH_LIMIT_UNCERTAINTY 6
-/** The value of `present` if minimum_uncertainty is the last parameter that is there. */
+/** The value of `present` if minimum_uncertainty is the last parameter that is present. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_MINIMUM_UNCERTAINTY 7
 
 /** Its wire format. */

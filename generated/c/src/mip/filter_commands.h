@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_filter Filter commands (0x0D)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_reset_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_reset_exchange;
 
 /**
@@ -42,10 +42,10 @@ static inline struct mip_result mip_call_filter_reset(struct mip_device *device)
                            MIP_NO_DATA(mip_filter_reset_exchange), 0);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_set_initial_attitude_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_exchange;
 
 /**
@@ -87,10 +87,10 @@ static inline struct mip_result mip_call_filter_set_initial_attitude_with(
     return mip_device_call(device, &mip_filter_set_initial_attitude_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_set_initial_heading_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_set_initial_heading_exchange;
 
 /**
@@ -125,10 +125,10 @@ static inline struct mip_result mip_call_filter_set_initial_heading_with(
     return mip_device_call(device, &mip_filter_set_initial_heading_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_set_initial_attitude_from_imu_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange;
 
 /**
@@ -166,10 +166,10 @@ static inline struct mip_result mip_call_filter_set_initial_attitude_from_imu_wi
                            NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_run_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_run_exchange;
 
 /**
@@ -187,10 +187,10 @@ static inline struct mip_result mip_call_filter_run(struct mip_device *device) {
                            0);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_vehicle_dynamics_mode_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange;
 
 /**
@@ -268,10 +268,10 @@ static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_with(
                            &mip_filter_vehicle_dynamics_mode_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_euler_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_euler_exchange;
 
 /**
@@ -360,10 +360,10 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_euler
                            &mip_filter_sensor_to_vehicle_rotation_euler_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_offset_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange;
 
 /**
@@ -444,10 +444,10 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_with(
                            &mip_filter_sensor_to_vehicle_offset_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_antenna_offset_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_antenna_offset_exchange;
 
 /**
@@ -522,10 +522,10 @@ static inline struct mip_result mip_call_filter_antenna_offset_with(
                            &mip_filter_antenna_offset_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_estimation_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_estimation_control_exchange;
 
 /**
@@ -611,10 +611,10 @@ static inline struct mip_result mip_call_filter_estimation_control_with(
                            &mip_filter_estimation_control_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_gnss_source_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_gnss_source_exchange;
 
 /**
@@ -687,10 +687,10 @@ static inline struct mip_result mip_call_filter_gnss_source_with(
                            &mip_filter_gnss_source_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_external_gnss_update_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_external_gnss_update_exchange;
 
 /**
@@ -748,10 +748,10 @@ static inline struct mip_result mip_call_filter_external_gnss_update_with(
     return mip_device_call(device, &mip_filter_external_gnss_update_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_external_heading_update_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_external_heading_update_exchange;
 
 /**
@@ -794,10 +794,10 @@ static inline struct mip_result mip_call_filter_external_heading_update_with(
                            NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_heading_source_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_heading_source_exchange;
 
 /**
@@ -884,10 +884,10 @@ static inline struct mip_result mip_call_filter_heading_source_with(
                            &mip_filter_heading_source_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_auto_initialization_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_auto_initialization_control_exchange;
 
 /**
@@ -966,10 +966,10 @@ static inline struct mip_result mip_call_filter_auto_initialization_control_with
                            &mip_filter_auto_initialization_control_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_accel_noise_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_accel_noise_exchange;
 
 /**
@@ -1043,10 +1043,10 @@ static inline struct mip_result mip_call_filter_accel_noise_with(
                            &mip_filter_accel_noise_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_gyro_noise_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_gyro_noise_exchange;
 
 /**
@@ -1120,10 +1120,10 @@ static inline struct mip_result mip_call_filter_gyro_noise_with(
                            &mip_filter_gyro_noise_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_accel_bias_model_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_accel_bias_model_exchange;
 
 /**
@@ -1207,10 +1207,10 @@ static inline struct mip_result mip_call_filter_accel_bias_model_with(
                            &mip_filter_accel_bias_model_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_gyro_bias_model_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_gyro_bias_model_exchange;
 
 /**
@@ -1290,10 +1290,10 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_with(
                            &mip_filter_gyro_bias_model_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_auto_zupt_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_auto_zupt_exchange;
 
 /**
@@ -1376,10 +1376,10 @@ static inline struct mip_result mip_call_filter_auto_zupt_with(
                            &mip_filter_auto_zupt_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_external_heading_update_with_time_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_external_heading_update_with_time_exchange;
 
 /**
@@ -1428,10 +1428,10 @@ static inline struct mip_result mip_call_filter_external_heading_update_with_tim
                            NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_auto_angular_zupt_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_auto_angular_zupt_exchange;
 
 /**
@@ -1510,10 +1510,10 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_with(
                            &mip_filter_auto_angular_zupt_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_tare_orientation_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_tare_orientation_exchange;
 
 /**
@@ -1583,10 +1583,10 @@ static inline struct mip_result mip_call_filter_tare_orientation_with(
                            &mip_filter_tare_orientation_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_commanded_zupt_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_commanded_zupt_exchange;
 
 /**
@@ -1606,10 +1606,10 @@ static inline struct mip_result mip_call_filter_commanded_zupt(struct mip_device
                            MIP_NO_DATA(mip_filter_commanded_zupt_exchange), 0);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_commanded_angular_zupt_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_commanded_angular_zupt_exchange;
 
 /**
@@ -1630,10 +1630,10 @@ static inline struct mip_result mip_call_filter_commanded_angular_zupt(struct mi
                            MIP_NO_DATA(mip_filter_commanded_angular_zupt_exchange), 0);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_reference_position_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_reference_position_exchange;
 
 /**
@@ -1716,10 +1716,10 @@ static inline struct mip_result mip_call_filter_reference_position_with(
                            &mip_filter_reference_position_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_mag_capture_auto_calibration_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange;
 
 /**
@@ -1765,10 +1765,10 @@ static inline struct mip_result mip_call_filter_mag_capture_auto_calibration_wit
                            NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_gravity_noise_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_gravity_noise_exchange;
 
 /**
@@ -1840,10 +1840,10 @@ static inline struct mip_result mip_call_filter_gravity_noise_with(
                            &mip_filter_gravity_noise_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_pressure_altitude_noise_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_pressure_altitude_noise_exchange;
 
 /**
@@ -1920,10 +1920,10 @@ static inline struct mip_result mip_call_filter_pressure_altitude_noise_with(
                            &mip_filter_pressure_altitude_noise_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_hard_iron_offset_noise_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange;
 
 /**
@@ -2002,10 +2002,10 @@ static inline struct mip_result mip_call_filter_hard_iron_offset_noise_with(
                            &mip_filter_hard_iron_offset_noise_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_soft_iron_matrix_noise_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange;
 
 /**
@@ -2084,10 +2084,10 @@ static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_with(
                            &mip_filter_soft_iron_matrix_noise_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_enable_measurements_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_enable_measurements_exchange;
 
 /**
@@ -2169,10 +2169,10 @@ static inline struct mip_result mip_call_filter_enable_measurements_with(
                            &mip_filter_enable_measurements_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_mag_noise_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_mag_noise_exchange;
 
 /**
@@ -2248,10 +2248,10 @@ static inline struct mip_result mip_call_filter_mag_noise_with(
                            &mip_filter_mag_noise_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_magnetic_declination_source_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_magnetic_declination_source_exchange;
 
 /**
@@ -2338,10 +2338,10 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_with
                            &mip_filter_magnetic_declination_source_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_accel_magnitude_adaptive_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange;
 
 /**
@@ -2430,10 +2430,10 @@ static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_with(
                            &mip_filter_accel_magnitude_adaptive_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_mag_magnitude_adaptive_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange;
 
 /**
@@ -2549,10 +2549,10 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_with(
                            &mip_filter_mag_magnitude_adaptive_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_mag_dip_angle_adaptive_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange;
 
 /**
@@ -2653,10 +2653,10 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_with(
                            &mip_filter_mag_dip_angle_adaptive_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_altitude_aiding_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_altitude_aiding_exchange;
 
 /**
@@ -2726,10 +2726,10 @@ static inline struct mip_result mip_call_filter_altitude_aiding_with(
                            &mip_filter_altitude_aiding_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_pitch_roll_aiding_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_pitch_roll_aiding_exchange;
 
 /**
@@ -2803,10 +2803,10 @@ static inline struct mip_result mip_call_filter_pitch_roll_aiding_with(
                            &mip_filter_pitch_roll_aiding_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_magnetic_inclination_source_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_magnetic_inclination_source_exchange;
 
 /**
@@ -2890,10 +2890,10 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_with
                            &mip_filter_magnetic_inclination_source_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_magnetic_magnitude_source_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange;
 
 /**
@@ -2980,10 +2980,10 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_with(
                            &mip_filter_magnetic_magnitude_source_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_dcm_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_dcm_exchange;
 
 /**
@@ -3070,10 +3070,10 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_rotation_dcm_w
                            &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange;
 
 /**
@@ -3159,10 +3159,10 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_wit
                            &mip_filter_sensor_to_vehicle_quaternion_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_aiding_measurement_enable_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_aiding_measurement_enable_exchange;
 
 /**
@@ -3324,10 +3324,10 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_with(
                            &mip_filter_aiding_measurement_enable_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_kinematic_constraint_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_kinematic_constraint_exchange;
 
 /**
@@ -3411,10 +3411,10 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_with(
                            &mip_filter_kinematic_constraint_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_initialization_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_initialization_config_exchange;
 
 /**
@@ -3534,10 +3534,10 @@ static inline struct mip_result mip_call_filter_initialization_config_with(
                            &mip_filter_initialization_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_adaptive_filter_options_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_adaptive_filter_options_exchange;
 
 /**
@@ -3618,10 +3618,10 @@ static inline struct mip_result mip_call_filter_adaptive_filter_options_with(
                            &mip_filter_adaptive_filter_options_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_multi_antenna_offset_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_multi_antenna_offset_exchange;
 
 /**
@@ -3720,10 +3720,10 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_with(
                            &mip_filter_multi_antenna_offset_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_relative_position_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_relative_position_config_exchange;
 
 /**
@@ -3818,10 +3818,10 @@ static inline struct mip_result mip_call_filter_relative_position_config_with(
                            &mip_filter_relative_position_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_reference_point_lever_arm_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_reference_point_lever_arm_exchange;
 
 /**
@@ -3906,10 +3906,10 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_with(
                            &mip_filter_reference_point_lever_arm_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_speed_measurement_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_speed_measurement_exchange;
 
 /**
@@ -3950,10 +3950,10 @@ static inline struct mip_result mip_call_filter_speed_measurement_with(
     return mip_device_call(device, &mip_filter_speed_measurement_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_speed_lever_arm_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_speed_lever_arm_exchange;
 
 /**
@@ -4035,10 +4035,10 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_with(
                            &mip_filter_speed_lever_arm_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_vertical_gyro_constraint_control_exchange;
 
 /**
@@ -4118,10 +4118,10 @@ static inline struct mip_result mip_call_filter_vertical_gyro_constraint_control
                            &mip_filter_vertical_gyro_constraint_control_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_wheeled_vehicle_constraint_control_exchange;
 
 /**
@@ -4205,10 +4205,10 @@ static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_contr
                            &mip_filter_wheeled_vehicle_constraint_control_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_gnss_antenna_calibration_control_exchange;
 
 /**

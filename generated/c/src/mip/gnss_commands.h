@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_gnss GNSS commands (0x0E)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_gnss_receiver_info_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_gnss_receiver_info_exchange;
 
 /**
@@ -44,10 +44,10 @@ static inline struct mip_result mip_call_gnss_receiver_info(
                               &mip_gnss_receiver_info_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_gnss_signal_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_gnss_signal_config_exchange;
 
 /**
@@ -124,10 +124,10 @@ static inline struct mip_result mip_call_gnss_signal_config_with(
                            &mip_gnss_signal_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_gnss_receiver_reset_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_gnss_receiver_reset_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Receiver reset. */
@@ -164,10 +164,10 @@ static inline struct mip_result mip_call_gnss_receiver_reset_with(
     return mip_device_call(device, &mip_gnss_receiver_reset_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_gnss_rtk_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_gnss_rtk_config_exchange;
 
 /**
@@ -240,10 +240,10 @@ mip_call_gnss_rtk_config_with(struct mip_device *device, const struct mip_gnss_r
                            &mip_gnss_rtk_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_gnss_rtk_dongle_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_gnss_rtk_dongle_config_exchange;
 
 /**
@@ -317,10 +317,10 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_with(
                            &mip_gnss_rtk_dongle_config_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_gnss_spartn_config_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_gnss_spartn_config_exchange;
 
 /**

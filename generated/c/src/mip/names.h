@@ -1,6 +1,6 @@
 /**
  * @file
- * The names of all values and bits. A linker takes only those that a program uses.
+ * The names of all values and bits. Only those that a program uses are linked.
  */
 #ifndef MIP_NAMES_H
 #define MIP_NAMES_H

@@ -5421,7 +5421,7 @@ const struct mip_profile mip_profile_demod_dc = {
     NULL,
 };
 
-/* All of them. */
+/* All profiles. */
 
 const struct mip_profile *const mip_profiles[] = {
     &mip_profile_cl5_10,       &mip_profile_cl5_15,    &mip_profile_cl5_25,

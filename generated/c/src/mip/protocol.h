@@ -36,7 +36,7 @@ MIP_API const char *mip_function_selector_name(uint8_t value);
 
 #ifndef MIP_BARRIER_SET
 /** Descriptor set of the command that a barrier consists of; 0 if the specification names none, or
- * if you define it so for the whole library, which then does not know late answers. */
+ * if you define it as 0 for the whole library, which then cannot recognize late answers. */
 #define MIP_BARRIER_SET 0x01
 #endif
 /** Its descriptor. */

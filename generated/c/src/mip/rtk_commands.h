@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_rtk RTK commands (0x0F)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_get_status_flags_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_get_status_flags_exchange;
 
 /**
@@ -44,10 +44,10 @@ static inline struct mip_result mip_call_rtk_get_status_flags(
                               &mip_rtk_get_status_flags_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_get_imei_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_get_imei_exchange;
 
 /**
@@ -71,10 +71,10 @@ static inline struct mip_result mip_call_rtk_get_imei(struct mip_device *device,
                               &mip_rtk_get_imei_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_get_imsi_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_get_imsi_exchange;
 
 /**
@@ -98,10 +98,10 @@ static inline struct mip_result mip_call_rtk_get_imsi(struct mip_device *device,
                               &mip_rtk_get_imsi_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_get_iccid_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_get_iccid_exchange;
 
 /**
@@ -125,10 +125,10 @@ mip_call_rtk_get_iccid(struct mip_device *device, struct mip_rtk_get_iccid_respo
                               &mip_rtk_get_iccid_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_get_rssi_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_get_rssi_exchange;
 
 /**
@@ -152,10 +152,10 @@ static inline struct mip_result mip_call_rtk_get_rssi(struct mip_device *device,
                               &mip_rtk_get_rssi_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_connected_device_type_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_connected_device_type_exchange;
 
 /**
@@ -229,10 +229,10 @@ static inline struct mip_result mip_call_rtk_connected_device_type_with(
                            &mip_rtk_connected_device_type_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_get_activation_code_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_get_activation_code_exchange;
 
 /**
@@ -254,10 +254,10 @@ static inline struct mip_result mip_call_rtk_get_activation_code(
                               &mip_rtk_get_activation_code_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_get_modem_firmware_version_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_get_modem_firmware_version_exchange;
 
 /**
@@ -279,10 +279,10 @@ static inline struct mip_result mip_call_rtk_get_modem_firmware_version(
                               &mip_rtk_get_modem_firmware_version_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_service_status_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_service_status_exchange;
 
 /**
@@ -308,10 +308,10 @@ static inline struct mip_result mip_call_rtk_service_status_with(
                            &mip_rtk_service_status_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_erase_storage_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_erase_storage_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Erase storage. */
@@ -345,10 +345,10 @@ static inline struct mip_result mip_call_rtk_erase_storage_with(
     return mip_device_call(device, &mip_rtk_erase_storage_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_led_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_led_control_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. LED control. */
@@ -395,10 +395,10 @@ static inline struct mip_result mip_call_rtk_led_control_with(
     return mip_device_call(device, &mip_rtk_led_control_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_rtk_modem_hard_reset_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_modem_hard_reset_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Modem hard reset. */

@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_system System (0x7F)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_system_interface_control_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_system_interface_control_exchange;
 
 /**
@@ -125,10 +125,10 @@ static inline struct mip_result mip_call_system_interface_control_with(
                            &mip_system_interface_control_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_system_comm_mode_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_system_comm_mode_exchange;
 
 /**

@@ -1,6 +1,6 @@
 /**
  * @file
- * What all descriptor sets share, in C++17: see mip/types.h and mip/protocol.h.
+ * The types that descriptor sets share, in C++17: see mip/types.h and mip/protocol.h.
  */
 #ifndef MIP_TYPES_HPP
 #define MIP_TYPES_HPP

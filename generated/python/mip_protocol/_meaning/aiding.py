@@ -1,4 +1,4 @@
-"""What the types of `aiding` mean."""
+"""The meaning of the types of `aiding`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Flag, Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "AidingFrameFormat": EnumInfo("aiding.aiding_frame_format", aiding.AidingFrameFormat),
     "AidingEchoMode": EnumInfo("aiding.aiding_echo_mode", aiding.AidingEchoMode),

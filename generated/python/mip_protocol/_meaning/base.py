@@ -1,4 +1,4 @@
-"""What the types of `base` mean."""
+"""The meaning of the types of `base`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "BaseDeviceInfo": StructureInfo("base.base_device_info", base.BaseDeviceInfo, (
             Parameter("firmware_version", "firmware_version", "scalar", scalar="u16"),

@@ -1,4 +1,4 @@
-"""What the types of `displacement` mean."""
+"""The meaning of the types of `displacement`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "GetCalibration": FieldInfo(
         "displacement.get_calibration", displacement.GetCalibration, perhaps=("demod-dc",),

@@ -1,4 +1,4 @@
-"""What the types of `displacement_data` mean."""
+"""The meaning of the types of `displacement_data`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Flag, Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "TimestampFlags": BitsInfo("displacement_data.timestamp_flags", displacement_data.TimestampFlags),
     "DisplacementRaw": FieldInfo(

@@ -1,4 +1,4 @@
-"""What the types of `filter` mean."""
+"""The meaning of the types of `filter`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "DynamicsMode": EnumInfo("filter.dynamics_mode", filter.DynamicsMode),
     "EstimatedStates": BitsInfo("filter.estimated_states", filter.EstimatedStates),

@@ -1,4 +1,4 @@
-"""What the types of `filter_data` mean."""
+"""The meaning of the types of `filter_data`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Flag, Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "ValidFlags": BitsInfo("filter_data.valid_flags", filter_data.ValidFlags),
     "HeadingSourceFlags": BitsInfo("filter_data.heading_source_flags", filter_data.HeadingSourceFlags),

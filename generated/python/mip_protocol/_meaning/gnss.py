@@ -1,4 +1,4 @@
-"""What the types of `gnss` mean."""
+"""The meaning of the types of `gnss`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "ReceiverInfoEntry": StructureInfo("gnss.receiver_info_entry", gnss.ReceiverInfoEntry, (
             Parameter("receiver_id", "receiver_id", "scalar", scalar="u8", minimum=1),

@@ -1,4 +1,4 @@
-"""What the types of `gnss_data` mean."""
+"""The meaning of the types of `gnss_data`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Flag, Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "LlhPositionFlags": BitsInfo("gnss_data.llh_position_flags", gnss_data.LlhPositionFlags, aliases=("flags",)),
     "EcefPositionFlags": BitsInfo("gnss_data.ecef_position_flags", gnss_data.EcefPositionFlags, aliases=("flags",)),

@@ -1,4 +1,4 @@
-"""What the types of `mip_3dm` mean."""
+"""The meaning of the types of `mip_3dm`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "PollEntry": StructureInfo("3dm.poll_entry", mip_3dm.PollEntry, (
             Parameter("descriptor", "descriptor", "scalar", scalar="u8", refers="field"),

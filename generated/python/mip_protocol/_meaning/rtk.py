@@ -1,4 +1,4 @@
-"""What the types of `rtk` mean."""
+"""The meaning of the types of `rtk`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Flag, Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "ConnectedDevice": EnumInfo("rtk.connected_device", rtk.ConnectedDevice),
     "ServiceFlags": BitsInfo("rtk.service_flags", rtk.ServiceFlags),

@@ -1,4 +1,4 @@
-"""What the types of `sensor` mean."""
+"""The meaning of the types of `sensor`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Flag, Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "OverrangeFlags": BitsInfo("sensor.overrange_flags", sensor.OverrangeFlags, concerns={"accel_x": ("sensor.scaled_accel",), "accel_y": ("sensor.scaled_accel",), "accel_z": ("sensor.scaled_accel",), "gyro_x": ("sensor.scaled_gyro",), "gyro_y": ("sensor.scaled_gyro",), "gyro_z": ("sensor.scaled_gyro",), "mag_x": ("sensor.scaled_mag",), "mag_y": ("sensor.scaled_mag",), "mag_z": ("sensor.scaled_mag",), "pressure": ("sensor.scaled_pressure",)}),
     "OdometerFlags": BitsInfo("sensor.odometer_flags", sensor.OdometerFlags),

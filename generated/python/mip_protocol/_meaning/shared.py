@@ -1,4 +1,4 @@
-"""What the types of `shared` mean."""
+"""The meaning of the types of `shared`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Flag, Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "GpsTimestampFlags": BitsInfo("shared.gps_timestamp_flags", shared.GpsTimestampFlags, aliases=("time_valid",)),
     "ExternalTimestampFlags": BitsInfo("shared.external_timestamp_flags", shared.ExternalTimestampFlags),

@@ -1,4 +1,4 @@
-"""What the types of `system` mean."""
+"""The meaning of the types of `system`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "CommProtocols": BitsInfo("system.comm_protocols", system.CommProtocols),
     "ProtocolMode": EnumInfo("system.protocol_mode", system.ProtocolMode),

@@ -1,4 +1,4 @@
-"""What the types of `system_data` mean."""
+"""The meaning of the types of `system_data`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "GpioPinStates": BitsInfo("system_data.gpio_pin_states", system_data.GpioPinStates),
     "BuiltInTest": FieldInfo(

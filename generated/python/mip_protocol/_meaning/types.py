@@ -1,4 +1,4 @@
-"""What the types of `types` mean."""
+"""The meaning of the types of `types`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "Gx5BuiltInTest": BitsInfo("gx5_built_in_test", types.Gx5BuiltInTest, concerns={"mag_fault": ("sensor.scaled_mag",), "pressure_sensor_fault": ("sensor.scaled_pressure",), "solution_fault": ("filter.reset",)}),
     "Cv7BuiltInTest": BitsInfo("cv7_built_in_test", types.Cv7BuiltInTest, concerns={"accel_fault": ("sensor.scaled_accel",), "gyro_fault": ("sensor.scaled_gyro",), "mag_fault": ("sensor.scaled_mag",), "pressure_sensor_fault": ("sensor.scaled_pressure",), "filter_solution_fault": ("filter.reset",)}),

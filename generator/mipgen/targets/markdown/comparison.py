@@ -53,7 +53,7 @@ def _by_generation(model: m.Model) -> list[m.Device]:
 
 
 def generations(page: Page) -> list[Section]:
-    """All devices, and how much is known of them."""
+    """All devices, and the completeness of their profiles."""
     headings = [
         "Device",
         "Also called",

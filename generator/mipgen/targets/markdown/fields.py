@@ -1,4 +1,4 @@
-"""Fields: what is known of them, how they are sent and answered, and lists of them."""
+"""Fields: facts about them, their packets and replies, and lists of them."""
 
 from __future__ import annotations
 

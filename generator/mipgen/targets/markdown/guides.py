@@ -240,7 +240,7 @@ def changes(page: Page, guide: Guide) -> str:
 
 
 def meanings(page: Page, guide: Guide) -> str:
-    """The parameters that both devices have, but that do not mean the same on both."""
+    """The parameters that both devices have, but with different meanings."""
     move = guide.migration
     assert move is not None
     both = {f.full_name for f in _both(page, guide)}

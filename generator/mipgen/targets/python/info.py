@@ -1,4 +1,4 @@
-"""Rows of the modules of `_meaning`: what is known of fields, structures, enumerations and bitfields at run time.
+"""Rows of the modules of `_meaning`: descriptions of fields, structures, enumerations and bitfields at run time.
 
 A row has the attributes of an object of a class of `info` or `parameter`, as Python source; empty ones are left out.
 """

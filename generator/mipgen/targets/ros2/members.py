@@ -24,7 +24,7 @@ class Member:
 def of_record(record: m.Record, model: m.Model) -> list[Member]:
     """The members of a message in wire order; counters and constants are left out.
 
-    What may be absent is an array, which is empty then.
+    A value that may be absent is an array, which is then empty.
     """
     members = []
     for p in record.parameters:

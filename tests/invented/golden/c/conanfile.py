@@ -36,7 +36,7 @@ class Mip(ConanFile):
     def package(self):
         CMake(self).install()
         copy(self, "LICENSE", self.source_folder, f"{self.package_folder}/licenses")
-        rmdir(self, f"{self.package_folder}/lib/cmake")  # Conan writes what CMake and pkg-config read
+        rmdir(self, f"{self.package_folder}/lib/cmake")  # Conan writes its own files for CMake and pkg-config
         rmdir(self, f"{self.package_folder}/lib/pkgconfig")
 
     def package_info(self):

@@ -87,11 +87,11 @@ types:
     seq:
       - id: length
         type: u1
-        doc: Bytes of the field, with this one and the descriptor.
+        doc: Bytes of the field, including this one and the descriptor.
       - id: malformed
         size-eos: true
         if: not is_sound
-        doc: The rest of a packet after a length that is impossible.
+        doc: The rest of a packet after an impossible length.
       - id: descriptor
         type: u1
         if: is_sound

@@ -8,5 +8,5 @@ CLOCKS: dict[str, str | None] = {"wall": "2000-01-01", "uptime": None}
 #: Set and descriptor of the fields that hold the time of their packet -> its clock.
 TIMESTAMPS: dict[tuple[int, int], str] = {(0xFF, 0xD3): "wall", (0x80, 0x08): "uptime"}
 
-#: Day -> by how many seconds the clocks with an epoch are ahead of UTC, from 00:00 UTC of that day on.
+#: Day -> the seconds by which clocks with an epoch are ahead of UTC, from 00:00 UTC of that day.
 LEAP_SECONDS: tuple[tuple[str, int], ...] = (("2000-01-02", 1), ("2001-01-01", 3))

@@ -12,7 +12,7 @@ SETS: dict[int, tuple[str, ...]] = {
     0xFF: ("shared", "Shared"),
 }
 
-#: Names of sets -> the name that the fields begin with, where several sets have the same fields.
+#: Names of sets -> the family, with which the names of their fields begin, if it has another name.
 FAMILIES: dict[str, str] = {"more": "measurements", "copy": "measurements"}
 
 #: Full names of fields -> module, class, role, title, other names.

@@ -1,4 +1,4 @@
-"""What each device supports, and what values mean there that differ between devices."""
+"""The fields that each device supports, and the meanings of values that differ between devices."""
 
 from __future__ import annotations
 
@@ -192,7 +192,7 @@ def by_name(name: str) -> Device:
 
 
 def by_model(number: int) -> Device | None:
-    """A device by its model number; None if it is unknown, for example of a newer device."""
+    """A device by its model number; None if it is unknown, for example that of a newer device."""
     return next((d for d in DEVICES.values() if d.model_number == number), None)
 
 

@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_3d Awkward names (0x0C)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_3d_default_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3d_default_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Default. */

@@ -15,11 +15,11 @@
 /** The second byte of every packet. */
 #define MIP_SYNC_2 0x65
 
-/** Most bytes of the payload of a packet. */
+/** The maximum size of the payload of a packet. */
 #define MIP_MAX_PAYLOAD 255
-/** Most bytes of the data of a field. */
+/** The maximum size of the data of a field. */
 #define MIP_MAX_FIELD_DATA 253
-/** At least as many bytes as the largest structure of a field has, on any machine. */
+/** At least the size of the largest structure of a field, on any machine. */
 #define MIP_MAX_VALUE_SIZE 496
 /** The descriptor of the acknowledge, in all command sets. */
 #define MIP_ACKNOWLEDGE_DESCRIPTOR 0xF1

@@ -297,9 +297,9 @@ struct mip_measurements_growing {
 #define MIP_MEASUREMENTS_GROWING_DESCRIPTOR 0x06
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_GROWING_NAME "measurements.growing"
-/** The value of `present` if second is the last parameter that is there. */
+/** The value of `present` if second is the last parameter that is present. */
 #define MIP_MEASUREMENTS_GROWING_WITH_SECOND 2
-/** The value of `present` if third is the last parameter that is there. */
+/** The value of `present` if third is the last parameter that is present. */
 #define MIP_MEASUREMENTS_GROWING_WITH_THIRD 3
 
 /** Its wire format. */

@@ -337,7 +337,7 @@ const struct mip_profile mip_profile_old_2 = {
     NULL,
 };
 
-/* All of them. */
+/* All profiles. */
 
 const struct mip_profile *const mip_profiles[] = {
     &mip_profile_model_a, &mip_profile_model_b, &mip_profile_model_c,

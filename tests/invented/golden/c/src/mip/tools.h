@@ -233,9 +233,9 @@ struct mip_tools_settings {
 #define MIP_TOOLS_SETTINGS_DESCRIPTOR 0x02
 /** Its name in the specification. */
 #define MIP_TOOLS_SETTINGS_NAME "tools.settings"
-/** The value of `present` if limit is the last parameter that is there. */
+/** The value of `present` if limit is the last parameter that is present. */
 #define MIP_TOOLS_SETTINGS_WITH_LIMIT 4
-/** The value of `present` if reserved is the last parameter that is there. */
+/** The value of `present` if reserved is the last parameter that is present. */
 #define MIP_TOOLS_SETTINGS_WITH_RESERVED 5
 
 /** Its wire format. */
@@ -1552,7 +1552,7 @@ struct mip_tools_hello {
 #define MIP_TOOLS_HELLO_DESCRIPTOR 0x0C
 /** Its name in the specification. */
 #define MIP_TOOLS_HELLO_NAME "tools.hello"
-/** The value of `present` if later is the last parameter that is there. */
+/** The value of `present` if later is the last parameter that is present. */
 #define MIP_TOOLS_HELLO_WITH_LATER 2
 
 /** Its wire format. */

@@ -19,10 +19,10 @@ extern "C" {
 /** @addtogroup mip_tools Tools (0x01)
  * @{ */
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_ping_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_ping_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Ping. */
@@ -37,10 +37,10 @@ static inline struct mip_result mip_call_tools_ping(struct mip_device *device) {
                            0);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_settings_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_settings_exchange;
 
 /**
@@ -161,10 +161,10 @@ mip_call_tools_settings_with(struct mip_device *device, const struct mip_tools_s
                            &mip_tools_settings_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_set_time_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_set_time_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Set time. */
@@ -275,10 +275,10 @@ mip_call_tools_set_time_with(struct mip_device *device, const struct mip_tools_s
     return mip_device_call(device, &mip_tools_set_time_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_status_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_status_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Status. */
@@ -407,10 +407,10 @@ static inline struct mip_result mip_call_tools_status_with(struct mip_device *de
     return mip_device_call(device, &mip_tools_status_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_bias_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_bias_exchange;
 
 /**
@@ -480,10 +480,10 @@ static inline struct mip_result mip_call_tools_bias_with(struct mip_device *devi
                            response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_capture_bias_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_capture_bias_exchange;
 
 /**
@@ -524,10 +524,10 @@ static inline struct mip_result mip_call_tools_capture_bias_with(
                            &mip_tools_bias_vector_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_formats_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_formats_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Formats. */
@@ -567,10 +567,10 @@ mip_call_tools_formats_with(struct mip_device *device, const struct mip_tools_fo
     return mip_device_call(device, &mip_tools_formats_command, command, NULL, NULL);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_choice_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_choice_exchange;
 
 /**
@@ -628,10 +628,10 @@ mip_call_tools_choice_with(struct mip_device *device, const struct mip_tools_cho
                            &mip_tools_choice_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_list_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_list_exchange;
 
 /**
@@ -692,10 +692,10 @@ static inline struct mip_result mip_call_tools_list_with(struct mip_device *devi
                            response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_stock_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_stock_exchange;
 
 /**
@@ -718,10 +718,10 @@ static inline struct mip_result mip_call_tools_stock(struct mip_device *device,
                               &mip_tools_stock_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_pin_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_pin_exchange;
 
 /**
@@ -775,10 +775,10 @@ static inline struct mip_result mip_call_tools_pin_with(struct mip_device *devic
                            response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_hello_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_hello_exchange;
 
 /**
@@ -804,10 +804,10 @@ mip_call_tools_hello_with(struct mip_device *device, const struct mip_tools_hell
                            &mip_tools_hello_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_readings_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_readings_exchange;
 
 /**
@@ -849,10 +849,10 @@ mip_call_tools_readings_with(struct mip_device *device, const struct mip_tools_r
                            &mip_tools_readings_response_codec, response);
 }
 
-/** What the client knows of the command. */
+/** The description of the command for the client. */
 extern MIP_API const struct mip_command mip_tools_poll_command;
 
-/** How it is answered. */
+/** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_poll_exchange;
 
 /** Adds the command to a packet and waits for its answer: see mip_client_send. Poll. */

@@ -1,4 +1,4 @@
-"""What the types of `measurements` mean."""
+"""The meaning of the types of `measurements`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Flag, Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "Accel": FieldInfo(
         "measurements.accel", measurements.Accel, devices=("model-a", "model-b", "model-c"), max_rate=100,

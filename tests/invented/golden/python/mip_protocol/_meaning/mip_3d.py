@@ -1,4 +1,4 @@
-"""What the types of `mip_3d` mean."""
+"""The meaning of the types of `mip_3d`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "Default": FieldInfo(
         "3d.default", mip_3d.Default, devices=("model-a",),

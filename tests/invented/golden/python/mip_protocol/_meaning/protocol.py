@@ -1,4 +1,4 @@
-"""What the types of `protocol` mean."""
+"""The meaning of the types of `protocol`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "FunctionSelector": EnumInfo("function_selector", protocol.FunctionSelector),
     "Acknowledge": FieldInfo(

@@ -1,4 +1,4 @@
-"""What the types of `tools` mean."""
+"""The meaning of the types of `tools`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter, Variant
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "Shape": EnumInfo("tools.shape", tools.Shape),
     "Fill": EnumInfo("tools.fill", tools.Fill),

@@ -1,4 +1,4 @@
-"""What the types of `types` mean."""
+"""The meaning of the types of `types`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..parameter import Parameter
 
 # fmt: off
 
-#: Class -> what is known of it.
+#: Class -> its description.
 TYPES: dict[str, Info] = {
     "AckCode": EnumInfo("ack_code", types.AckCode),
     "Mode": EnumInfo("mode", types.Mode, deprecated=("slow",)),
