@@ -41,7 +41,8 @@ def loaded(command: str) -> Any:
 
 
 def without_package(words: list[str]) -> tuple[str | None, list[str]]:
-    """What `--package` or `--definitions` names, before or behind the command, and the other words. Raises Misuse."""
+    """The values of `--package` or `--definitions`, before or behind the command, and the other words. Raises
+    Misuse."""
     end = words.index("--") if "--" in words else len(words)
     for i, word in enumerate(words[:end]):
         option, equals, value = word.partition("=")

@@ -74,7 +74,7 @@ class Bundle:
         if path in importers:
             raise Failure(f"{path} imports itself through {importers[-1]}")
         if key not in self.functions:
-            function = self.function(path, (*importers, path))  # adds what it imports, which comes first
+            function = self.function(path, (*importers, path))  # adds first what it imports
             self.functions[key] = f"modules[{json.dumps(key)}] = {function};"
         return f"modules[{json.dumps(key)}]"
 
@@ -129,7 +129,7 @@ def _known(text: str, place: int) -> bool:
 
 
 def _pairs(names: str, form: str) -> list[str]:
-    """Each of `a, b as c` in a form that takes the exported and the local name."""
+    """Each of `a, b as c` in a form with the exported and the local name."""
     found = (name.strip().partition(" as ") for name in names.split(",") if name.strip())
     return [form.format(there, here or there) for there, _, here in found]
 

@@ -91,7 +91,7 @@ def _range(said: list[float | None], p: m.Parameter, _: object) -> str | None:
 
 
 def _if_range(said: list[float | None], p: m.Parameter, record: object) -> str | None:
-    """As `range`, where the specification states one at all."""
+    """Like `_range`, but only where the specification states a range."""
     return _range(said, p, record) if (p.minimum, p.maximum, p.above, p.below) != (None,) * 4 else None
 
 

@@ -112,8 +112,8 @@ def _commands(text: str, numbers: dict[str, int], structs: dict[str, Any]) -> It
 
 
 def _parts(about: str, arguments: str, structs: dict[str, Any]) -> tuple[list[Any], list[Any] | None] | None:
-    """What a function sends and what it returns; None where only its code says how many numbers these are, and in place
-    of what it returns where that differs between devices."""
+    """The values that a function sends, and those that it returns. None if only its code shows how many there are; None
+    for the latter if they differ between devices."""
     given: list[dict[str, Any]] = []
     returned: list[dict[str, Any]] = []
     if re.search(r"u8 ?\* ?raw_data, u16 num_bytes$", arguments):
@@ -170,7 +170,7 @@ def _groups(headers: str) -> Iterator[tuple[str, dict[str, int]]]:
     """Numbers that follow each other, by what their names have in common: the values of one enumeration."""
     for block in re.split(r"\n(?:\s*\n)+|\n//[^\n]*", headers):
         numbers = {name: int(value, 0) for name, value in _DEFINE.findall(block)}
-        # What is before the last underscore of the longest common beginning; letters decide, as names are not paths.
+        # The longest common beginning, up to its last underscore; it is compared by letters, as names are not paths.
         common = commonprefix(list(numbers)).rpartition("_")[0]  # noqa: RUF071
         if len(numbers) > 1 and re.fullmatch(r"MIP_(3DM|FILTER)_(?!CMD|REPLY|DATA).+", common):
             yield common, {name.removeprefix(common)[1:]: value for name, value in numbers.items()}

@@ -115,7 +115,7 @@ class Comments:
 
 
 def descriptors(f: m.Field) -> str:
-    """ "0x80,0x04"; of a field of several sets the descriptor alone."""
+    """Set and descriptor, "0x80,0x04"; only the descriptor of a field that occurs in several sets."""
     return f"0x{f.descriptor:02X}" if len(f.occurrences) > 1 else f"0x{f.set:02X},0x{f.descriptor:02X}"
 
 

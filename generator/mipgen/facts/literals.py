@@ -161,7 +161,7 @@ def decimal(bits: str) -> str:
     form = ">f" if len(raw) == 4 else ">d"
     (value,) = struct.unpack(form, raw)
     for digits in range(1, 18):
-        # Of two that are as near, the larger, as JavaScript rounds: the workbench writes the same programs.
+        # A tie is rounded away from zero, as in JavaScript, because the workbench writes the same programs.
         short = float(Context(prec=digits, rounding=ROUND_HALF_UP).create_decimal_from_float(value))
         try:
             if struct.pack(form, short) == raw:

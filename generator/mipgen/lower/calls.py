@@ -1,4 +1,4 @@
-"""What structures and commands hold, the ways to make them, and what may answer a command."""
+"""The contents of structures and commands, the ways to make them, and the possible responses to a command."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ def _is_number(p: m.Parameter) -> bool:
 
 
 def same(printed: str, computed: str) -> bool:
-    """Does a manual give this length?
+    """Does a manual state this length?
 
     >>> same("4 + 3*N", "4 + 3*N"), same("4+3*N", "4 + 3*N"), same("0x0E", "14"), same("5 + 1*n", "5 + n")
     (True, True, True, True)

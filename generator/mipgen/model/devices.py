@@ -114,7 +114,7 @@ class Support:
 
     @property
     def responds(self) -> bool:
-        """Does the device take a function that is answered by a response, or has the command no functions?"""
+        """Does the device accept a function that has a response, or has the command no functions?"""
         return not self.field.functions or any(f.responds for f in self.functions)
 
 

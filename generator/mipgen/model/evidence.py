@@ -35,7 +35,7 @@ class Example:
     packet: Detail[bytes]  # always the right bytes
     fields: tuple[ExampleField, ...]
     note: Prose
-    device: Device | None = None  # what sends or takes it; None if its manual is for several and it names none
+    device: Device | None = None  # that sends or receives it; None if its manual is for several, and it names none
     synthetic: bool = False  # given by its parameters only, not as bytes
     position: Position | None = field(default=None, compare=False)
 

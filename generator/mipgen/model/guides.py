@@ -29,7 +29,7 @@ class Shown:
 
 @dataclass(frozen=True, slots=True)
 class Stream:
-    """Data packets that come because of a step."""
+    """Data packets that arrive because of a step."""
 
     set: Set
     fields: tuple[Shown, ...]
@@ -67,7 +67,7 @@ class Sequence:
 
     @property
     def used(self) -> set[str]:
-        """The full names of the fields that are sent and that come as data."""
+        """The full names of the fields that are sent, and of those that arrive as data."""
         return {f.full_name for s in self.steps for f in (s.command, *(x.field for t in s.data for x in t.fields))}
 
 

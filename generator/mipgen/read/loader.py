@@ -181,7 +181,7 @@ def _validators() -> dict[str, Any]:
     folder = resources.root() / "spec/schema"
     files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
     for schema in files.values():
-        del schema["$schema"]  # where it is referred to, the library would take its own validator in place of this one
+        del schema["$schema"]  # if it were referred to, the library would use its own validator instead of this one
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (name, DRAFT7.create_resource(schema)) for name, schema in files.items()
     )
@@ -283,8 +283,8 @@ def _instead(value: Any, kinds: list[str]) -> str:
 
 
 def _form(schema: Any) -> str | None:
-    """The description of a definition says what a value must look like; that of a property, which ends with a full
-    stop, says what it is for."""
+    """The description of a definition states the form of a value; that of a property, which ends with a full stop,
+    states its purpose."""
     words = str(schema.get("description", "."))
     return None if words.endswith(".") else words
 

@@ -351,7 +351,7 @@ class _Device:
     def check_varies(self, supports: tuple[m.Support, ...]) -> None:
         """Variations belong to fields that the device supports; those that need one per device have it."""
         fields = [f for s in supports for f in (s.field, *self.model.responses(s.field))]
-        told = {s.field.full_name for s in supports if s.evidence.kind != "listed"}  # a list says nothing of readings
+        told = {s.field.full_name for s in supports if s.evidence.kind != "listed"}  # a list does not contain readings
         untold = {
             f.full_name
             for s in supports

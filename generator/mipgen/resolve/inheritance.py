@@ -222,7 +222,7 @@ class _Heir:
         return "family" in self.own or f is self.model.protocol.acknowledge or not has.isdisjoint(f.names)
 
     def named(self, key: str) -> Node:
-        """The entries of both; one of the same name takes the place of the other's."""
+        """The entries of both; an entry replaces one of the same name."""
         entries = {entry["name"].value: entry for entry in self.parent.get(key) or ()}
         for name in self.without(key, list(entries)):
             entries.pop(name, None)

@@ -39,10 +39,10 @@ class Layout:
     functions: str = ""
     plain: bool = False
     inside: bool = False
-    whole: Node | None = None  # the field, for what it says of all its values
+    whole: Node | None = None  # the field, whose keys may apply to all its values
     before: int = 0  # bytes of the record around it, of a union's case
     unknown: str = ""  # letters of the command that are not functions, reported where they are
-    unclear: bool = False  # a parameter is required for something wrong, so that the order cannot be checked
+    unclear: bool = False  # a parameter is required for an unknown function, so that the order cannot be checked
     nodes: list[Node] = field(default_factory=list)
     done: list[m.Parameter] = field(default_factory=list)
 
@@ -51,11 +51,11 @@ class Layout:
 
     @property
     def least(self) -> int:
-        """The fewest bytes that all parameters so far take."""
+        """The smallest size of all parameters so far."""
         return self.taken(self.done)
 
     def taken(self, parameters: Sequence[m.Parameter]) -> int:
-        """The fewest bytes that a field has with these parameters."""
+        """The smallest size of a field with these parameters."""
         return self.before + (1 if self.functions else 0) + extent.fewest(parameters)
 
     def earlier(self, name: str) -> m.Parameter | None:

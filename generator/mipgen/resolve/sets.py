@@ -155,7 +155,7 @@ class Families:
             if made is not None or "same_as" in entry:
                 names.append(made.name if made else entry["same_as"].value)
         specific = {r.name: _constants(r) for r in responses}
-        names.sort(key=lambda name: -specific.get(name, 0))  # as their fields: the most specific layout first
+        names.sort(key=lambda name: -specific.get(name, 0))  # like their fields: the most specific layout first
         return [replace(command, responses=tuple(names)), *responses]
 
     def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:

@@ -205,7 +205,7 @@ class _Values:
 
 
 def _names(t: m.Enum | m.Bitfield) -> Iterator[str]:
-    """Of values; of bits, and for a number inside the bitfield, of its values: bits.value."""
+    """The names of values, or of bits; for a number inside a bitfield, also those of its values: bits.value."""
     for x in t.values if isinstance(t, m.Enum) else t.bits:
         yield x.name
         if isinstance(x, m.Bits) and x.enum is not None:

@@ -115,7 +115,7 @@ def _clock(log: Log, name: str, bounds: Bounds) -> str:
 
 
 def _arriving(name: str) -> Iterator[tuple[int, Log]]:
-    """What has arrived in a pipe, and where in the stream it begins."""
+    """The data that arrives in a pipe, with the offsets where it begins in the stream."""
     from ..columns import read_log
 
     place = 0

@@ -9,7 +9,7 @@ from ..binding import DecodeError, Field, Packet, PacketError, RawField, chosen,
 
 
 class Found(NamedTuple):
-    """A field of a packet. `value` is None if `error` says why, or if the descriptor is unknown."""
+    """A field of a packet. `value` is None if there is an `error`, or if the descriptor is unknown."""
 
     raw: RawField
     kind: type[Field] | None

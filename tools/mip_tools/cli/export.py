@@ -83,7 +83,7 @@ def run(options: argparse.Namespace) -> int:
     if form in MESSAGES or (form == "jsonl" and options.file == "-"):
         whole = (aligned, options.split, options.rate, options.position, NMEA in options.names)
         if options.file == "-" and form != "ros2" and not any(whole):
-            with outputs.whole(options.output) as out:  # a pipe: as it comes
+            with outputs.whole(options.output) as out:  # a pipe: as data arrives
                 live.write(out, form, inputs.arriving("-"), options, selection)
             return 0
         if form in MESSAGES:

@@ -20,7 +20,7 @@ from .selection import Selection
 #: Messages that wait for the first time of a log.
 HELD = 100_000
 
-#: Those of the JSON of messages.
+#: The separators in the JSON of messages.
 SEPARATORS = (",", ":")
 
 #: Clocks for the times of messages.

@@ -58,7 +58,7 @@ class Lines:
         return row_texts.formatted(template, values, len(column))
 
     def texts(self, p: Parameter, column: Column[Any]) -> row_texts.Texts | None:
-        """How a parameter is formatted, and what with, as `Parameter.format` does."""
+        """The format of a parameter and its values, with the result of `Parameter.format`."""
         p = p if self.device is None else p.on(self.device)
         values = row_texts.plain(p, column)
         if values is None:

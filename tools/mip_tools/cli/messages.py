@@ -48,7 +48,7 @@ class Messages:
         self._drops, self._named = invalid == "drop", named
 
     def of(self, log: Log) -> Iterator[Message]:
-        """Those of a log, in the order of the fields."""
+        """The messages of a log, in the order of the fields."""
         number = 0
         for part in log.parts(PART):
             for piece in part.pieces():

@@ -50,7 +50,7 @@ def _whole_path(name: str, keep: bool, replace: bool) -> Iterator[Path]:
             raise _failed(name, error) from None
         return
     part = _beside(path)
-    held = signals.Held()  # so that no interrupt comes while files get or lose their names
+    held = signals.Held()  # so that no interrupt occurs while files get or lose their names
     with signals.handled(held):
         try:
             held.open = True
@@ -84,7 +84,7 @@ def _is_output(name: str) -> bool:
 
 
 def _target(name: str) -> tuple[Path, bool]:
-    """The file itself if the name is a link to it. Is it special, such as /dev/null, which must not be replaced?
+    """The file, with links resolved, and whether it is special, such as /dev/null, and must not be replaced.
 
     Raises Failure.
     """

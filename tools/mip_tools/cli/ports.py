@@ -93,7 +93,7 @@ def received(
             left = _TURN if end is None else min(_TURN, end - time.monotonic())
             if left <= 0:
                 return
-            closed = device.closed  # before the queue is asked: what came last is in it
+            closed = device.closed  # read before the queue, which then contains the last data
             try:
                 yield came.get(timeout=0 if closed else left)
             except queue.Empty:

@@ -84,7 +84,7 @@ def names(p: Parameter, values: Array, word: Callable[[Any], str]) -> Texts:
 
 
 def singles(values: Array) -> Texts:
-    """How each number is formatted, and the numbers, by elements of a vector."""
+    """The format of each number, and the numbers, by elements of a vector."""
     numbers = shortest(values.reshape(-1)).reshape(values.shape) if values.dtype == np.float32 else values
     return "%r" if values.dtype.kind == "f" else "%d", numbers.T.tolist() if values.ndim > 1 else [numbers.tolist()]
 

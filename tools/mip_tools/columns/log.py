@@ -385,7 +385,7 @@ class Log:
         return sum(int(np.searchsorted(piece.at, offset - piece.begin)) for piece in self.pieces(fields=False))
 
     def before(self, size: int) -> Log | None:
-        """For `times`: the part of so many bytes before this one, if there is any."""
+        """For `times`: the part of this many bytes before this one, if there is any."""
         if not self.begin:
             return None
         if self._earlier is None:

@@ -52,7 +52,7 @@ class Where:
     """The source of a column's rows; each part is computed only when it is used."""
 
     def __init__(self, only: int) -> None:
-        """`only` is the set that all come from, or 0."""
+        """`only` is the set of all rows, or 0 for several."""
         self._only = only
         self._rows: list[tuple[Piece, Array]] = []
         self._right: Array | None = None

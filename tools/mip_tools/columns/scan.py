@@ -21,7 +21,7 @@ _PART = 1 << 18  # bytes that are searched at once: intermediate results stay in
 def packets(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
     """The beginnings and ends of the packets that begin in `first` … `limit`.
 
-    Of `data`, `length` bytes belong to the log; at least 8 more must be there.
+    The first `length` bytes of `data` belong to the log; at least 8 more must follow.
     """
     if native.kernel is not None:
         return native.kernel.packets(data, first, limit, length, False)
@@ -59,8 +59,8 @@ def candidates(data: Array, first: int, limit: int, length: int) -> tuple[Array,
 def clear(data: Array, begin: int, length: int, whole: bool) -> int | None:
     """Where the first packet at or behind `begin` may begin: one before it may reach beyond it.
 
-    `whole` says that nothing comes before the data. If candidates overlap so far back that these
-    data do not tell, the result is None.
+    `whole` says that nothing comes before the data. If candidates overlap so far back that these data do not suffice,
+    the result is None.
     """
     at, end = candidates(data, 0, begin, length)
     known = 0 if whole else REACH  # whatever begins before the data ends here
@@ -95,7 +95,7 @@ _BYTE = np.uint64(8)
 
 
 def _right(data: Array, at: Array, end: Array) -> Array:
-    """Which of these packets have the right checksum.
+    """Whether each of these packets has the right checksum.
 
     The sums of a packet come from running sums of all the data: of the bytes, and of these sums.
     Everything is modulo 256, as the checksum is.
@@ -131,7 +131,7 @@ def _right(data: Array, at: Array, end: Array) -> Array:
 
 
 def _sums(words: Array) -> tuple[Array, Array]:
-    """Of the eight bytes of each word: their sum, and the sum of the sums after each byte."""
+    """The sum of the eight bytes of each word, and the sum of the sums after each byte."""
     even = words & _LOW
     odd = words >> _BYTE
     odd &= _LOW

@@ -134,7 +134,7 @@ def quoted(text: str) -> str:
 
 
 def shortest(numbers: Array) -> Array:
-    """As doubles, the decimals with the fewest digits that are these numbers of four bytes.
+    """The shortest decimals that are these numbers of four bytes, as doubles.
 
     The result equals that of `text.shortest` of the package. With 6 to 9 digits, they are whole numbers
     below 2**53 that are divided by an exact power of ten: so they are the nearest double.

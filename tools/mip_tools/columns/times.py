@@ -203,8 +203,8 @@ def at(log: Log, set: int, clock: str, packet: Array, offset: Callable[[], Array
 
 
 def stamps(log: Log, set: int, clock: str, first: int | None = None) -> Stamps:
-    """The timestamps of a set; of packets shortly before a part of a log too, if the first packet of
-    interest comes before all timestamps in it."""
+    """The timestamps of a set. They include those shortly before a part of a log if the first packet of interest
+    precedes all timestamps in the part."""
     own = read(log, set, clock)
     if first is not None and len(own.packet) and own.packet[0] <= first:
         return own
@@ -248,7 +248,7 @@ def _whole(parts: list[Array]) -> Array:
 
 
 def nanoseconds(column: Column[Any], clock: str) -> Array:
-    """The sum of what a timestamp says in weeks, seconds, nanoseconds; UTC if the clock has a date."""
+    """The sum of the weeks, seconds and other parts of a timestamp, in nanoseconds; UTC if the clock has a date."""
     total = np.zeros(len(column), np.int64)
     bad = np.zeros(len(column), bool)
     for name, p in column.parameters.items():

@@ -22,7 +22,7 @@ QUIET = 0.3
 SETTLE = 0.3
 #: The number of attempts to send a command without a reply.
 ATTEMPTS = 2
-#: How often settings that others have changed meanwhile are written again.
+#: The number of times that settings changed by others meanwhile are written again.
 ROUNDS = 3
 
 #: Settings and their values, as commands that would write them.

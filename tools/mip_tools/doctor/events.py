@@ -1,4 +1,4 @@
-"""What happened in a stream, on one timeline over all descriptor sets."""
+"""The events of a stream, on one timeline over all descriptor sets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What was found in a stream."""
+"""The results of examining a stream."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Warned:
 
 @dataclass
 class Examined:
-    """What was found."""
+    """The results."""
 
     size: int = 0
     packets: int = 0
@@ -36,7 +36,7 @@ class Examined:
     untimed: list[int] = field(default_factory=list)  # sets without timestamps
     rates: dict[Key, float] = field(default_factory=dict)  # in Hz, of the last rhythm
     names: dict[Key, str] = field(default_factory=dict)
-    spans: dict[int, list[tuple[int, int]]] = field(default_factory=dict)  # set -> when its packets came, in ns
+    spans: dict[int, list[tuple[int, int]]] = field(default_factory=dict)  # set -> when its packets arrived, in ns
     sentences: int = 0
     unnamed: list[str] = field(default_factory=list)  # fields whose flags depend on the device
 

@@ -12,7 +12,7 @@ from ..cli.inputs import counted
 from .events import CAUSES, Event
 from .examined import Examined
 
-#: How many events of a cause are listed.
+#: The number of events of a cause that are listed.
 LISTED = 5
 #: Set in fewer of the fields, and not in the last one, a bit is not a warning: it is set while a filter starts.
 _SELDOM = 0.02

@@ -22,7 +22,7 @@ class Part:
         self.log = log
         #: All other fields, each with its first occurrence.
         self.new: dict[Key, Found] = {}
-        #: Of each, a place in a packet: fields are in this order.
+        #: The place of each in a packet, which determines the order of the fields.
         self.order: dict[Key, int] = {}
         self._known = known
         self._places: list[tuple[Array, Array, Array]] = []
@@ -45,7 +45,7 @@ class Part:
     def complete(self) -> None:
         """Computes the attributes below, once all pieces are added."""
         nothing = (np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, np.uint8))
-        #: Where the packets begin and end in the file.
+        #: The places where the packets begin and end in the file.
         self.at, self.end, sets = (np.concatenate(parts) for parts in zip(nothing, *self._places))
         numbers = {n: np.flatnonzero(sets == n) for n in np.flatnonzero(np.bincount(sets, minlength=256)).tolist()}
         #: Set of data -> its packets, in the order of the first ones.
@@ -65,7 +65,7 @@ class Part:
         return stamps.packet[right], stamps.value[right]
 
     def before(self, number: int, packet: int) -> int:
-        """How many packets of a set come before a packet."""
+        """The number of packets of a set before a packet."""
         return int(np.searchsorted(self.sets[number], packet))
 
 
@@ -73,7 +73,8 @@ class Line:
     """The times of a part by one clock, over all sets."""
 
     def __init__(self, known: list[tuple[Array, Array]], before: int | None) -> None:
-        """Of each set, where its packets begin in the file, and their times; the last one before this part."""
+        """`known`: for each set, the places of its packets in the file, and their times. `before`: the last time before
+        this part."""
         at, time = (np.concatenate(parts) for parts in zip((np.zeros(0, np.int64),) * 2, *known))
         order = np.argsort(at, kind="stable")
         self._at, self._time = at[order], time[order]

@@ -22,7 +22,7 @@ _LONGEST = 1 << 61
 
 
 class Moment(NamedTuple):
-    """A packet of a field: when, where it begins and ends, and how many packets of other sets came before."""
+    """A packet of a field: its time, where it begins and ends, and the number of packets of other sets before it."""
 
     time: int
     begin: int

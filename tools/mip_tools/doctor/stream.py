@@ -30,12 +30,12 @@ _AWAY, _AWAY_SECONDS = 5, 1.0
 _STEP = SECOND // 20
 #: A shorter gap is not a pause.
 _SHORT = 0.5
-#: How many events are kept.
+#: The number of events that are kept.
 MOST = 5000
 
 
 def examine(log: Log, device: str | None = None) -> Examined:
-    """What was found in a log, which is read once."""
+    """Examines a log, which is read once."""
     examination, progress = Examination(log.size, device), inputs.Progress(log.size)
     for part in log.parts(PART):
         examination.add(part, progress)
@@ -45,7 +45,7 @@ def examine(log: Log, device: str | None = None) -> Examined:
 
 @dataclass
 class _Set:
-    """What is known of a descriptor set up to some packet."""
+    """The state of a descriptor set up to some packet."""
 
     first: int  # where its first packet begins
     count: int = 0
@@ -107,7 +107,7 @@ class Examination:
         self._note(Line([(part.at[packets], time) for packets, time in valid], self._time))
 
     def end(self) -> Examined:
-        """What was found, when there is no more."""
+        """Ends the examination, and returns the results."""
         self._damaged(self._skipped.end())
         self._note(Line([], self._time))
         self._started_and_stopped()
@@ -276,7 +276,7 @@ class Examination:
         return Event("changed format", change.at.begin, change.at.end, None, sets={key[0]}, details=[text])
 
     def _started_and_stopped(self) -> None:
-        """Fields that came later than the others, or ended before them."""
+        """Finds fields that began later than the others, or ended before them."""
         for key, name in self.result.names.items():
             rhythm = self._rhythms.get(key)
             if rhythm is None or rhythm.usual is None or rhythm.last is None or rhythm.first is None:

@@ -109,7 +109,7 @@ def _system(url: str) -> tuple[Any, str]:
 
 
 def device_in(name: str, pattern: str | None) -> str | None:
-    """What the first group of a regular expression finds in the name of a log."""
+    """The text that the first group of a regular expression matches in the name of a log."""
     said = re.search(pattern, name) if pattern else None
     return said[1] if said else None
 

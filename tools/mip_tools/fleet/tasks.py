@@ -12,7 +12,7 @@ from .sources import Log
 
 @dataclass(frozen=True)
 class Work:
-    """What is the same for all logs."""
+    """The parameters that are the same for all logs."""
 
     package: str  # name or folder
     folder: Path  # of unfinished work

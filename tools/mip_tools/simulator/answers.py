@@ -36,7 +36,7 @@ def response(device: VirtualDevice, command: Command) -> Response | None:
 
 
 def _layout(device: VirtualDevice, command: Command) -> Any:
-    """Of several layouts, that of the device; else the first that is not limited to certain devices."""
+    """The layout of the device, if there are several; else the first that is not limited to certain devices."""
     layouts = command.expected
     of = COMMANDS.get(command.NAME, NOTHING).answers
     own = [kind for kind in layouts if device.profile.id in of.get(kind.NAME.partition(".")[2], ())]

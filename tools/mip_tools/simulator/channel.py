@@ -129,7 +129,7 @@ class Channel:
         return math.inf
 
     def _front(self) -> bytes:
-        """What is written next: the first chunk, with those behind it as far as they are small."""
+        """The bytes to write next: the first chunk, and those behind it, as long as they are small."""
         if len(self._queue) == 1:
             return self._queue[0]
         front: list[bytes] = []

@@ -15,12 +15,12 @@ LOAD = 4
 DEFAULT = 5
 APPLY = 6
 
-#: Those that give a new value.
+#: The functions that set a new value.
 SETS = (WRITE, APPLY)
 
 
 class Refused(Exception):
-    """The device refuses a command; `code` says why."""
+    """The device rejects a command, with this `code`."""
 
     def __init__(self, code: int) -> None:
         super().__init__(f"refused with code {code}")

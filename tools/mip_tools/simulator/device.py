@@ -44,7 +44,7 @@ SILENCE = SECOND // 10
 #: Packets of commands that wait while another command takes its time; more are lost.
 MOST_WAITING = 32
 
-#: How often disturbances may happen.
+#: The interval at which disturbances may happen.
 DISTURBANCE_TIME = SECOND // 10
 
 Encoder = Callable[[], list[RawField]]
@@ -95,7 +95,7 @@ class VirtualDevice:
         self.bytes_sent: int = 0
         self.bytes_received: int = 0
         self.ready_at = 0
-        self._busy_until: int | None = None  # a command takes its time; others wait
+        self._busy_until: int | None = None  # while a command takes long, others wait
         self._waiting: list[tuple[Link, Packet]] = []
         self._behind: list[Callable[[], None]] = []  # actions that follow the answer to this command
         self.trace = trace

@@ -83,7 +83,7 @@ class Pty:
         # The slave stays open: without it, a client that leaves ends the terminal.
         tty.setraw(self._slave)
         os.set_blocking(self._master, False)
-        # Packet mode: a byte before what is read tells when a client discards what it has not read.
+        # Packet mode: the first byte of a read shows when a client discards what it has not read.
         fcntl.ioctl(self._master, termios.TIOCPKT, array("i", [1]))
         self._flushed = self._full = False
         self.name = os.ttyname(self._slave)
@@ -158,7 +158,7 @@ class Pty:
     @property
     def unread(self) -> int:
         """Bytes that the client has not read; they are lost when the terminal ends."""
-        select.select([self._slave], [], [], 0)  # makes the system hand over what is in between
+        select.select([self._slave], [], [], 0)  # makes the system pass on bytes that are in transit
         size = array("i", [0])
         fcntl.ioctl(self._slave, termios.FIONREAD, size)
         return size[0]

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 #: The step of the filter, and of GNSS receivers, in nanoseconds.
 STEP = SECOND // 5
-#: Steps at once; a longer time is divided into as many.
+#: The most steps at once; a longer time is divided into this many longer steps.
 MOST_STEPS = 3000
 #: Seconds for which the filter of a new simulation has run, in as many long steps, before as many short ones.
 SETTLED, SETTLING_STEPS = 600.0, 100
@@ -95,8 +95,8 @@ class Options:
     pressure_noise: float = 0.5
     accel_bias_noise: Vector = (1e-4, 1e-4, 1e-4)
     gyro_bias_noise: Vector = (1e-6, 1e-6, 1e-6)
-    stops_below: float = 0.0  # m/s: slower, it stands
-    turns_above: float = 0.0  # rad/s: slower, it does not turn
+    stops_below: float = 0.0  # m/s; below this, it is at rest
+    turns_above: float = 0.0  # rad/s; below this, it does not turn
     offsets: dict[int, Vector] = field(default_factory=dict)  # receiver -> how wrong its antenna offset is
 
 

@@ -221,7 +221,7 @@ class Faults:
         at.late = [entry for entry in at.late if entry[0] > now]
         if parts[-1][0] and packet[:2] == SYNC:
             at.late.append((now + parts[-1][0], packet))
-        if parts[-1][0]:  # bytes due at that very moment come after it
+        if parts[-1][0]:  # bytes that are due at the same time follow it
             at.free = now + parts[-1][0] + 1
         return [part for part in parts if part[1]]
 

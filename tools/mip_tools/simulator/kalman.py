@@ -12,7 +12,8 @@ class Pair:
     __slots__ = ("error", "gauss", "p", "pr", "r", "rate")
 
     def __init__(self, gauss: Callable[[], float]) -> None:
-        """`gauss`: random numbers of a deviation of 1; less, if errors are to be smaller than the variances say."""
+        """`gauss` returns random numbers with a deviation of 1, or less for errors that are smaller than the
+        variances."""
         self.gauss = gauss
         self.error = self.rate = self.p = self.pr = self.r = 0.0
 

@@ -59,7 +59,7 @@ class LivePort:
             self._wake.notify()
 
     def _pass(self) -> None:
-        """Brings the device to the present, and takes what it has sent."""
+        """Advances the device to the present, and reads what it has sent."""
         now = time.monotonic()
         self._device.advance(min(now - self._now, LATE) * self._speed)
         self._now = now

@@ -189,7 +189,7 @@ def known(entry: Entry) -> bool:
 
 
 def sentences(entries: Iterable[Entry], world: World) -> bytes:
-    """The sentences at the time of the world, with checksums and ends of line; entries that are not known give none."""
+    """The sentences at the time of the world, with checksums and ends of line; unknown entries produce none."""
     lines = []
     for entry in entries:
         found = _sentence(entry)

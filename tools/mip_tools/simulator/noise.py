@@ -36,7 +36,7 @@ class Noise:
         self._kept: dict[int, Values] = {}
 
     def integral(self, now: int) -> Values:
-        """The integral since the first call; a time before the last one gives the last result."""
+        """The integral since the first call; for a time before the last one, the last result."""
         if self._time is None:
             self._time = now
         passed = (now - self._time) / SECOND

@@ -146,7 +146,7 @@ def _ecef(w: World) -> Vector:
 
 
 def _deviations(w: World) -> tuple[tuple[Vector, Vector], ...]:
-    """Of attitude and gyroscope bias, of position and velocity, and of the accelerometer bias."""
+    """The deviations of attitude and gyroscope bias, of position and velocity, and of the accelerometer bias."""
 
     def of(pairs: Any) -> tuple[Vector, Vector]:
         a, b, c = pairs

@@ -1,4 +1,4 @@
-"""Rotations in the forms that commands give them, as matrices of `v' = m * v`."""
+"""Rotations in the forms that commands use, as matrices of `v' = m * v`."""
 
 from __future__ import annotations
 

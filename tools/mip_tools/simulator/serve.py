@@ -230,7 +230,7 @@ class Server:
         self._drain()
 
     def _simulated(self, nanoseconds: float) -> float:
-        """The seconds of the clock that so many simulated nanoseconds take."""
+        """The seconds of the clock for this number of simulated nanoseconds."""
         return nanoseconds / SECOND / (self._speed or 1.0)
 
     @property

@@ -34,7 +34,7 @@ class Port(Protocol):
 
 
 class Refused(Exception):
-    """A request that is not served, with the status that says so."""
+    """A request that is not served, with the status of the reply."""
 
 
 class Server:
@@ -149,7 +149,7 @@ class Server:
         return key
 
     def _talk(self, page: Connection) -> bytes:
-        """Passes bytes on, both ways. Returns the last message, which says why it ends."""
+        """Passes bytes on, both ways. Returns the last message, which states why it ends."""
         if not self._taken.acquire(blocking=False):
             return closing(TRY_AGAIN, "another page is connected; disconnect it first")
         try:
@@ -235,7 +235,7 @@ class Connection:
 
     def drain(self) -> None:
         """Reads until the page closes its end: a socket that is closed with unread data resets the connection, and the
-        page loses the message that says why."""
+        page loses the message with the reason."""
         self.client.shutdown(socket.SHUT_WR)
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end and self.client.recv(_AT_ONCE):

@@ -109,7 +109,8 @@ def interpreter(f: m.Field, layouts: Sequence[m.Field]) -> str:
 
 
 def shape(f: m.Field, layouts: Sequence[m.Field]) -> str:
-    """How many numbers of 64, 32 and 16 bits it has, if it has them in this order, without gaps, and few; else 0."""
+    """The counts of numbers of 64, 32 and 16 bits, if there are few, in this order and without
+    gaps; otherwise 0."""
     if not is_numbers(f, layouts) or memory.has_gaps(f):
         return "0"
     numbers = [s for s in _joined([*_steps(f.parameters, "")]) if isinstance(s, Numbers)]

@@ -53,10 +53,10 @@ class Call:
     field: m.Field
     response: m.Field | None
     doc: list[str]
-    way: Constructor | None = None  # what makes the command's structure from the arguments
-    given: tuple[m.Parameter, ...] = ()  # what the arguments are
-    passed: tuple[str, ...] = ()  # what it hands to the constructor
-    whole: bool = False  # does it take the structure?
+    way: Constructor | None = None  # makes the command's structure from the arguments
+    given: tuple[m.Parameter, ...] = ()  # the arguments
+    passed: tuple[str, ...] = ()  # the arguments of the constructor
+    whole: bool = False  # is the structure its argument?
     data: Data | None = None  # None: it is encoded from the structure
 
     @property

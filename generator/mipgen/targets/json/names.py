@@ -25,7 +25,7 @@ def symbols(thing: m.Type | m.Field) -> dict[str, str]:
 
 
 def programs(model: m.Model) -> dict[str, dict[str, Any]]:
-    """What programs need besides `symbols`, so that a tool can write calls of the bindings.
+    """The data that a tool needs, besides `symbols`, to write calls of the bindings.
 
     A table has the names that a language writes in another way than the specification; all others stay as they are.
     """

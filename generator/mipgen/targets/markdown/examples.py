@@ -27,7 +27,7 @@ class Piece:
 
 @dataclass(frozen=True, slots=True)
 class Around:
-    """The record that a value belongs to, and the device that sends or takes it."""
+    """The record that a value belongs to, and the device that sends or receives it."""
 
     parameters: Sequence[m.Parameter]
     values: Mapping[str, Any]

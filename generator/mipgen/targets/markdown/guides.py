@@ -249,7 +249,7 @@ def meanings(page: Page, guide: Guide) -> str:
     for path in dict.fromkeys([*told[0], *told[1]]):
         one = told[0].get(path) or told[1][path]
         owners = [f"{x.full_name}.{one.parameter.name}" for x in page.model.commands(one.field)]
-        if one.field.full_name in both and not any(x in t for x in owners for t in told):  # a row tells of both
+        if one.field.full_name in both and not any(x in t for x in owners for t in told):  # a row describes both
             said = [_reading(page, t.get(path), one) for t in told]
             rows.append([page.link(one.field), code(one.parameter.name), *said])
     return table(rows, ["Field", "Parameter", inline(move.before.title), inline(move.after.title)]) if rows else ""

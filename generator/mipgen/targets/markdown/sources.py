@@ -59,7 +59,7 @@ def field_lengths(page: Page, manual: m.Manual) -> str:
 
 
 def length_remarks(page: Page, f: m.Field) -> list[str]:
-    """The manuals that give another length for a response; it cites the sections of its command."""
+    """The manuals that state another length for a response; it cites the sections of its command."""
     remarks = [(_manual(page, s), _length_remark(page, f, s)) for s in f.sources]
     return list(dict.fromkeys(f"{manual}: {remark}" for manual, remark in remarks if remark))
 

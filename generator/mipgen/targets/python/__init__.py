@@ -121,7 +121,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
 
 
 def attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
-    """What a class has, as Python and as the specification call it."""
+    """The names of the members of a class in Python, and in the specification."""
     if isinstance(t, m.Enum):
         for v in t.values:
             yield names.constant(v.name), v.name, v.position

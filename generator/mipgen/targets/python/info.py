@@ -119,7 +119,7 @@ def _scalar(p: m.Parameter) -> str:
 
 
 def _variants(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
-    """What differs by device or with another parameter, and the flags of devices that have others."""
+    """The differences by device or another parameter, and the flags of devices that have their own."""
     rows = []
     for group, _ in describe.variants(p, record, model):
         v = group[0]

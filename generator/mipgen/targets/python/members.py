@@ -190,7 +190,7 @@ def _row(p: m.Parameter, record: m.Record) -> tuple[str, str, str]:
 
 
 def _made(p: m.Parameter, several: bool, record: m.Record, where: str) -> str:
-    """What makes the value of plain numbers."""
+    """The expression that makes the value from plain numbers."""
     if p.constant is not None:
         return str(p.constant)
     if p.counts is not None:
@@ -205,7 +205,7 @@ def _made(p: m.Parameter, several: bool, record: m.Record, where: str) -> str:
 
 
 def _convert(p: m.Parameter, where: str) -> str:
-    """What makes a value from a number."""
+    """The function that makes a value from a number."""
     if p.named is not None:
         return reference(p.named, where)
     return "codec.truth" if p.kind == "scalar" and p.scalar.kind == "bool" else "None"
@@ -221,7 +221,7 @@ def parameters(way: m.Call, record: m.Field) -> list[str]:
 
 
 def arguments(way: m.Call) -> list[str]:
-    """What that constructor passes on, after the function."""
+    """The arguments that this constructor passes on, after the function."""
     passed = []
     for p in way.required:
         if not p.derived:

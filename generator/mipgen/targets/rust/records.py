@@ -69,7 +69,7 @@ class Place:
 
     @property
     def type(self) -> str:
-        """What a view returns: a structure is lent, anything else decoded."""
+        """The type that a view returns: another view of a structure, the value of anything else."""
         return f"{' as ' if self.member.parameter.struct else ': '}{self.member.type}"
 
 
