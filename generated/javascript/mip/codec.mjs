@@ -368,7 +368,7 @@ export class Layout {
         }
     }
 
-    /** `within` names the value that contains it, "segments[2]": errors say where they are. */
+    /** `within` names the value that contains it, "segments[2]": errors name it. */
     write(w, values, within = "", required = this.always) {
         this.refuseUnknown(values, within, w);
         const there = (i) => this.#isGiven(i, values, w);

@@ -106,7 +106,7 @@ export class Device {
     async #send(commands, options, wait) {
         this.#mustBeOpen();
         const client = this.#client;
-        const pending = client.pending; // the client tells commands by their objects
+        const pending = client.pending; // the client distinguishes commands by their objects
         const sent = commands.map((one, i) => (pending.includes(one) || commands.indexOf(one) < i ? new one.constructor({ ...one }) : one));
         const bytes = client.send(sent, now(), { ...options, wait });
         const outcomes = sent.map((command) => {

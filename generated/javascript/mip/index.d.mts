@@ -14,9 +14,9 @@ export declare class MipError extends Error {
      * "missing_response", "closed", "no_device", "rate", "session".
      */
     readonly kind: string;
-    /** Of "refused" and "timeout": the command. */
+    /** The command, for "refused" and "timeout". */
     readonly command?: Command;
-    /** Of "refused": the code of the acknowledge. */
+    /** The code of the acknowledge, for "refused". */
     readonly code?: number;
 }
 
@@ -130,7 +130,7 @@ export declare class RawField {
     readonly data: Uint8Array;
     /** Its offset in the packet. */
     readonly offset: number;
-    /** Of `registry.decode`: why it could not be decoded. */
+    /** The reason why `registry.decode` could not decode it. */
     readonly error?: MipError;
 }
 

@@ -14,7 +14,7 @@ function connected(socket) {
     const pieces = [];
     let wake = () => {};
     let ended = false;
-    let why = ""; // as the other end says it
+    let why = ""; // as the other end states it
     const end = ({ reason }) => {
         ended = true;
         why = reason;

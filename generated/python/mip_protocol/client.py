@@ -77,7 +77,7 @@ class Skipped:
     data: bytes
 
 
-#: How a command ends.
+#: The outcome of a command.
 Outcome = Answer | TimedOut
 Event = Outcome | Received | Skipped
 

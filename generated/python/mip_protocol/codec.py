@@ -257,7 +257,7 @@ def counted(data: bytes, at: int, count: int, size: int, capacity: int) -> int:
 
 
 def remaining(data: bytes, at: int, size: int) -> int:
-    """How many elements of `size` bytes follow."""
+    """The number of elements of `size` bytes that follow."""
     return (len(data) - at) // size
 
 
@@ -459,7 +459,7 @@ def mismatch(name: str, tag: object) -> EncodeError:
 
 
 def present(value: object, required: int, groups: Groups) -> int:
-    """How many parameters are present: those up to the first group with a None.
+    """The number of parameters that are present: those up to the first group with a None.
 
     A group is the number of its last parameter, its names, and whether it is a union, which
     may be None where it is required: then it is empty.

@@ -95,7 +95,7 @@ class Ticket:
 
 @dataclass(frozen=True)
 class News:
-    """What has changed, so that callers that wait for it can be woken."""
+    """The kinds of changes, so that callers that wait for them can be woken."""
 
     answers: bool = False
     arrivals: bool = False

@@ -94,13 +94,13 @@ class Structure(Described):
     #: The names of its values, in order on the wire.
     _MEMBERS: ClassVar[tuple[str, ...]] = ()
 
-    #: Those that are vectors, and their kinds.
+    #: Members that are vectors, and their kinds.
     _VECTORS: ClassVar[dict[str, tuple[type[Any], ...]]] = {}
 
     #: Its parameters as they are on the wire; see `wire`.
     _LAYOUT: ClassVar[tuple[tuple[str, str, Any], ...]] = ()
 
-    #: How many of them are always present; None: all.
+    #: The number of parameters that are always present; None for all.
     _ALWAYS: ClassVar[int | None] = None
 
     if TYPE_CHECKING:

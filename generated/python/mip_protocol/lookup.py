@@ -12,7 +12,7 @@ from ._index import DEVICES, FAMILIES, FIELDS, SETS
 from .errors import UnknownName
 from .field import Field
 
-#: Words of names in other bindings that say nothing of the field itself.
+#: Words of names in other bindings that do not describe the field itself.
 NOISE = frozenset(("mip", "data", "command", "commands"))
 #: The prefix of names in C, and of those of modules that would begin with a digit: `mip` of `mip_3dm`.
 PREFIX = __name__.split(".")[-2].removesuffix("_protocol")

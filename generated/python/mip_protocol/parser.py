@@ -89,7 +89,7 @@ class Scanner(Generic[T]):
         raise NotImplementedError
 
     def _find(self, buffer: bytes, at: int, final: bool) -> tuple[int, int]:
-        """Where the next packet begins and ends; no end: from where on bytes wait for more."""
+        """The beginning and end of the next packet. Without an end, the bytes from the beginning on wait for more."""
         length = len(buffer)
         while True:
             found = buffer.find(SYNC, at)

@@ -158,7 +158,7 @@ def as_port(port: Any) -> Any:
         inspect.signature(port.read).bind(AT_ONCE)
     except TypeError:
         raise TypeError(f"{port!r} is not a port: its `read` takes no size") from None
-    except ValueError:  # as of functions in C that do not say what they take
+    except ValueError:  # such as functions in C without a signature
         pass
     return port
 

@@ -13,7 +13,7 @@ from .conversation import Dialog, Step
 from .errors import EncodeError, NoSuchRate, Refused
 from .field import Command, Field
 
-#: What a field and its decimation become in a command.
+#: Makes the item of a command from a descriptor and a decimation.
 Item = Callable[[int, int], Any]
 
 LARGEST = 0xFFFF  # decimation

@@ -15,7 +15,7 @@ from .described import Described
 from .errors import EncodeError
 from .parameter import Parameter
 
-#: What differs for the members of a structure, by attribute.
+#: The differences for the members of a structure, by attribute.
 Inside = dict[str, dict[str, Any]]
 
 
@@ -74,7 +74,7 @@ def _bits(kind: type[IntFlag]) -> tuple[tuple[tuple[str, int, int, Any], ...], i
 
 @lru_cache(maxsize=1024)
 def _set_bits(kind: type[IntFlag], value: int) -> tuple[str, ...]:
-    """What is set in a bitfield; numbers of several bits in any case."""
+    """The names of the bits that are set, and all numbers of several bits, even if they are 0."""
     named, known = _bits(kind)
     words = []
     for name, mask, first, type in named:

@@ -15,8 +15,8 @@ from .packet import Packet
 from .parameter import Flag, Parameter
 
 SECOND = 1_000_000_000
-#: How far before a packet without a timestamp the last one of its set may be, in bytes. The same
-#: for every way of cutting a file.
+#: The distance in bytes at which a timestamp of the set may precede a packet without one. It does not depend on how a
+#: file is cut.
 REACH = 1 << 20
 #: A part of a timestamp is not valid if it is this many nanoseconds or more: two of them fit into 64 bits.
 MOST = 4 * 10**18
@@ -133,7 +133,7 @@ def _source(set: int, descriptor: int) -> _Source | None:
 
 
 def _size(kind: type[Field]) -> int:
-    """How many bytes of zeros are needed to decode one."""
+    """The number of zero bytes that are needed to decode a field of this type."""
     for size in range(254):
         try:
             kind.decode(bytes(size))

@@ -140,7 +140,7 @@ def value(numbers: Sequence[str], what: Any, name: str, names: dict[str, Any]) -
 
 
 def selects(kind: Any) -> bool:
-    """Does a function selector say which parameters are required?"""
+    """Does a function selector determine which parameters are required?"""
     return bool(getattr(kind, "REQUIRED", None))
 
 
@@ -369,7 +369,7 @@ def _parts(rows: Sequence[Row]) -> Iterator[Layout]:
 
 
 def _held(rows: Sequence[Row]) -> list[str]:
-    """The members that rows give: constants and counters are none."""
+    """The members for these rows: constants and counters have none."""
     return [name for name, _, what in rows if not isinstance(what, (int, Counts))]
 
 

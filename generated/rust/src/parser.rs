@@ -308,7 +308,7 @@ impl Parser {
         self.done > 0
     }
 
-    /// That packet.
+    /// The packet in the buffer that was found last.
     pub(crate) fn packet(&self) -> Packet<'_> {
         Packet::trusted(self.buffer.get(..self.done.into()).unwrap_or_default())
     }

@@ -22,10 +22,10 @@
 #define MIP_CHECKSUM_NEON 3
 
 /** @def MIP_CHECKSUM
- * The method. */
+ * The method of computing checksums, one of these. */
 #ifndef MIP_CHECKSUM
 #if defined(__OPTIMIZE_SIZE__) || UINTPTR_MAX < UINT64_MAX
-/** The method. */
+/** The method of computing checksums. */
 #define MIP_CHECKSUM MIP_CHECKSUM_PLAIN
 #elif defined(__SSE2__) || defined(_M_X64)
 #define MIP_CHECKSUM MIP_CHECKSUM_SSE2

@@ -47,8 +47,8 @@ struct mip_response {
     const struct mip_codec *layout;
     /** Its descriptor; 0 if the device leaves the command unanswered. */
     uint8_t descriptor;
-    /** Which byte is tested: its place in the field, whose length, at 0, is never 0. A byte that is
-     * not there counts as 0. */
+    /** The tested byte, by its offset in the field, whose first byte, the length, is never 0. A
+     * missing byte counts as 0. */
     uint8_t at;
     /** The value that it must have, or MIP_NOT_ZERO. */
     uint8_t value;
@@ -56,7 +56,7 @@ struct mip_response {
     bool more;
 };
 
-/** How a command is answered. */
+/** The replies to a command. */
 struct mip_exchange {
     /** Descriptor set of the command. */
     uint8_t descriptor_set;
@@ -70,11 +70,11 @@ struct mip_exchange {
     const struct mip_response *responses;
 };
 
-/** A command: its wire format, and how it is answered. */
+/** A command: its wire format, and its replies. */
 struct mip_command {
     /** The wire format of the command. */
     const struct mip_codec *codec;
-    /** How it is answered. */
+    /** The replies to it. */
     const struct mip_exchange *exchange;
     /** Does it begin with a function selector? */
     bool selects;
@@ -101,7 +101,7 @@ struct mip_command {
 struct mip_request {
     /** The next waiting request. */
     struct mip_request *next;
-    /** How the command is answered. */
+    /** The replies to the command. */
     const struct mip_exchange *exchange;
     /** The response that it requests; NULL if it requests none. */
     const struct mip_response *asked;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* What the programs and the types of members rely on. */
+/* Assumptions of the programs and of the types of members. */
 #define ASSERT(name, condition) typedef char assert_##name[(condition) ? 1 : -1]
 ASSERT(bytes_have_eight_bits, (unsigned char)-1 == 255);
 ASSERT(floats_have_four_bytes, sizeof(float) == 4);
@@ -242,7 +242,7 @@ mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mi
         if (codec->interpreter != NULL) {
             return codec->interpreter->read(codec, value, field, trailing);
         }
-        /* Nothing is written to the field. */
+        /* The field is only read. */
         move_all(codec->program, (uint8_t *)(uintptr_t)field->data, (uint8_t *)value, false);
         left -= codec->numbers;
     }

@@ -269,7 +269,7 @@ struct mip_parser {
     uint32_t skipped;
     /** Bytes in the buffer. */
     uint16_t length;
-    /** How many of them are used up: the last packet, and the bytes before it. */
+    /** The number of them that are used up: the last packet, and the bytes before it. */
     uint16_t done;
     /** The number of bytes that are missing from the packet whose header is at the beginning of the
      * buffer, if the library is compiled for speed; 0 if that is not known. */

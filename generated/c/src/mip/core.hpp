@@ -65,7 +65,7 @@ template <class T> using c_type = typename traits<T>::c_type;
 template <class T>
 concept layout = requires { traits<T>::codec(); };
 
-/** What stands in place of `class` where a type must be one of field. */
+/** Replaces `class` where a type must be a type of field. */
 #define MIP_LAYOUT_TYPE ::mip::layout
 #else
 #define MIP_LAYOUT_TYPE class

@@ -57,21 +57,21 @@ extern MIP_API const struct mip_codec mip_any_field;
 /** For `descriptor_set` of a handler: every set in which the type occurs. */
 #define MIP_ANY_SET 0
 
-/** What to do with a received field. */
+/** A handler of received fields. */
 struct mip_handler {
     /** The type of field: its codec, such as &mip_sensor_scaled_accel_codec, or MIP_ANY_FIELD. */
     const struct mip_codec *type;
     /** The descriptor set, such as that of one of two receivers, or MIP_ANY_SET. */
     uint8_t descriptor_set;
     /**
-     * Called with the field; NULL to ignore it. The `descriptor_set` of the field says in which set
-     * it arrived, if the type occurs in several. `arrived` is the time, by the clock of the port,
-     * when the last bytes of its packet had been read. The data of the field is valid until the
-     * handler returns. It must not wait: the answer to a command may be next. It cannot call a
+     * Called with the field; NULL to ignore it. The `descriptor_set` of the field is the set in
+     * which it arrived, if the type occurs in several. `arrived` is the time, by the clock of the
+     * port, when the last bytes of its packet had been read. The data of the field is valid until
+     * the handler returns. It must not wait: the answer to a command may be next. It cannot call a
      * command of this device, which would return MIP_BUSY, nor poll the device.
      */
     void (*handle)(void *user, const struct mip_field *field, uint32_t arrived);
-    /** Is passed to it. */
+    /** The first argument of the function. */
     void *user;
 };
 
@@ -86,17 +86,17 @@ struct mip_observer {
      * sentence or a damaged packet. What handlers must not do, it must not do either.
      */
     void (*packet)(void *user, const struct mip_device *device, bool ends);
-    /** Is passed to it. */
+    /** The first argument of the function. */
     void *user;
 };
 
 /** A device and the state of its stream. Several can be used at the same time. */
 struct mip_device {
-    /** How it is reached. */
+    /** The connection to it. */
     struct mip_port port;
     /** The first of these that matches a field is called; if none does, the field is dropped. */
     const struct mip_handler *handlers;
-    /** How many there are. */
+    /** The number of handlers. */
     size_t handler_count;
     /** The parser time-out: when no byte has arrived for this many milliseconds, an incomplete
      * packet is discarded, and packets after its first bytes are found. 0: never. */
@@ -126,7 +126,7 @@ static inline uint32_t mip_gap(const struct mip_device *device, uint32_t *seen) 
 
 /** The outcome of a command. */
 enum mip_outcome {
-    /** It was not sent: its values do not fit into a packet (`error` says why), or, if that is
+    /** It was not sent: its values do not fit into a packet (`error` is the reason), or, if that is
      * MIP_OK, the port could not write. */
     MIP_NOT_SENT = 0,
     /** The device has carried it out, and its response has been stored, if it has one. */
@@ -141,11 +141,11 @@ enum mip_outcome {
     MIP_MISSING_RESPONSE,
     /** The device has sent a response that cannot be decoded: `error` is the reason. */
     MIP_UNDECODABLE,
-    /** The port was gone before the answer came. */
+    /** The port was lost before the answer arrived. */
     MIP_CLOSED,
     /** It was not sent, because it was called from a handler of the same device. */
     MIP_BUSY,
-    /** Nothing was sent to change the stream: the device does not have a rate. See
+    /** Nothing was sent to change the stream: the device does not have one of the rates. See
      * mip_device_stream. */
     MIP_NO_SUCH_RATE
 };
@@ -168,7 +168,7 @@ static inline bool mip_succeeded(struct mip_result result) {
 }
 
 /**
- * How often a command is sent, and after which outcomes it is sent again.
+ * The number of attempts for a command, and the outcomes after which it is sent again.
  *
  *     struct mip_retry retry = MIP_RETRY;
  *     do {

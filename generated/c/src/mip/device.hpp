@@ -43,7 +43,7 @@ inline std::string_view to_string(outcome value) {
     return mip_outcome_name(static_cast<enum mip_outcome>(value));
 }
 
-/** What all results have. */
+/** The common part of all results. */
 class [[nodiscard]] basic_result {
   public:
     basic_result(const mip_result &of) : result_(of) {
@@ -167,7 +167,7 @@ template <class Command, class Response, std::uint8_t... Function> struct fixed_
 /** The port of a device, and a clock. */
 template <class T>
 concept port = requires(T &way, span<std::uint8_t> room, bytes packet) {
-    /* As many bytes as have arrived, perhaps 0; without a value if the port is gone. */
+    /* Reads what has arrived, perhaps 0 bytes; without a value if the port is gone. */
     { way.read(room) } -> std::convertible_to<std::optional<std::size_t>>;
     /* Sends all of them; false if that failed. */
     { way.write(packet) } -> std::convertible_to<bool>;
@@ -306,7 +306,7 @@ template <std::size_t Handlers = 8> class device {
     }
 
   private:
-    /** What a handler captures. */
+    /** Memory for the captures of a handler. */
     struct alignas(void *) room {
         unsigned char bytes[2 * sizeof(void *)];
     };

@@ -78,7 +78,7 @@ const char *mip_registry_set_name(const struct mip_entry *entry, uint8_t descrip
     return set != NULL ? set->name : "";
 }
 
-/** What follows the name of a set and a period; NULL if the name does not begin with them. */
+/** The rest of a name after that of the set and a period; NULL if it does not begin with them. */
 static const char *after(const char *set, const char *name) {
     while (*set != '\0' && *set == *name) {
         set++;

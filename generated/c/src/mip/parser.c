@@ -46,7 +46,7 @@ static size_t examine(const struct mip_parser *parser, size_t at, struct mip_pac
 #ifndef __OPTIMIZE_SIZE__
 /** The shortest payload of packets whose checksum takes a block at once. */
 #define SHORTEST 12
-/** What memcpy copies without a call: most packets. */
+/** The size that memcpy copies without a call; most packets fit. */
 #define BLOCK 64
 /** The most bytes by which two candidates may differ if the sum of one follows from the other's. */
 #define NEAR 16

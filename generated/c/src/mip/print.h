@@ -28,9 +28,9 @@
 extern "C" {
 #endif
 
-/** Where the text is written, and the device. */
+/** The destination of the text, and the device. */
 struct mip_print {
-    /** Takes the next piece of the text, which has no NUL at its end. */
+    /** Writes the next piece of the text, which has no NUL at its end. */
     void (*put)(void *user, const char *text, size_t size);
     /** The first argument of `put`. */
     void *user;

@@ -44,7 +44,7 @@ struct mip_profile_field {
     /** Letters of the function selectors that the device accepts: "WRSLD"; empty without selectors.
      */
     const char *functions;
-    /** How certain that is, and why; never NULL. */
+    /** The certainty of this, and the reasons; never NULL. */
     const struct mip_profile_evidence *evidence;
 };
 
@@ -90,7 +90,7 @@ struct mip_profile_limit {
     double value;
     /** Empty if it has none. */
     const char *unit;
-    /** What it limits. */
+    /** The limited quantity. */
     const char *description;
     /** The firmware versions that have it: ">= 1.0.04"; empty if all have. */
     const char *firmware;
@@ -120,7 +120,7 @@ struct mip_profile_reading {
     const char *type;
 };
 
-/** What is known of a device. */
+/** A device profile. */
 struct mip_profile {
     /** Its id: "3dm-gx5-15". */
     const char *id;
@@ -128,7 +128,7 @@ struct mip_profile {
     const char *title;
     /** The id in the specification of the manual that describes it; empty if none is known. */
     const char *manual;
-    /** What it is. */
+    /** Its description. */
     const char *description;
     /** The beginning of its model and serial numbers; 0 if it is not known. */
     uint16_t model_number;
@@ -158,11 +158,12 @@ struct mip_profile {
     uint8_t ack_code_count;
     /** Other names. */
     const char *const *also;
-    /** Sentences on what is not known of it. If there are any, it may have more than is listed. */
+    /** Statements on what is unknown about it. If there are any, it may have more than is
+     * listed. */
     const char *const *incomplete;
-    /** What it has for certain or probably, by descriptor set and descriptor. */
+    /** The fields that it certainly or probably has, by descriptor set and descriptor. */
     const struct mip_profile_field *fields;
-    /** What it is known not to have. */
+    /** The fields that it is known not to have. */
     const struct mip_profile_field *refuses;
     /** The firmware that some of these fields require. */
     const struct mip_profile_firmware *firmware;
@@ -204,7 +205,7 @@ MIP_API uint16_t mip_model_number(const char *text, size_t size);
 MIP_API enum mip_support mip_profile_support(const struct mip_profile *profile,
                                              uint8_t descriptor_set, uint8_t descriptor);
 
-/** The entry of a command or a data field in the profile: its `evidence` says how certain it is,
+/** The entry of a command or a data field in the profile: its `evidence` states how certain it is,
  * and why. NULL if there is none. */
 MIP_API const struct mip_profile_field *mip_profile_find_field(const struct mip_profile *profile,
                                                                uint8_t descriptor_set,

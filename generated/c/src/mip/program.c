@@ -7,7 +7,7 @@
 struct stream {
     uint8_t *at;
     uint8_t *end;
-    /** Where the last group of parameters began. */
+    /** The beginning of the last group of parameters. */
     uint8_t *mark;
     /** A mip_error. */
     uint8_t error;
@@ -140,7 +140,8 @@ static const uint8_t *selected(const uint8_t *program, uint8_t *tag, size_t size
     return NULL;
 }
 
-/** Runs a program for the structure at `base`. False if it ended early: everything ends then. */
+/** Runs a program for the structure at `base`. False if it ended early, which ends
+ * the programs around it, too. */
 static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
     size_t times = 1;
     for (;;) {
@@ -266,7 +267,7 @@ static bool matches(const struct mip_codec *codec, const struct mip_field *field
 static mip_error read_field(const struct mip_codec *codec, void *value,
                             const struct mip_field *field, size_t *trailing) {
     struct stream s;
-    /* Nothing is written to the field. */
+    /* The field is only read. */
     uint8_t *data = (uint8_t *)(uintptr_t)field->data;
     uint8_t *end = data + field->size;
     do {
@@ -297,7 +298,7 @@ static mip_error write_field(const struct mip_codec *codec, const void *value, u
     s.at = data;
     s.end = data + room;
     s.writing = true;
-    /* Nothing is written to the structure. */
+    /* The structure is only read. */
     run(&s, codec->program, (uint8_t *)(uintptr_t)value);
     if (s.error == MIP_OK && s.present > s.last) {
         s.error = MIP_ERROR_MISSING;

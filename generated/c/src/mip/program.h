@@ -25,7 +25,7 @@ extern "C" {
 
 /** Numbers of one kind: 1 to 31 of them, or 0 if their count follows. */
 #define MIP_NUMBERS(kind, count) ((kind) << 5 | (count))
-/** The kinds. Their last two bits tell the size of a number: 1, 2, 4 or 8 bytes. Doubles are a kind
+/** The kinds. Their last two bits are the size of a number: 1, 2, 4 or 8 bytes. Doubles are a kind
  * of their own, which some compilers do not have. */
 #define MIP_KIND_DOUBLE 3
 /** One byte. */
@@ -51,33 +51,33 @@ extern "C" {
 /** More than 31 numbers: MIP_8_BITS(0, MIP_MANY(200, place)). */
 #define MIP_MANY(count, place) count, place
 
-/** How many numbers of 64, 32 and 16 bits a layout has, as one number below 256: at most 4, 9 and 4
- * of them. */
+/** The counts of numbers of 64, 32 and 16 bits in a layout, at most 4, 9 and 4, as one number below
+ * 256. */
 #define MIP_SHAPE(longs, words, halves) ((longs) * 50 + (words) * 5 + (halves))
 
 /** The first bytes of the other steps. */
 enum {
-    /** Of MIP_END. */
+    /** MIP_END. */
     MIP_STEP_END,
-    /** Of MIP_FAR. */
+    /** MIP_FAR. */
     MIP_STEP_FAR,
-    /** Of MIP_SIZES and MIP_LAYOUT. */
+    /** MIP_SIZES and MIP_LAYOUT. */
     MIP_STEP_LAYOUT,
-    /** Of MIP_OPTIONAL and MIP_REQUIRED. */
+    /** MIP_OPTIONAL and MIP_REQUIRED. */
     MIP_STEP_OPTIONAL,
-    /** Of MIP_CONSTANT. */
+    /** MIP_CONSTANT. */
     MIP_STEP_CONSTANT,
-    /** Of MIP_COUNTED. */
+    /** MIP_COUNTED. */
     MIP_STEP_COUNTED,
-    /** Of MIP_REST. */
+    /** MIP_REST. */
     MIP_STEP_REST,
-    /** Of MIP_EACH. */
+    /** MIP_EACH. */
     MIP_STEP_EACH,
-    /** Of MIP_SWITCH. */
+    /** MIP_SWITCH. */
     MIP_STEP_SWITCH,
-    /** Of MIP_RESERVED. */
+    /** MIP_RESERVED. */
     MIP_STEP_RESERVED,
-    /** Of MIP_GROUP. */
+    /** MIP_GROUP. */
     MIP_STEP_GROUP
 };
 
@@ -109,15 +109,15 @@ enum {
 #define MIP_RESERVED MIP_STEP_RESERVED
 /** Bytes that are always the same. */
 #define MIP_CONSTANT(size, ...) MIP_STEP_CONSTANT, size, __VA_ARGS__
-/** The next step is repeated as often as a member of `size` bytes says, at most `capacity`
+/** The next step is repeated as often as a member of `size` bytes states, at most `capacity`
  * times; each time it takes `wire` bytes of the field. */
 #define MIP_COUNTED(size, capacity, wire, place) MIP_STEP_COUNTED, size, capacity, wire, place
-/** The next step is repeated until the field ends; a member of one byte says how often. */
+/** The next step is repeated until the field ends; a member of one byte is the number of times. */
 #define MIP_REST(capacity, wire, place) MIP_STEP_REST, 1, capacity, wire, place
 /** Structures of a type. Their program follows, which has `length` bytes. */
 #define MIP_EACH(count, type, length, place) \
     MIP_STEP_EACH, count, sizeof(type) >> 8, sizeof(type) & 0xFF, length, place
-/** A member of `size` bytes says which of the cases is present. They follow. */
+/** A member of `size` bytes selects the case that is present. They follow. */
 #define MIP_SWITCH(size, cases, place) MIP_STEP_SWITCH, size, cases, place
 /** The bytes of the value that selects a case. Its program follows, which has `length` bytes. */
 #define MIP_CASE(length, ...) __VA_ARGS__, length

@@ -56,7 +56,7 @@ extern "C" {
 /** A character. */
 #define MIP_SCALAR_CHAR 11
 
-/* How many items a parameter has. */
+/* The number of items of a parameter. */
 
 /** Not an array. */
 #define MIP_LENGTH_ONE 0
@@ -64,7 +64,7 @@ extern "C" {
 #define MIP_LENGTH_FIXED 1
 /** Their number is the parameter `by`. */
 #define MIP_LENGTH_COUNTED 2
-/** As many as the field holds. */
+/** All that fit into the rest of the field. */
 #define MIP_LENGTH_REST 3
 
 struct mip_names;
@@ -85,11 +85,11 @@ struct mip_names {
     const char *name;
     /** The names of its values or bits, each followed by a NUL: see mip_names_label. */
     const char *labels;
-    /** Of an enumeration: its values, as unsigned numbers of `size` bytes. See mip_names_number. */
+    /** The values of an enumeration, as unsigned numbers of `size` bytes. See mip_names_number. */
     const void *numbers;
-    /** Of a bitfield: its flags and numbers. */
+    /** The flags and numbers of a bitfield. */
     const struct mip_named_bits *bits;
-    /** How many values or bits there are. */
+    /** The number of values or bits. */
     uint16_t count;
     /** Bytes of the number. */
     uint8_t size;

@@ -20,11 +20,11 @@ struct mip_entry {
     uint8_t role;
     /** Entries that mip_registry_link returns. */
     uint8_t link_count;
-    /** Where they are in mip_registry_links. */
+    /** The index of the first of them in mip_registry_links. */
     uint16_t first_link;
     /** Name in the specification, without that of a set: "pps_source_control". */
     const char *name;
-    /** Its wire format. mip_codec_belongs says in which sets it occurs. */
+    /** Its wire format. mip_codec_belongs finds out in which sets it occurs. */
     const struct mip_codec *codec;
     /** NULL if it is not a command. */
     const struct mip_command *command;

@@ -83,7 +83,7 @@
 
     // ------------------------------------------------------------------ rows
 
-    /** Does a row say the same of all chosen devices? */
+    /** Is a row the same for all chosen devices? */
     function alike(row, shown) {
         const cells = shown.map((at) => row.cells[at].textContent.trim());
         return cells.every((cell) => cell === cells[0]);

@@ -8,7 +8,7 @@ globalThis.mipSearch = (() => {
     const WEAK = 4; // a rank of fields: the words are in parameters, values and descriptions
     const COLLECTIONS = /^(errata|examples|types|compare|types\/.*|examples\/.*)\b/; // they repeat what other pages have
 
-    /** Words of questions that say nothing of their subject. */
+    /** Words of questions that do not describe their subject. */
     const FILLING = new Set(
         (
             "a about am an and any are as at be by can cannot could did do does doesn for from get got had has have how i if in is it " +
@@ -21,7 +21,7 @@ globalThis.mipSearch = (() => {
         return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
     }
 
-    /** The words of a text that tell something of its subject, or all, if none does. */
+    /** The words of a text that describe its subject, or all, if none does. */
     function telling(text) {
         const words = [...new Set(wordsOf(text))];
         const left = words.filter((word) => !FILLING.has(word));
@@ -170,7 +170,7 @@ globalThis.mipSearch = (() => {
             const others = less === text ? [] : mipFields.find(index, less, 2 * FIELDS);
             if (others.length && !(ranked[0]?.rank < WEAK)) ranked = others;
         }
-        // What has the name that is typed, or is asked for by descriptor, comes before pages.
+        // Fields with the typed name or descriptor come before pages.
         const named = ranked.length > 0 && ranked[0].rank <= 0;
         const fields = fieldsOf(ranked).map(({ field, rank }) => ({ field, rank, href: addressOf(field) }));
         const parts = passages(texts, text, index, new Set(fields.map(({ field }) => shownBy(field))));

@@ -45,8 +45,8 @@ enum Way {
 }
 
 impl<const N: usize, const Q: usize> Device<Line, N, Q> {
-    /// Opens the port again, after a call has failed with [`DeviceError::Port`]: tries to every
-    /// 100 ms, for this time. Data that was kept is still there.
+    /// Opens the port again, after a call has failed with [`DeviceError::Port`]: tries every 100 ms
+    /// for up to this time. Data that was kept is still there.
     ///
     /// The command that waited was not answered. The device may have restarted, and then sends
     /// nothing until `stream` starts its data again.
@@ -84,8 +84,8 @@ impl Line {
         })
     }
 
-    /// Opens the port again, after it was lost, at the baud rate that it had: tries to every 100 ms,
-    /// for this time. [`Device::reopen`] calls it.
+    /// Opens the port again, after it was lost, at the baud rate that it had: tries every 100 ms
+    /// for up to this time. [`Device::reopen`] calls it.
     ///
     /// # Errors
     ///
