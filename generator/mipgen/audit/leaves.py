@@ -35,8 +35,8 @@ class Leaf:
     valid: frozenset[int] | None = None  # the bits that mark it as valid
     cases: Any = None  # of a union: tag, and number of the case -> leaves
     optional: bool = False
-    most: int | None = None  # of a witness: items that the array holds that this number counts
-    label: bool = False  # of a witness: its name is words of a text
+    most: int | None = None  # of a witness: the capacity of the array that this number counts
+    label: bool = False  # of a witness: its name consists of words of a text
     position: m.Position | None = None
 
     @property

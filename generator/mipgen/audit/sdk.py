@@ -128,7 +128,7 @@ class _Scope:
     """A namespace, structure, union, enumeration or bitfield of a header."""
 
     kind: str
-    name: str  # with those around it, but without the namespace
+    name: str  # with the names of the types around it, but without the namespace
     scalar: str = ""
     numbers: dict[str, int] = field(default_factory=dict)  # values, masks, descriptors or constants
     members: dict[str, dict[str, Any]] = field(default_factory=dict)
@@ -142,7 +142,7 @@ class _Step:
     """A number, or an array, that `extract` reads."""
 
     member: str
-    written: bool  # for function write only; and read, in some
+    written: bool  # only for the function write, in some also for read
     letters: str
     repeat: int | str | None  # a number of items, a counter, or "rest"
     case: tuple[str, str] | None  # the parameter, and its value, that select it

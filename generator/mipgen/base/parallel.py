@@ -50,7 +50,7 @@ def _forked(function: Callable[[Item], Result], items: Sequence[Item], count: in
     queue, end = os.pipe()
     os.write(end, b"".join(i.to_bytes(_NUMBER, "big") for i in range(len(items))))
     os.close(end)
-    gc.freeze()  # processes share what is there; marking it would copy it
+    gc.freeze()  # processes share the existing objects; marking them would copy them
     try:
         children = [_start(function, items, queue) for _ in range(count)]
     finally:

@@ -135,7 +135,7 @@ def _apart(options: Namespace, sources: list[Source]) -> None:
 
 
 def _real(path: Path) -> Path:
-    return Path(os.path.realpath(path))  # unlike Path.resolve, it does not raise where links are a circle
+    return Path(os.path.realpath(path))  # unlike Path.resolve, it does not raise for circular links
 
 
 def _write(options: Namespace, outputs: list[Output]) -> list[int]:

@@ -39,7 +39,7 @@ class Source:
     folders: tuple[Traversable, ...]  # of templates; the first that has a file wins
     runtimes: tuple[Traversable, ...]  # of files that are copied unchanged, likewise
     module: Path | None = None  # the user's target.py
-    program: str | None = None  # of a plugin, which has nothing else
+    program: str | None = None  # the program of a plugin, which has no other part
 
     @property
     def ours(self) -> bool:
@@ -53,7 +53,7 @@ class Source:
             built_in: Target = importlib.import_module(f"{BUILT_IN}.{self.name}").TARGET
             return built_in
         name = f"mipgen_target_{self.name}"
-        beside = [str(self.module.parent)]  # allows modules of its own: `from . import names`
+        beside = [str(self.module.parent)]  # allows it to import its own modules: `from . import names`
         spec = importlib.util.spec_from_file_location(name, self.module, submodule_search_locations=beside)
         assert spec is not None and spec.loader is not None
         module = importlib.util.module_from_spec(spec)

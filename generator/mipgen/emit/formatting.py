@@ -23,7 +23,7 @@ from .output import Made, content
 @dataclass(frozen=True, slots=True)
 class Formatter:
     package: str  # the Python package that brings the program, on PyPI
-    program: Callable[[], str]  # where that package has the program
+    program: Callable[[], str]  # the path of the program in that package
     suffixes: tuple[str, ...]  # of files to format
     style: str  # the style file, at the top of the output
     steps: tuple[tuple[str, ...], ...]  # arguments of each run; the files follow

@@ -62,9 +62,9 @@ class Grammar:
     ('', 'is not an identifier', 'is a keyword')
     """
 
-    pattern: str  # of all of a name: a regular expression
+    pattern: str  # a regular expression for a whole name
     keywords: frozenset[str] = frozenset()
-    longest: int | None = None  # how many characters of a name count, if that is limited; others may follow
+    longest: int | None = None  # the number of significant characters, if that is limited; others may follow
 
     def fault(self, name: str) -> str:
         """The fault of a name; empty if it has none."""
@@ -81,7 +81,7 @@ class Identifier:
     name: str
     what: str  # in the words of the specification
     position: Position | None
-    word: bool = True  # of the language, whose grammar it obeys; else it names a file, a feature or the like
+    word: bool = True  # must it obey the grammar of the language? Else it names a file, a feature or the like
 
 
 def judge(target: str, identifiers: Iterable[Identifier], grammar: Grammar | None, problems: Problems) -> None:

@@ -107,7 +107,7 @@ def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Differen
     """
     differences = [d for d in (compare(made, folder) if differences is None else differences) if d.what != "untracked"]
     ours = _ours(folder)
-    if not made.keys() <= ours:  # before these files, so that it is known who wrote them
+    if not made.keys() <= ours:  # before these files, so that their origin is known
         _put(folder / MANIFEST, manifest((ours | made.keys()) - {MANIFEST}))
     for d in differences:
         if d.what == "stale":

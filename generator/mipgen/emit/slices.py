@@ -235,9 +235,9 @@ class Slice(Anew):
         self.folder = slices.out / target
         self.key = cache.key(slices.key, target)
         self._readers = cache.key(slices.key, target, "readers")
-        self.digests: dict[str, bytes] = {}  # of what was made last time; of files
-        self.readers: dict[Address, frozenset[str]] = {}  # what was made of it
-        self.pieces: dict[str, bytes] = {}  # the digests of those of a file
+        self.digests: dict[str, bytes] = {}  # of the files that were made last time
+        self.readers: dict[Address, frozenset[str]] = {}  # address -> what was made from it
+        self.pieces: dict[str, bytes] = {}  # the digests of the pieces of a file
         self.stored = b""  # the digest of the readers, which change rarely and have an entry of their own
         self.read: dict[str, set[Address]] = {}  # what is made now
         data = cache.get("slices", self.key)

@@ -35,7 +35,7 @@ class Filled:
 
     def one(self, p: m.Parameter) -> Any:
         if p.counts is not None:
-            return 0  # its array says
+            return 0  # its array determines it
         if p.reserved is not None:
             value = p.reserved if p.length is None else [p.reserved] * int(p.length)
             return codec.canonical(p, value, p.name)

@@ -83,7 +83,7 @@ class _Names:
     def titled(self, text: str) -> Iterator[str]:
         """Titles by which a text names commands, as "the device reset command" or "the reply to device reset"."""
         lower = text.lower()
-        for match in _COMMAND.finditer(text) if "command" in lower else ():  # most texts have none: this is slow
+        for match in _COMMAND.finditer(text) if "command" in lower else ():  # most have none; searching is slow
             words = match[1].split()
             tails = (" ".join(words[at:]) for at in range(len(words)))
             yield from islice((x for x in tails if x.lower() in self.titles), 1)

@@ -50,7 +50,7 @@ class SampleValues:
         printed = self._printed.get(f.full_name, {}).get(chosen.get("function"), {})
         needed = [p for p in call.required if p.constant is None]
         if needed and all(p.name in printed for p in needed):
-            tags = {q.tag for q in needed}  # what a union holds depends on them
+            tags = {q.tag for q in needed}  # they select the members of unions
             own = {p.name: p.typical for p in needed if p.typical is not None and p.name not in tags}
             values = chosen | {p.name: printed[p.name] for p in needed} | own
             return values | {p.name: len(values[p.counts]) for p in needed if p.counts is not None}

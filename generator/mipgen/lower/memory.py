@@ -21,7 +21,7 @@ class Room:
 
     size: int
     alignment: int = 1
-    last: int = 0  # where the last number begins, those inside of structures included; the items of an array are not
+    last: int = 0  # offset of the last number, including those inside structures, but not the items of arrays
 
 
 #: The bytes that may be unused before something that begins at some place, or ends there, and its alignment.

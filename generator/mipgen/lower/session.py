@@ -23,12 +23,12 @@ class Older:
     set: int
     base_rate: Rate
     format: m.Field
-    stream: int  # in place of the set
+    stream: int  # its number for the stream, in place of the set
 
 
 @dataclass(frozen=True, slots=True)
 class Session:
-    bauds: tuple[int, ...]  # of all devices: that of a new one, then in descending order
+    bauds: tuple[int, ...]  # of all devices: first that of a new one, then in descending order
     model_numbers: tuple[str, ...]  # paths in the response of `identify`
     ping: m.Field
     idle: m.Field

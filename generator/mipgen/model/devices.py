@@ -123,7 +123,7 @@ class Rate:
     """The rate at which a device samples the fields of a data set."""
 
     set: Set
-    hertz: Detail[float | int]  # 0: sent as the data arise
+    hertz: Detail[float | int]  # 0: sent as the data arrives
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,22 +146,22 @@ class Device:
     name: str
     title: Prose
     description: Prose
-    also: tuple[Prose, ...] = ()  # what others call it
+    also: tuple[Prose, ...] = ()  # other names
     model_number: int | None = None
     generation: int | None = None
     manual: Detail[str | None] = None
     sources: tuple[Source, ...] = ()
     like: str | None = None  # the device that it is like
     evidence: tuple[Evidence, ...] = ()  # strongest first
-    supports: tuple[Support, ...] = ()  # by set and descriptor, what it has for certain or probably
-    refuses: tuple[Support, ...] = ()  # what it does not have
+    supports: tuple[Support, ...] = ()  # the fields that it certainly or probably has, by set and descriptor
+    refuses: tuple[Support, ...] = ()  # the fields that it does not have
     base_rates: tuple[Rate, ...] = ()
     ports: tuple[Port, ...] = ()
     limits: tuple[Limit, ...] = ()
     notes: tuple[Note, ...] = ()
     variants: tuple[DeviceVariant, ...] = ()
     ack_codes: tuple[int, ...] = ()
-    incomplete: tuple[Prose, ...] = ()  # what is not known; more may be supported than is listed
+    incomplete: tuple[Prose, ...] = ()  # statements on what is unknown; more may be supported than is listed
     uncertain: tuple[Prose, ...] = ()
     position: Position | None = field(default=None, compare=False)
 

@@ -43,7 +43,7 @@ class Call:
     """One way to send a field: by one of its functions, or the only way where there is no selector."""
 
     function: Function | None
-    required: tuple[Parameter, ...]  # must be there, in wire order; the selector is not counted
+    required: tuple[Parameter, ...]  # must be present, in wire order; the selector is not counted
     optional: tuple[Parameter, ...]  # may follow these: no function requires them
 
     @property
@@ -143,7 +143,7 @@ class Field:
     advanced: bool = False
     deprecated: Prose | None = None
     also: tuple[Prose, ...] = ()  # other names
-    keywords: tuple[Prose, ...] = ()  # words by which people look for it, and which it does not contain
+    keywords: tuple[Prose, ...] = ()  # search words that its texts do not contain
     notes: tuple[Prose, ...] = ()
     uncertain: tuple[Prose, ...] = ()
     short: str | None = None

@@ -24,7 +24,7 @@ class Shown:
     field: Field
     values: dict[str, Any]
     data: bytes
-    stated: tuple[str, ...] = ()  # the parameters whose values are sure; the others are as one might see them
+    stated: tuple[str, ...] = ()  # the parameters whose values are certain; those of others are examples
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,7 @@ class Stream:
     fields: tuple[Shown, ...]
     packet: bytes
     rate: float | int | None = None  # Hz; None: one packet, or one each time that something happens
-    on_event: str = ""  # what makes the device send one
+    on_event: str = ""  # the event that makes the device send one
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,11 +105,11 @@ class Question:
 @dataclass(frozen=True, slots=True)
 class Guide:
     name: str
-    title: Prose  # what somebody wants to do: "stream IMU data at 100 Hz"
+    title: Prose  # the purpose: "stream IMU data at 100 Hz"
     question: Prose
     answer: Prose
     sequences: tuple[Sequence, ...]
-    lead: Prose = ""  # what a reader may ask who should see it on the first page
+    lead: Prose = ""  # the question on the first page that leads to it
     before: tuple[Prose, ...] = ()  # what must be done or known first
     questions: tuple[Question, ...] = ()
     notes: tuple[Prose, ...] = ()

@@ -69,7 +69,7 @@ class Variant:
     default: Detail[object] = None
     valid: Detail[tuple[str, ...] | None] = None  # as of a parameter; empty: nothing says that it is valid
     constant: int | None = None  # it always has this value
-    only: tuple[EnumValue | Bits, ...] = ()  # of the values or bits that its type names, those that there are
+    only: tuple[EnumValue | Bits, ...] = ()  # the values or bits that exist, of those that its type names
     deprecated: bool | None = None
     unknown: bool = False  # its values are not known
     description: Prose = ""
@@ -80,7 +80,7 @@ class Variant:
         return self.by == DEVICE
 
 
-@dataclass(frozen=True, eq=False)  # to compare all of it takes long; see `alike`
+@dataclass(frozen=True, eq=False)  # comparing all of it would take long; see `alike`
 class Parameter:
     """One named value of a field or a structure, in wire order: what it means, and how it is read and written.
 
@@ -104,7 +104,7 @@ class Parameter:
     positive: Prose = ""  # what a positive value means: "nose up"
     default: Detail[object] = None
     typical: Detail[object] = None  # what a user would send or see, in the form of the codec; of a structure, members
-    shown: Shown | None = None  # its number is known in hexadecimal, and may be that of a set or a field
+    shown: Shown | None = None  # its number is usually written in hexadecimal, and may be that of a set or a field
     fields_of: str = ""  # the set of these field descriptors: its name, or the parameter that holds its number
     valid: Detail[tuple[str, ...]] = ()  # the flags: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()

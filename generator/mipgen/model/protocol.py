@@ -33,11 +33,11 @@ class Word:
     symbol: str
     title: Prose
     description: Prose
-    plural: Detail[str] = ""  # of a unit that is a word: what more than one are called
+    plural: Detail[str] = ""  # of a unit that is a word: its plural
     numbered: bool = False  # of a unit: a value is the number of one, "week 2412"
     elements: tuple[str, ...] = ()  # of a frame: what vectors in it have, if not x, y, z
     axes: Detail[tuple[str, ...]] = ()  # of a frame: where x, y and z point; right-handed
-    origin: Prose = ""  # of a frame: where it is
+    origin: Prose = ""  # of a frame: the place of its origin
     conversions: Detail[tuple[Conversion, ...]] = ()  # of a frame: to those that other software uses
     sources: tuple[Source, ...] = ()  # of a frame
 
@@ -70,7 +70,7 @@ class Older:
     set: str
     base_rate: str
     format: str
-    stream: int  # in place of the descriptor set
+    stream: int  # its number for the stream, in place of the descriptor set
     position: Position | None = field(default=None, compare=False)
 
 
@@ -108,8 +108,8 @@ class Usage:
 class Protocol:
     name: str
     title: Prose  # what it is, after "the": "MIP protocol of MicroStrain inertial sensors"
-    package: str  # what libraries and packages are called: `mip` for `mip_parser_init`, `mip_protocol`
-    keywords: tuple[Prose, ...]  # by which people look for it
+    package: str  # the name of libraries and packages: `mip` for `mip_parser_init`, `mip_protocol`
+    keywords: tuple[Prose, ...]  # for searches
     version: Detail[str]
     sync: tuple[int, int]
     max_payload: int
@@ -122,7 +122,7 @@ class Protocol:
     manuals: tuple[Manual, ...]
     notes: tuple[Chapter, ...] = ()
     vocabulary: tuple[Usage, ...] = ()
-    synonyms: Detail[tuple[tuple[str, ...], ...]] = ()  # words that people use for the same
+    synonyms: Detail[tuple[tuple[str, ...], ...]] = ()  # words of the same meaning
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
     session: Session | None = None
     barrier: tuple[int, int] = (0, 0)  # set and descriptor of the command after which no answer is late; 0: none

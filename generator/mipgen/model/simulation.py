@@ -107,7 +107,7 @@ class Simulation:
             b = replace(b, command=command, answers=tuple((name, f.devices) for name, f in layouts if f is not None))
             if not b.setting or b.setting in fields:
                 behaviors.append(b)
-            elif command.functions:  # else it only acts on the setting, which is not there
+            elif command.functions:  # else it only acts on the setting, which does not exist
                 keeper = keepers.setdefault((b.setting, b.key), command.full_name)
                 behaviors.append(replace(b, setting="" if keeper == command.full_name else keeper, key=()))
         sources = tuple(

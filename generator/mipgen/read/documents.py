@@ -9,6 +9,6 @@ from .nodes import Node
 
 @dataclass(frozen=True, slots=True)
 class Document:
-    kind: str  # which schema checks it
+    kind: str  # the schema that checks it
     path: str  # below the folder of its specification
     root: Node

@@ -137,7 +137,7 @@ class _Heir:
         added = _listed(self.own.get("supports"))
         for full, entry in added:
             self.check_new(full, entry, lacked, "documented")
-        own = {full for full, kind in _kinds(self.own).items() if kind != "listed"}  # may be both: documented counts
+        own = {full for full, kind in _kinds(self.own).items() if kind != "listed"}  # if both, documented counts
         out = lacked | {full for full, _ in added} | own
         for full, entry in (*((f, x) for f, x in inherited.items() if f not in out), *added):
             by_set.setdefault(full.partition(".")[0], []).append(entry)
@@ -151,7 +151,7 @@ class _Heir:
         for kind, full, entry in _evident(self.own):
             self.check_new(full, entry, lacked, kind)
         kinds = _kinds(self.own)
-        again = {full for full, kind in kinds.items() if kind == "listed"}  # does not weaken what is documented
+        again = {full for full, kind in kinds.items() if kind == "listed"}  # a list does not weaken what is documented
         left = []
         for group in self.inherited():
             out = lacked | (kinds.keys() - again if group["kind"].value == "documented" else kinds.keys())

@@ -40,7 +40,7 @@ class Layout:
     plain: bool = False
     inside: bool = False
     whole: Node | None = None  # the field, whose keys may apply to all its values
-    before: int = 0  # bytes of the record around it, of a union's case
+    before: int = 0  # for a case of a union: the bytes of the record before it
     unknown: str = ""  # letters of the command that are not functions, reported where they are
     unclear: bool = False  # a parameter is required for an unknown function, so that the order cannot be checked
     nodes: list[Node] = field(default_factory=list)

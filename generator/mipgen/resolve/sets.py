@@ -24,7 +24,7 @@ class Families:
     types: Types
     problems: Problems
     silences: dict[str, Node] = field(default_factory=dict)  # `silent_when` of a command, by its full name
-    changes: list[Node] = field(default_factory=list)  # commands that say what they change
+    changes: list[Node] = field(default_factory=list)  # commands that state what they change
 
     def resolve(self, nodes: list[Node]) -> tuple[m.Family, ...]:
         families: dict[str, m.Family] = {}

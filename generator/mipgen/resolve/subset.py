@@ -22,7 +22,7 @@ class Selection:
     devices: tuple[str, ...] = ()
     sets: tuple[str, ...] = ()
     fields: tuple[str, ...] = ()
-    certain: bool = False  # of a device only what it has for certain
+    certain: bool = False  # only what a device certainly has
 
     def __bool__(self) -> bool:
         return bool(self.devices or self.sets or self.fields or self.certain)

@@ -113,7 +113,7 @@ def load(number: int, streams: list[Stream], base: float = 0) -> Load:
             due = sum(s.size for s in own if tick % round(base / s.rate) == 0)
             packets += math.ceil(due / MAX_PAYLOAD)
         packets *= base / period
-    else:  # the rates are not aligned: at worst, the fields of each come in packets of their own
+    else:  # the rates are not aligned: at worst, the fields of each are in packets of their own
         packets = sum(rates)
     return Load(number, own, packets, packets * OVERHEAD + sum(s.size * s.rate for s in own))
 

@@ -99,7 +99,7 @@ def run(options: argparse.Namespace) -> int:
             with outputs.whole(options.output) as out, writers.FORMS[form](out) as write:
                 write(_sentences(options, log))
             return 0
-        if not any(part.packets for part in log.parts(tables.PART)):  # the whole log would keep where each is
+        if not any(part.packets for part in log.parts(tables.PART)):  # the whole log would remember the place of each
             raise Failure(f"{options.file} has no packets")
         job = _job(options, selection, log)
         if not job.kinds:

@@ -118,7 +118,7 @@ def _leaves(kind: type[Structure], record: Array, prefix: str) -> Iterator[tuple
 
 
 def texts(column: Array) -> Array:
-    """Characters, one byte each, as str, zeros included."""
+    """The texts of a column with one byte per character, as str; zeros are kept."""
     flat = np.ascontiguousarray(column).reshape(-1, column.shape[-1])
     strings = np.empty(len(flat), object)
     strings[:] = [row.tobytes().decode("latin-1") for row in flat]

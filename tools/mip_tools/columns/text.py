@@ -139,7 +139,7 @@ def shortest(numbers: Array) -> Array:
     The result equals that of `text.shortest` of the package. With 6 to 9 digits, they are whole numbers
     below 2**53 that are divided by an exact power of ten: so they are the nearest double.
     """
-    with np.errstate(invalid="ignore"):  # of NaNs that signal
+    with np.errstate(invalid="ignore"):  # signalling NaNs are invalid operands
         doubles = numbers.astype(np.float64)
     size = np.abs(doubles)
     left = np.flatnonzero((size >= 1e-5) & (size < 1e9))

@@ -35,7 +35,7 @@ class Seen(NamedTuple):
     """A satellite as one antenna sees it."""
 
     number: int  # within the list, from 1
-    of: int  # how many the list has
+    of: int  # the length of the list
     satellite: Satellite
     elevation: float
     azimuth: float

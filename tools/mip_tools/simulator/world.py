@@ -121,10 +121,10 @@ class World:
         self.time = 0.0  # `now` in seconds
         self.gps = self.start  # ns since the GPS epoch
         self.pins: dict[int, bool] = {}  # levels of outputs, by pin from 1
-        self.signals: dict[int, bool] = {}  # levels that come from outside
+        self.signals: dict[int, bool] = {}  # levels set from outside
         self.pulled_up: set[int] = set()  # pins that are high without a signal
         self.trigger = 0  # the event trigger that causes what is sent now; 0: none
-        self.senses: frozenset[str] | None = None  # what a device has of mag, pressure, position, gnss_1; None: all
+        self.senses: frozenset[str] | None = None  # of mag, pressure, position, gnss_1, those it has; None: all
         self.gnss = True  # the receivers receive satellites
         self.disturbance: Vector = _ZERO  # of the magnetic field, in the sensor frame
         self.started = False  # settings are applied

@@ -25,14 +25,14 @@ ACKNOWLEDGE = Acknowledge.DESCRIPTOR
 def answer(
     kind: str, command: RawField, fields: list[RawField], seen: dict[tuple[int, int], RawField], random: Random
 ) -> tuple[list[RawField], str]:
-    """An answer with a fault, and what is wrong with it; the same fields if it cannot have it.
+    """An answer with a fault, and a description of the fault; the fields unchanged if they cannot have it.
 
     `seen`: earlier responses, by set and descriptor.
     """
     if kind == "lose_answer":
         return [], "the answer is missing"
     if not fields or fields[0].descriptor != ACKNOWLEDGE:
-        return fields, ""  # another fault has taken it
+        return fields, ""  # another fault has removed the acknowledge
     ack, rest = fields[0], fields[1:]
     if kind == "refuse":
         code = random.choice([c for c in AckCode if c])

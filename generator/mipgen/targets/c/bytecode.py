@@ -139,7 +139,7 @@ def _optional(f: m.Field) -> Step:
         before = f.groups[0].first - 1
         return Step("MIP_OPTIONAL", (before,), 3)
     table = required(f)[1:]
-    while table[-1:] == [0] and len(table) > 1:  # what an unknown function requires, too
+    while table[-1:] == [0] and len(table) > 1:  # unknown functions require 0, too
         table.pop()
     return Step("MIP_REQUIRED", (len(table), *table), 2 + len(table))
 

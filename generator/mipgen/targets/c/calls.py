@@ -32,7 +32,7 @@ class Put:
     value: str
     index: str = ""  # "[i].rate": of an element, what follows the value
     count: str = ""  # of an array
-    most: int = 0  # elements that it may have; 0 if it always has as many
+    most: int = 0  # the most elements; 0 if their number is fixed
     stride: int = 0  # bytes of an element
 
 

@@ -118,8 +118,8 @@ class Command:
     arguments: tuple[str, ...]  # of that
     fill: str  # the function that fills the structure of C
     filled: tuple[str, ...]  # the arguments of that
-    plain: bool  # is it to have `fill`?
-    fixed: tuple[str, ...] | None  # of one whose data is always the same: the function, if it has one
+    plain: bool  # does it have `fill`?
+    fixed: tuple[str, ...] | None  # for a command whose data is always the same: its function, if it has one
 
 
 def commands(f: m.Field, model: m.Model) -> list[Command]:

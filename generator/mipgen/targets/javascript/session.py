@@ -34,7 +34,7 @@ class Session:
     idle: str
     resume: str
     identify: str
-    identity: tuple[str, str]  # what the device answers: its module and its class
+    identity: tuple[str, str]  # the device's response: its module and its class
     base_rate: Rate
     format: str
     item: tuple[str, str]

@@ -166,7 +166,7 @@ class Layouts:
 
     bytes: tuple[int, ...]  # places of constants, byte by byte: data may end inside of one
     fits: tuple[str, ...]  # for each layout: the constants do not contradict it
-    number: str  # of the layout that the data have, -1 if none
+    number: str  # the number of the layout that the data has, -1 if none
 
 
 def layouts(fields: Sequence[m.Field]) -> Layouts:

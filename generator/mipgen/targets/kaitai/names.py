@@ -37,7 +37,7 @@ def kind_name(f: m.Field, number: int) -> str:
 
 
 def joined(name: str) -> str:
-    """A name as languages write it that join words by case; there, names differ in this.
+    """A name in languages that join words by case, to find names that are the same there.
 
     >>> joined("pos_1"), joined("pos1")
     ('pos1', 'pos1')

@@ -57,7 +57,7 @@ class Arrow:
     y: int
     text_x: int
     text_y: int
-    anchor: str  # how the text is aligned
+    anchor: str  # the alignment of the text
 
 
 def arrows(axes: Iterable[str]) -> list[Arrow]:

@@ -98,7 +98,7 @@ class Parameters:
     """The parameters of a record."""
 
     table: str
-    notes: list[str]  # what differs by device or by a sibling, and notes, a line for each
+    notes: list[str]  # differences by device or by a sibling, and notes, a line for each
 
 
 #: The most elements of an example that a row shows; the others are alike.

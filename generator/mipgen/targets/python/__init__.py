@@ -29,7 +29,7 @@ def files(model: m.Model) -> Iterator[File]:
         "at_port": model.program("device.py").rstrip(),
         "at_port_aio": model.program("device_aio.py").rstrip(),
         "meaning": model.program("meaning.py").rstrip(),
-        "device": known.id if known else "DEVICE",  # the one that shows most
+        "device": known.id if known else "DEVICE",  # the device that shows most
     }
     without = {"without": needs.left_out(model)}
     yield File("README.md", "README.md.j2", shown | without)

@@ -79,13 +79,13 @@ class Constructor:
     description: str
     function: m.Function | None
     given: tuple[Member, ...]  # the arguments
-    set: tuple[tuple[str, str], ...]  # other members, and what they become
+    set: tuple[tuple[str, str], ...]  # other members, and their values
 
 
 @dataclass(frozen=True, slots=True)
 class Union:
     name: str
-    record: m.Record  # that it is defined beside
+    record: m.Record  # the record beside which it is defined
     parameter: m.Parameter
     of: m.Union
 
@@ -123,7 +123,7 @@ class Conversion:
 
     of: m.Enum | m.Bitfield
     to: m.Enum | m.Bitfield
-    record: m.Record  # where that happens first
+    record: m.Record  # the first record that needs it
     reading: Reading
 
     @property
