@@ -75,7 +75,7 @@ uint32_t mip_line_pause(uint32_t wait) {
 
 /* ------------------------------------------------------------------------------- serial ports */
 
-/** The number that the system has for a baud rate; B0 if it has none. */
+/** The constant of the system for a baud rate; B0 if it has none. */
 static speed_t speed_of(uint32_t baud) {
     static const struct {
         uint32_t baud;
@@ -113,7 +113,7 @@ static speed_t speed_of(uint32_t baud) {
 #endif
 }
 
-/** Raw mode, 8N1, at this rate. Sets errno. */
+/** Sets raw mode, 8N1, at this rate. Sets errno on an error. */
 static bool set_mode(int file, uint32_t baud) {
     const speed_t speed = speed_of(baud);
     struct termios mode;
@@ -166,7 +166,7 @@ bool mip_line_set_mode(const struct mip_line *line, uint32_t baud) {
 
 /* --------------------------------------------------------------------------- TCP connections */
 
-/** A connection to one address; -1 if there is none. */
+/** Connects to one address; returns -1 if that fails. */
 static int connected(const struct addrinfo *to) {
     const int one = 1;
     const int file = socket(to->ai_family, to->ai_socktype, to->ai_protocol);

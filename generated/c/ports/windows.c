@@ -91,7 +91,7 @@ uint32_t mip_line_pause(uint32_t wait) {
 
 /* ------------------------------------------------------------------------------- serial ports */
 
-/** 8N1 without flow control, at this rate. */
+/** Sets 8N1 without flow control, at this rate. */
 static bool set_mode(HANDLE port, uint32_t baud) {
     DCB mode;
     COMMTIMEOUTS times;
@@ -146,7 +146,7 @@ bool mip_line_set_mode(const struct mip_line *line, uint32_t baud) {
 
 /* --------------------------------------------------------------------------- TCP connections */
 
-/** A connection to one address. */
+/** Connects to one address. */
 static SOCKET connected(const struct addrinfo *to) {
     const BOOL one = TRUE;
     const SOCKET made = socket(to->ai_family, to->ai_socktype, to->ai_protocol);

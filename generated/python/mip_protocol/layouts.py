@@ -21,7 +21,7 @@ from .wire import Layout, late, plain, size, value
 
 #: The fields of a packet.
 Fields = tuple["Field | RawField", ...]
-#: Makes them from the packet at an offset; None: to be done the general way.
+#: Makes the fields of the packet at an offset; returns None if that must be done in the general way.
 Decode = Callable[[bytes, int], "Fields | None"]
 
 #: The first bytes of a packet that pick its layout: they end with the header of the first field.

@@ -69,7 +69,7 @@ class Parameter:
     deprecated: bool = False
     refers: str = ""  # "set" or "field": it is the number of a set, or a field descriptor
     fields_of: str = ""  # the set of these descriptors: its name, or the parameter that holds it
-    only: tuple[str, ...] = ()  # of the values or bits that its type names, those that there are
+    only: tuple[str, ...] = ()  # the values or bits that exist, of those that its type names
     variants: tuple[Variant, ...] = ()
     flags_on: dict[str, tuple[Flag, ...]] = field(default_factory=dict)  # by id of the device
     owner: Any = field(default=None, compare=False, repr=False)  # the class that documents it

@@ -26,7 +26,7 @@ class Older:
     base_rate: Callable[[], Command[Any]]
     rate: Callable[[Any], int]
     format: Callable[[Sequence[Any]], Command[Any]]
-    stream: int  # in place of the set
+    stream: int  # its number for the stream, in place of the set
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ Inside = dict[str, dict[str, Any]]
 class Item(NamedTuple):
     """One value of an object."""
 
-    parameter: Parameter  # as it is beside the other values, and on the device
+    parameter: Parameter  # as it applies to these values and this device
     value: Any
     text: str  # with its unit
     valid: bool  # according to its flags

@@ -72,7 +72,7 @@ class _Source(NamedTuple):
     kind: type[Field]
     scales: tuple[tuple[str, int], ...]  # attribute -> nanoseconds
     flags: tuple[Flag, ...]
-    size: int  # bytes that its data have at least
+    size: int  # the smallest size of its data
 
 
 def headers(data: bytes) -> bytes:

@@ -67,7 +67,7 @@ pub(crate) fn judge(bytes: &[u8]) -> Candidate {
 }
 
 /// Do bytes end with the checksum of those before?
-#[inline(never)] // at each place where packets are searched
+#[inline(never)] // inlined, it would be repeated wherever packets are searched
 fn has_checksum(bytes: &[u8]) -> bool {
     matches!(*bytes, [ref head @ .., a, b] if [a, b] == checksum(head))
 }
@@ -332,7 +332,7 @@ impl Parser {
     }
 
     /// Takes the first bytes of a candidate of this size, if nothing is held back.
-    #[cold] // beside whole packets
+    #[cold] // rare, compared with whole packets
     fn hold(&mut self, bytes: &[u8], size: usize) {
         if bytes.is_empty() {
             return;

@@ -222,7 +222,7 @@ bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec) 
 /** Decodes most fields, without a call. False if it is another one; then nothing has changed. */
 MIP_QUICK bool decode_shape(const struct mip_codec *codec, void *value,
                             const struct mip_field *field) {
-    uint8_t *data = (uint8_t *)(uintptr_t)field->data; /* nothing is written to it */
+    uint8_t *data = (uint8_t *)(uintptr_t)field->data; /* it is only read */
     return mip_set_has(field->descriptor_set, codec->descriptor_set) &&
            field->size >= codec->numbers && move_shape(codec, data, (uint8_t *)value, false);
 }
@@ -270,7 +270,7 @@ mip_error mip_encode(const struct mip_codec *codec, const void *value,
         return mip_builder_note(builder, MIP_ERROR_SET);
     }
     if (codec->interpreter == NULL) {
-        uint8_t *memory = (uint8_t *)(uintptr_t)value; /* nothing is written to it */
+        uint8_t *memory = (uint8_t *)(uintptr_t)value; /* it is only read */
         if (!move_shape(codec, data, memory, true)) {
             move_all(codec->program, data, memory, true);
         }

@@ -39,7 +39,7 @@ static void dispatch(const struct mip_device *device, const struct mip_field *fi
     }
 }
 
-/** Gives the answers in a packet to the client, and the other fields to the handlers. */
+/** Passes the answers in a packet to the client, and the other fields to the handlers. */
 static void handle(struct mip_device *device, const struct mip_packet *packet) {
     struct mip_walk walk = {packet->bytes + MIP_HEADER_SIZE,
                             packet->bytes + packet->size - MIP_CHECKSUM_SIZE,
@@ -146,7 +146,7 @@ static struct mip_result carry_out(struct mip_device *device, struct mip_request
     return result;
 }
 
-/** Makes a request. */
+/** Initializes a request. */
 static void request_of(struct mip_request *request, const struct mip_exchange *exchange,
                        const struct mip_codec *codec, void *response) {
     memset(request, 0, sizeof(*request));

@@ -10,7 +10,7 @@ static void put(const struct mip_print *print, const char *text) {
     mip_print_string(print, text);
 }
 
-/** The given number of digits of a number in base 16. */
+/** Prints this number of hexadecimal digits of a number. */
 static void put_digits(const struct mip_print *print, uint64_t value, unsigned digits) {
     while (digits-- > 0) {
         print->put(print->user, &"0123456789ABCDEF"[value >> 4 * digits & 15], 1);
@@ -30,7 +30,7 @@ static void indent(const struct mip_print *print, unsigned depth) {
     }
 }
 
-/** A line of bytes. */
+/** Prints a line of bytes. */
 static void put_bytes(const struct mip_print *print, unsigned depth, const char *what,
                       const uint8_t *bytes, size_t size) {
     indent(print, depth);
@@ -84,7 +84,7 @@ static size_t size_of(uint8_t scalar) {
     }
 }
 
-/** A whole number, as a counter or a selector is. */
+/** Reads a whole number, such as a counter or a selector. */
 static uint64_t number_of(const struct mip_parameter *p, const uint8_t *record) {
     return load(record + p->offset, size_of(p->scalar));
 }
@@ -107,7 +107,7 @@ static void put_text(const struct mip_print *print, const uint8_t *text, size_t 
     put(print, "\"");
 }
 
-/** A number that has no names. */
+/** Prints a number that has no names. */
 static void put_scalar(const struct mip_print *print, uint8_t scalar, const uint8_t *at) {
     const size_t size = size_of(scalar);
     const uint64_t bits = load(at, size);
@@ -152,7 +152,7 @@ static void put_scalar(const struct mip_print *print, uint8_t scalar, const uint
 
 /* --------------------------------------------------------------------------------------- names */
 
-/** A value of an enumeration: "write (1)", or the number alone. */
+/** Prints a value of an enumeration: "write (1)", or the number alone. */
 static void put_value(const struct mip_print *print, const struct mip_names *names,
                       uint64_t value) {
     const char *name = mip_value_name(names, value);
@@ -178,7 +178,7 @@ static unsigned nameless(const struct mip_names *names, uint8_t byte, size_t ind
     return left;
 }
 
-/** The bits of a bitfield, least significant byte first: "0x8305 = ready | mode: fast (3) |
+/** Prints the bits of a bitfield, least significant byte first: "0x8305 = ready | mode: fast (3) |
  * 0x8000". */
 static void put_flags(const struct mip_print *print, const struct mip_names *names,
                       const uint8_t *bytes, size_t size) {
@@ -253,7 +253,7 @@ static void put_one(const struct mip_print *print, const struct mip_parameter *p
     }
 }
 
-/** One item: a number, or a vector. */
+/** Prints one item: a number, or a vector. */
 static void put_item(const struct mip_print *print, const struct mip_parameter *p,
                      const struct mip_names *names, const uint8_t *at) {
     if (p->elements == 1) {
@@ -281,7 +281,7 @@ static bool is_bitfield(const struct mip_parameter *p, const struct mip_names *n
            names->bits != NULL && names->size == p->capacity;
 }
 
-/** The rest of a line after the name of a parameter. */
+/** Prints the rest of a line, after the name of a parameter. */
 static void put_items(const struct mip_print *print, const struct mip_parameter *p,
                       const struct mip_parameter *all, const uint8_t *record) {
     const struct mip_names *names = names_of(print, p, all, record);
@@ -436,7 +436,7 @@ static void put_field(const struct mip_print *print, unsigned depth,
     }
 }
 
-/** "packet (0x80) sensor, 20 bytes" */
+/** Prints "packet (0x80) sensor, 20 bytes". */
 static void put_head(const struct mip_print *print, uint8_t descriptor_set, size_t size) {
     const struct mip_set *set = mip_registry_set(descriptor_set);
     put_number(print, "packet (0x", descriptor_set, 2, ")");

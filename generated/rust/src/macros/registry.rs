@@ -179,7 +179,7 @@ macro_rules! registry {
             visitor.unknown(&RawField { set, descriptor, data })
         }
 
-        /// For a descriptor with several layouts.
+        /// Calls the visitor for a descriptor with several layouts.
         #[inline(never)]
         fn visit_layouts<V: Visitor>(
             data: &[u8],
