@@ -277,8 +277,8 @@ def _of_this_time(spec: Path, overlays: list[Path]) -> Model:
 
 
 def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
-    """A folder, or a revision of a specification, which may be too old for this program; and the path below which
-    the files of a revision were unpacked."""
+    """The model of a specification in a folder or a revision, which may be too old for this program, and the path below
+    which the files of a revision were unpacked."""
     from mipgen.compare import revisions
     from mipgen.read.loader import shown
     from mipgen.read.problems import SpecError

@@ -103,7 +103,7 @@ def compare(made: Mapping[str, Made], folder: Path) -> list[Difference]:
 def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Difference] | None = None) -> list[Difference]:
     """Writes these files into the folder, also in place of foreign ones; untracked ones are kept.
 
-    `differences`: how it differs, if that is known.
+    `differences` of the folder, if they are known.
     """
     differences = [d for d in (compare(made, folder) if differences is None else differences) if d.what != "untracked"]
     ours = _ours(folder)

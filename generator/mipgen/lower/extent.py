@@ -75,7 +75,7 @@ def extents(p: m.Parameter, prefix: str = "", unknown: bool = False) -> list[Ext
 
 
 def totals(parameters: Iterable[m.Parameter], start: Extent, prefix: str = "", unknown: bool = False) -> list[Extent]:
-    """The bytes that some parameters may take together, after those before them."""
+    """The possible total sizes of some parameters, added to `start`."""
     sums = [start]
     for p in parameters:
         sums = [a + b for a in sums for b in extents(p, prefix, unknown)]

@@ -229,7 +229,7 @@ class _Guide:
         """A rate is a base rate divided by a whole number."""
         for d in devices:
             base = next((r.hertz for r in d.base_rates if r.set.name == s.name), 0)
-            if base and (Fraction(str(base)) / Fraction(str(node.value))).denominator != 1:  # computed from the decimals as written
+            if base and (Fraction(str(base)) / Fraction(str(node.value))).denominator != 1:  # exact decimals
                 message = f"{node.value} Hz is not the base rate of '{s.name}' on the {d.title}, {base} Hz, "
                 self.problems.add(node.position, message + "divided by a whole number")
 

@@ -26,7 +26,7 @@ TABLES = ("csv", "jsonl", "npz", "parquet", "arrow")
 #: Formats of messages, and the modules that write them.
 MESSAGES = {"mcap": "export_mcap", "ros2": "export_ros2"}
 FORMATS = (*TABLES, *MESSAGES)
-#: In place of a field: the NMEA sentences between packets.
+#: The name, in place of a field, for the NMEA sentences between packets.
 NMEA = "nmea"
 
 EPILOG = """\

@@ -236,7 +236,7 @@ def _read(log: Log, set: int, clock: str) -> Stamps:
     places = [column.where.offset for column in columns]  # not the columns, which would keep the log, and it them
     if (packet[1:] > packet[:-1]).all():
         return Stamps(packet, value, lambda: _whole([offset() for offset in places]))
-    order = np.argsort(packet, kind="stable")  # of several in a packet the first by descriptor
+    order = np.argsort(packet, kind="stable")  # the first by descriptor, if a packet has several
     first = np.ones(len(packet), bool)
     first[1:] = packet[order[1:]] != packet[order[:-1]]
     order = order[first]

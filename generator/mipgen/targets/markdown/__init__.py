@@ -1,7 +1,7 @@
 """The reference manual: Markdown that reads well on a plain Git host and builds into a searchable site.
 
-`places` says where everything is, each other module makes the finished Markdown of its subject, and templates
-lay it out.
+`places` determines the pages and anchors, each other module makes the Markdown of its subject, and templates lay it
+out.
 """
 
 from __future__ import annotations

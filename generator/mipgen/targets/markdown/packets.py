@@ -15,8 +15,8 @@ from .text import code, spaced, table
 
 
 def forms(page: Page, f: m.Field) -> str:
-    """The forms of a command, one for each function, or just one: packets with typical values, and how it is answered.
-    A function that no device is known to take has no packet."""
+    """The forms of a command, one for each function, or just one: packets with typical values, and the replies. A
+    function that no device is known to accept has no packet."""
     samples = page.index.samples
     headings = ["Packet", "Required parameters", "Optional parameters", "Field length", "Reply"]
     rows = []

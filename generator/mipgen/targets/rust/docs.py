@@ -1,4 +1,5 @@
-"""Documentation comments: what `describe` says, as Markdown with links between the items of the crate."""
+"""Documentation comments: the texts of `describe`, as Markdown with links between the items of the
+crate."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ def filter_name(within: str, name: str) -> str:
 
 
 def examples(model: m.Model) -> list[str]:
-    """Filters that show how they are made: of an element of a vector, a bit, a function, and a refusal."""
+    """Examples of filters: for an element of a vector, a bit, a function, and a rejected command."""
     filters: dict[str, str] = {}
     for f in model.fields:
         for p in f.parameters:
