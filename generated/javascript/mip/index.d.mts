@@ -343,8 +343,8 @@ export declare class Device implements AsyncIterable<Packet> {
     /** Closes the port. Commands that wait end with "closed", and loops over the data end. */
     close(): Promise<void>;
     /**
-     * Opens the port again, after it was lost, and tries to for `within` seconds (30). Waiting data is kept. The device may
-     * have restarted: apply its settings again.
+     * Opens the port again, after it was lost, and keeps trying for up to `within` seconds (30).
+     * Waiting data is kept. The device may have restarted: apply its settings again.
      */
     reopen(options?: { within?: number }): Promise<void>;
 }

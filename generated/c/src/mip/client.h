@@ -133,7 +133,7 @@ struct mip_client {
     /** The barrier to be sent next, by the payload of its answer: four bytes for each command, and
      * one command more than there were requests without an answer since the last one. 0: none. */
     uint8_t missed;
-    /** The barrier that was sent, until it is answered, in the same way. 0: none. */
+    /** The barrier that was sent, in the same form, until it is answered. 0: none. */
     uint8_t behind;
 };
 

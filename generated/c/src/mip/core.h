@@ -141,7 +141,7 @@ static inline struct mip_walk mip_walk_packet(const struct mip_packet *packet) {
     struct mip_walk walk;
     walk.at = packet->bytes;
     walk.end = packet->bytes;
-    if (packet->size >= MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) { /* no packet: no fields */
+    if (packet->size >= MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) { /* else there are no fields */
         walk.at += MIP_HEADER_SIZE;
         walk.end += packet->size - MIP_CHECKSUM_SIZE;
     }
