@@ -7,7 +7,7 @@ from typing import Any
 
 from .errors import Misuse
 
-#: Command -> its module, with `add_arguments(parser)` and `run(options)`, and what it does.
+#: Command -> its module, with `add_arguments(parser)` and `run(options)`, and its summary.
 COMMANDS = {
     "dump": ("cli.dump", "show packets with names, values and units"),
     "info": ("cli.info", "show what is in a log: types, rates, gaps, damage"),

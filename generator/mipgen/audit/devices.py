@@ -1,4 +1,4 @@
-"""Compares the devices of the specification with what another source knows of them.
+"""Compares the devices of the specification with the facts of another source.
 
 These facts are not part of the project. They are two files in one folder: `models.yaml` has the models by name and
 number, `devices.yaml` what is known of single devices: commands, data and base rates. A file that is not there is not
@@ -42,7 +42,7 @@ def _by_number(model: m.Model, number: int) -> m.Device | None:
 
 
 def _models(model: m.Model, root: Node) -> Iterator[Finding]:
-    """Each model is a device, under all its names."""
+    """Checks that each model is a device, under all its names."""
     for node in root["models"]:
         number = node["number"]
         device = _by_number(model, number.value)
@@ -70,7 +70,7 @@ def _devices(model: m.Model, root: Node) -> Iterator[Finding]:
 
 
 def _numbers(node: Node) -> list[int]:
-    """One model number, or those of several devices."""
+    """Reads one model number, or those of several devices."""
     entries = [node["value"]] if "value" in node else node.value.values()
     return [entry.value for entry in entries if isinstance(entry.value, int)]
 

@@ -1,7 +1,7 @@
 """The numbers of a layout in wire order, of the model and of a witness alike, so that they can be compared one by one.
 
 A vector is its elements, a structure its members, an array of fixed length its items; an item of an array whose length
-varies appears once, with what repeats it.
+varies appears once, with the source of its count.
 """
 
 from __future__ import annotations

@@ -24,7 +24,7 @@ _CELL = re.compile(rf"(?:<b>)?0x({_HEX}{{2}})(?:</b>)?$")
 
 @dataclass(frozen=True, slots=True, order=True)
 class Finding:
-    """Something in a manual that the specification does not have."""
+    """A part of a manual that the specification does not have."""
 
     file: str
     line: int
@@ -79,7 +79,7 @@ def _headings(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[i
 
 
 def _plain(heading: str) -> str:
-    """A heading without numbering, marks and spaces, in which converters and authors differ."""
+    """A heading without numbering, marks and spaces, which converters and authors write differently."""
     return re.sub(r"^[\W_]*(\d+(\.\d+)*\.? )?|[\W_]", "", heading).lower()
 
 

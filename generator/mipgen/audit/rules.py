@@ -13,7 +13,7 @@ from typing import Any
 
 from mipgen import model as m
 
-#: Scalars by what they can hold.
+#: Scalars by the values that they can hold.
 _CLASSES = {"unsigned": ("u8", "u16", "u32", "u64"), "float": ("float", "double")}
 
 
@@ -25,7 +25,7 @@ class Finding:
 
 
 def compare(model: m.Model, rules: list[dict[str, Any]]) -> Iterator[tuple[str, Finding | None]]:
-    """For each fact that a rule states, its kind and what differs. Of several rules the first one counts."""
+    """For each fact that a rule states, its kind and the difference. If several rules apply, the first one counts."""
     for at, record in _records(model):
         for p in record:
             stated = set[str]()
@@ -108,7 +108,7 @@ def _unit(said: list[str], p: m.Parameter, _: object) -> str | None:
 
 
 def _unit_of(said: str, p: m.Parameter, record: tuple[m.Parameter, ...]) -> str | None:
-    """The same unit as the parameter whose name lacks this part, or has another in its place."""
+    """The unit must be that of the parameter whose name lacks this part, or has another in its place."""
     old, _, new = said.partition(" -> ")
     twin = next((q for q in record if q is not p and q.name == p.name.replace(old, new)), None)
     if twin is None or not twin.units:

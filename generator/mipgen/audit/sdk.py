@@ -1,4 +1,4 @@
-"""Extracts facts from a working copy of the vendor's SDK: its layouts, and what comments say of each number.
+"""Extracts facts from a working copy of the vendor's SDK: its layouts, and the comments on each number.
 
 Members and comments are read from `definitions/*.hpp`; their order, counts, conditions and functions from what
 `extract` does in `definitions/*.cpp`. A program wrote both, so uniformly that it is enough to read them line by line.
@@ -207,7 +207,7 @@ def _member(scope: _Scope, line: str) -> None:
 
 
 def _steps(lines: list[str]) -> dict[str, list[_Step]]:
-    """For each structure what `extract` reads, in order."""
+    """The values that `extract` reads for each structure, in order."""
     steps_of: dict[str, list[_Step]] = {}
     steps: list[_Step] | None = None
     conditions: list[str] = []

@@ -44,7 +44,7 @@ def is_working_copy(folder: Path) -> bool:
 
 
 def extract(folder: Path) -> dict[str, Any]:
-    """The facts of a folder that holds MIPSDK."""
+    """The facts in a folder with MIPSDK."""
     headers = "\n".join(_text(path) for path in sorted((folder / LIBRARY / "Include").glob("*.h")))
     sources = "\n".join(_text(path) for path in sorted((folder / LIBRARY / "Source").glob("*.c")))
     numbers = {name: int(value, 0) for name, value in _DEFINE.findall(headers)}
@@ -167,7 +167,7 @@ def _data(numbers: dict[str, int], structs: dict[str, Any]) -> Iterator[dict[str
 
 
 def _groups(headers: str) -> Iterator[tuple[str, dict[str, int]]]:
-    """Numbers that follow each other, by what their names have in common: the values of one enumeration."""
+    """Consecutive numbers, grouped by the common beginning of their names: the values of one enumeration."""
     for block in re.split(r"\n(?:\s*\n)+|\n//[^\n]*", headers):
         numbers = {name: int(value, 0) for name, value in _DEFINE.findall(block)}
         # The longest common beginning, up to its last underscore; it is compared by letters, as names are not paths.

@@ -1,4 +1,4 @@
-"""Extracts facts from the tables of a manual: for each layout its parameters in order, with types and what they mean.
+"""Extracts facts from the tables of a manual: for each layout its parameters in order, with types and meaning.
 
 Only facts are extracted: names, numbers, units, frames and letters of functions, in the form of `spec/witness`. A table
 that a converter has broken, so that its rows do not make up the printed length, is left out.
@@ -336,7 +336,7 @@ def described(text: str, element: str, about: str) -> dict[str, Any]:
 
 
 def _units(text: str) -> Iterator[str]:
-    """What may be a unit: in brackets, before a frame in brackets, the whole text, or words such as "in Hz"."""
+    """The possible units: in brackets, before a frame in brackets, the whole text, or words such as "in Hz"."""
     for inside in re.findall(r"(?:\[|(?<!\w)\()([^\[\]()]+)[\])]", text):
         yield inside
         yield inside.partition(",")[0]

@@ -1,8 +1,8 @@
 """Compares the model with witnesses: facts that programs extracted from other sources, in `spec/witness`.
 
-A fact that could be wrong without an error, such as a unit, a bit or a default, is compared with what each witness says
-about it. Differences that were judged are listed with reasons in `accepted.yaml`, by their exact text: a further
-mistake at the same place is still reported, and so is a listed difference that no longer exists.
+A fact that could be wrong without an error, such as a unit, a bit or a default, is compared with the statements of each
+witness about it. Differences that were judged are listed with reasons in `accepted.yaml`, by their exact text: a
+further mistake at the same place is still reported, and so is a listed difference that no longer exists.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ def normal(name: str) -> str:
 
 
 class _Compared:
-    """One comparison; `differences` is what differs."""
+    """One comparison, with its `differences`."""
 
     def __init__(self, model: m.Model, witnesses: dict[str, Any], accepted: list[dict[str, Any]]) -> None:
         self.model, self.witnesses, self.accepted = model, witnesses, accepted
@@ -177,7 +177,7 @@ class _Compared:
     # ------------------------------------------------------------------ types without a parameter
 
     def standalone(self, name: str, facts: dict[str, Any], accepted: dict[str, Any]) -> None:
-        """Types that the witness uses in no layout, and constants, and what they are in the specification."""
+        """Types that the witness uses in no layout, and constants, each with its counterpart in the specification."""
         types = facts.get("enums", {}) | facts.get("bitfields", {})
         for entry in accepted.get("types", ()):
             if entry["witness"] in types:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 class Failure(Exception):
-    """A message for the user: what is wrong, and the remedy."""
+    """A message for the user: the problem and the remedy."""
 
     def __init__(self, message: str, place: str = "mipgen") -> None:
         super().__init__(message, place)

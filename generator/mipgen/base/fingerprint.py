@@ -1,4 +1,4 @@
-"""A key of the program itself: what was made by another one is made again."""
+"""A key of the program itself: results of another version are made again."""
 
 from __future__ import annotations
 

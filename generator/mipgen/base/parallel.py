@@ -24,7 +24,7 @@ _NUMBER = 2  # bytes of the number of an item in the queue
 
 
 def each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
-    """The results in the order of the items, which are begun in this order: what takes longest should be first.
+    """The results in the order of the items, which are begun in this order: the slowest should be first.
     Raises the exception of the first item that fails."""
     count = min(len(items), _processors())
     unsafe = not hasattr(os, "fork") or sys.platform == "darwin"

@@ -1,4 +1,4 @@
-"""Notes what is read to make a result, which is made again only if that has changed.
+"""Notes the data that is read for a result, which is made again only if that data has changed.
 
 Watched attributes of a class note that they are read. A result that is kept, by `kept` or in a `Memo`, is kept with
 what was read for it: whoever uses the result has read that too.
@@ -29,7 +29,7 @@ _log: set[Read] = set()
 
 
 def during(make: Callable[..., Value], *arguments: Any) -> tuple[Value, frozenset[Read]]:
-    """A result, and what was read to make it."""
+    """A result, and the data that was read for it."""
     global _log
     outer, _log = _log, set()
     try:
@@ -41,7 +41,7 @@ def during(make: Callable[..., Value], *arguments: Any) -> tuple[Value, frozense
 
 
 def note(read: frozenset[int]) -> None:
-    """A result of an earlier run is used, for which this was read."""
+    """Notes the use of a result of an earlier run, for which this was read."""
     _log.add(Earlier(read))
 
 

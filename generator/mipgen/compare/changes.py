@@ -60,7 +60,7 @@ class Report:
     ignored: tuple[tuple[Change, str], ...] = ()  # each with the reason; they do not count
 
     def moved(self, before: str, now: str) -> Report:
-        """With the places of files whose names begin with `before` in `now`."""
+        """The report with `now` in place of `before` at the beginning of file names."""
         if not before:
             return self
         return replace(self, changes=tuple(
@@ -69,7 +69,7 @@ class Report:
         ))  # fmt: skip
 
     def whole(self, name: str) -> str:
-        """The verdict in one line; `name` is what the old specification is called."""
+        """The verdict in one line; `name` is that of the old specification."""
         return f"{name} (version {self.old}) -> version {self.new}: {self.verdict}"
 
     def text(self, name: str) -> str:
@@ -343,7 +343,7 @@ def _parameters(
 
 
 def _variants(subject: str, old: m.Parameter, new: m.Parameter, devices: frozenset[str]) -> Iterator[Change]:
-    """Changes of what differs on a device, or with one value of a sibling. For a new or a removed device, the
+    """Changes of differences on a device, or with one value of a sibling. For a new or a removed device, the
     device itself is the change."""
 
     def by_key(p: m.Parameter) -> dict[tuple[str, str, str], m.Variant]:

@@ -33,7 +33,7 @@ def check_names(model: Model, sources: Sequence[Source]) -> None:
 
 def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) -> list[Output]:
     """The output of each target, each made in its own process; then those of plugins, which run beside this one.
-    With slices, what is right since the last run is not made again."""
+    With slices, files that are still right since the last run are not made again."""
 
     def several(group: Sequence[Source]) -> list[Output]:
         return [one(source) for source in group]

@@ -38,7 +38,7 @@ class Formatter:
 
 
 class FormatError(Failure):
-    """The formatter is missing, or cannot read what a target made."""
+    """The formatter is missing, or cannot read the files of a target."""
 
 
 def _clang_format() -> str:

@@ -48,7 +48,7 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
 
 
 def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
-    """The same; what is right since the last run is not made again."""
+    """The same, but files that are still right since the last run are not made again."""
     right = past.all_right()
     if right is not None:
         past.keep(right)

@@ -147,7 +147,7 @@ class Slices:
         return Slice(self, target)
 
     def noted(self, read: Iterable[Read]) -> set[Address]:
-        """The addresses of what was read of the model."""
+        """The addresses of the parts of the model that were read."""
         earlier = [r.read for r in read if isinstance(r, reads.Earlier)]
         now = set(map(self.addresses.__getitem__, (r for r in read if r.__class__ is tuple)))
         return {a for a in now if a is not None}.union(*earlier)
@@ -182,7 +182,7 @@ class Anew:
         return how(*arguments)
 
     def keep(self, files: Mapping[str, Made]) -> None:
-        """Stores what was made for the next run."""
+        """Stores the results for the next run."""
 
 
 #: A text that was made of an object of the model, and the addresses of all that was read.
@@ -214,8 +214,8 @@ _pieces: Pieces | None = None
 
 def piece(name: str, make: Callable[..., str], thing: object, *constants: str) -> str:
     """A text that depends on nothing but an object of the model, and on what is read of the model to make it. If it is
-    part of a file that is made again, it is that of last time unless some of this has changed. `name` distinguishes it
-    from other texts of the same object in a file."""
+    part of a file that is made again, the text of the last run is used again unless some of this has changed. `name`
+    distinguishes it from other texts of the same object in a file."""
     global _pieces
     pieces, _pieces = _pieces, None
     try:

@@ -10,7 +10,7 @@ from mipgen import model as m
 
 @dataclass(frozen=True, slots=True)
 class Symbols:
-    """The type of a field, or a type, in a language; and what belongs to it: functions, constants."""
+    """The type of a field, or a type, in a language; and its functions and constants."""
 
     thing: m.Type | m.Field
     name: str

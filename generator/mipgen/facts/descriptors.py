@@ -1,4 +1,4 @@
-"""Numbers of descriptor sets and fields as values of parameters: which set or field such a number means."""
+"""Numbers of descriptor sets and fields as values of parameters: the set or field that such a number means."""
 
 from __future__ import annotations
 

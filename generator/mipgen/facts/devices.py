@@ -22,7 +22,7 @@ _KINDS = {
 
 
 def device(d: m.Device, model: m.Model) -> list[Fact]:
-    """The facts about a device besides its description, its fields, and what differs there."""
+    """The facts about a device besides its description, its fields, and the differences there."""
     facts: list[Fact] = []
     if d.also:
         facts.append(fact("also", joined([(name,) for name in d.also]), "Also called {}."))

@@ -63,7 +63,7 @@ def _exchange(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """When it is sent, and when nothing acknowledges it."""
+    """The conditions under which it is sent, and those under which nothing acknowledges it."""
     if f.when:
         command = next(c for c in model.commands(f) if c.name == f.command)
         yield fact("when", conditions(f.when, command), "Sent if {}.")

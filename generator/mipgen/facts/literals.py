@@ -79,7 +79,7 @@ class Items:
 
 @dataclass(frozen=True, slots=True)
 class Structure:
-    """A structure, with what it holds by the names of its parameters."""
+    """A structure: its values by the names of its parameters."""
 
     type: m.Struct
     members: dict[str, Literal]

@@ -47,7 +47,7 @@ def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: m.Record, mod
 
 
 def _presence(p: m.Parameter, record: m.Record) -> Iterator[Fact]:
-    """When it may be left out."""
+    """The conditions under which it may be left out."""
     if p.optional:
         yield fact("optional", (), "Optional.")
     elif isinstance(record, m.Field) and p in record.counted and len(p.required_for) < len(record.functions):
@@ -55,7 +55,7 @@ def _presence(p: m.Parameter, record: m.Record) -> Iterator[Fact]:
 
 
 def case(c: m.Case, union: m.Parameter, record: m.Record) -> Fact:
-    """When a union has one of its alternatives."""
+    """The condition for an alternative of a union."""
     tag = next(q for q in record.parameters if q.name == union.tag)
     assert isinstance(tag.element, m.Enum)
     value = (Ref(tag, tag.name, record), " is ", Ref(c.tag, c.tag.name, tag.element))

@@ -1,4 +1,4 @@
-"""Whole records of values: what is given, and simple values within their range for the rest."""
+"""Whole records of values: the given ones, and simple values within their range for the rest."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ TEXT = "text"
 
 @dataclass(frozen=True)
 class Filled:
-    """Values for some parameters, which do not contradict each other: what is given, and simple ones for the rest."""
+    """Values for some parameters, which do not contradict each other: the given ones, and simple ones for the rest."""
 
     parameters: tuple[m.Parameter, ...]
     given: Mapping[str, Any]

@@ -10,7 +10,7 @@ from .texts import Fact, fact, prose
 
 
 def remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
-    """Facts in the author's words: notes, and what is uncertain."""
+    """Facts in the author's words: notes and uncertainties."""
     yield from (fact("note", prose(note, model), "{}") for note in of.notes)
     yield from uncertain(of, model)
 
@@ -19,7 +19,7 @@ Doubtful = m.Field | m.Family | m.Set | m.Occurrence | m.Parameter | m.Type | m.
 
 
 def uncertain(of: Doubtful, model: m.Model) -> list[Fact]:
-    """The uncertainties, each with what is known and what is inferred."""
+    """The uncertainties, each with the known and the inferred facts."""
     return [fact("uncertain", prose(text.rstrip("."), model), "Uncertain: {}.") for text in of.uncertain]
 
 

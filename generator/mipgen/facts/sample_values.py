@@ -115,7 +115,7 @@ class SampleValues:
         return [calls[0]] if asking is calls[0] else [calls[0], asking]
 
     def sent(self, f: m.Field) -> list[m.Call]:
-        """The ways to send a field that some device takes."""
+        """The ways to send a field that some device accepts."""
         return [c for c in f.calls if c.function is None or c.function in self.model.taken(f)]
 
     def replies(self, f: m.Field, call: m.Call) -> list[m.Reply]:

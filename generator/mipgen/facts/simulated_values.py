@@ -75,7 +75,7 @@ def place(values: codec.Values, path: str, value: Any) -> None:
 
 
 def valid_flags(parameters: tuple[m.Parameter, ...]) -> codec.Values:
-    """The flags of what is valid: all that values refer to."""
+    """The flags for valid values: all that the values refer to."""
     values: codec.Values = {}
     by_name = {p.name: p for p in parameters}
     for p in parameters:

@@ -13,7 +13,7 @@ from .sample_values import GivenValues, SampleValues, title_of
 
 
 class Program(Protocol):
-    """One program, as it grows: it knows what it needs of the binding."""
+    """One program while it is composed, with the items that it needs of the binding."""
 
     def sent(self, f: m.Field, samples: SampleValues, /) -> list[str]:
         """The lines that send a command, and show a response."""

@@ -41,7 +41,7 @@ class Extent:
 
     @property
     def most(self) -> int:
-        """The number of bytes with as many elements as there may be."""
+        """The number of bytes with the most elements."""
         return self.fixed + sum(t.size * t.most for t in self.terms)
 
     @property
@@ -56,7 +56,7 @@ class Extent:
 
 
 def extents(p: m.Parameter, prefix: str = "", unknown: bool = False) -> list[Extent]:
-    """The bytes that a parameter may take: one for each alternative of a union, the shortest first.
+    """The possible sizes of a parameter: one for each alternative of a union, the shortest first.
 
     `prefix` leads to the record of the parameter. `unknown`: a tag may be one that the specification does not know.
     """
@@ -96,7 +96,7 @@ def exact(p: m.Parameter, prefix: str = "") -> Extent | None:
 
 
 def shortest(parameters: Iterable[m.Parameter], prefix: str = "") -> Extent:
-    """The bytes that parameters take at least, given their counters."""
+    """The smallest size of parameters, given their counters."""
     return totals(parameters, Extent(), prefix, unknown=True)[0]
 
 

@@ -9,7 +9,7 @@ from mipgen import model as m
 
 @dataclass(frozen=True, slots=True)
 class Rate:
-    """A command that asks for a base rate, its response, and the parameter of that in Hz."""
+    """A command that reads a base rate, its response, and the parameter of the response in Hz."""
 
     command: m.Field
     response: m.Field

@@ -1,4 +1,4 @@
-"""The resolved model: what MIP is, with every reference followed and every size computed.
+"""The resolved model of MIP, with every reference followed and every size computed.
 
 Frozen dataclasses that describe the protocol, independent of any language and of files. `resolve` builds them,
 targets and templates read them. Names are words in lower case joined by underscores, as the specification has

@@ -89,7 +89,8 @@ class Evidence:
 
 @dataclass(frozen=True, slots=True)
 class Support:
-    """A command or data field in one descriptor set that a device has, or has not, and the functions that it takes."""
+    """A command or data field in one descriptor set that a device has, or has not, and the functions that it
+    accepts."""
 
     field: Field
     set: int

@@ -102,7 +102,7 @@ class Set:
 
 @dataclass(frozen=True, slots=True)
 class Occurrence:
-    """A field in one descriptor set, with what it has of its own there."""
+    """A field in one descriptor set, with its own facts there."""
 
     set: int
     set_name: str
@@ -200,12 +200,12 @@ class Field:
 
     @cached_property
     def requires(self) -> dict[int | None, int]:
-        """Function -> how many parameters must be there; None: it has no selector."""
+        """Function -> the number of parameters that must be present; None: it has no selector."""
         return {c.function.value if c.function else None: len(c.required) for c in self.calls}
 
     @cached_property
     def present_with(self) -> dict[str, int]:
-        """Parameter -> how many are present when it is, for those that may be absent."""
+        """Parameter -> the number of present parameters when it is the last one, for those that may be absent."""
         return {p.name: group.last for group in self.groups for p in group.parameters}
 
     @property
@@ -220,7 +220,7 @@ class Field:
 
     @cached_property
     def always(self) -> tuple[Parameter, ...]:
-        """The parameters that are always there: the selector, or those before the first optional one."""
+        """The parameters that are always present: the selector, or those before the first optional one."""
         first = (i for i, p in enumerate(self.parameters) if p.optional)
         return self.parameters[: 1 if self.selector else next(first, None)]
 

@@ -1,7 +1,7 @@
 """Guides: the part of the model that `spec/guides` defines.
 
-A guide answers the question of somebody who wants to do something: which packets to send, in which order and why,
-and the replies. Packets and answers are computed; the values in them are the author's.
+A guide states how to reach a purpose: the packets to send, their order and reasons, and the replies. Packets and
+answers are computed; the values in them are the author's.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ class Migration:
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """A question that people ask, or what they see when something is wrong, with its answer."""
+    """A question that people ask, or a symptom of a problem, with the answer."""
 
     question: Prose
     answer: Prose

@@ -82,7 +82,7 @@ class Variant:
 
 @dataclass(frozen=True, eq=False)  # comparing all of it would take long; see `alike`
 class Parameter:
-    """One named value of a field or a structure, in wire order: what it means, and how it is read and written.
+    """One named value of a field or a structure, in wire order: its meaning, and how it is read and written.
 
     `element` is what one item is; `length` says how many: None for a single value, a number for a
     fixed array, the counter's name for a counted one, REST for one that fills the field.
@@ -269,7 +269,7 @@ class Group:
     """Parameters of a field that are present or absent together: one, or a counter up to its array.
 
     They are the numbers `first` to `last` (from 1, the function selector not counted). The group is required when
-    `last` <= the number that the selected function requires; otherwise it is read only if it is wholly there.
+    `last` <= the number that the selected function requires; otherwise it is read only if it is complete.
     """
 
     first: int

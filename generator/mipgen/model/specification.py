@@ -154,7 +154,7 @@ class Model:
         return tuple(d for d in self.devices if d.id in names)
 
     def affected(self, command: Field, certain: bool = True) -> tuple[Field | Set, ...]:
-        """What a command changes: data fields, and sets all of whose fields may change. A part of a specification
+        """The effects of a command: data fields, and sets all of whose fields may change. A part of a specification
         may lack some of them."""
         named = command.affects if certain else command.may_affect
         things: list[Field | Set] = []
@@ -172,7 +172,7 @@ class Model:
         return self._flags.get(f.full_name, ())
 
     def taken(self, command: Field) -> tuple[Function, ...]:
-        """The functions that at least one device takes; all of them where no device is known."""
+        """The functions that at least one device accepts; all of them where no device is known."""
         functions = [x for _, s in self.supports(command) for x in s.functions]
         return tuple(x for x in command.functions if x in functions) or command.functions
 

@@ -181,7 +181,7 @@ class Struct(_Type):
 
     @property
     def always(self) -> tuple[Parameter, ...]:
-        """The parameters that are always there: in a structure, all."""
+        """The parameters that are always present: in a structure, all."""
         return self.parameters
 
     @property
@@ -215,7 +215,7 @@ def structs(types: Iterable[Type]) -> list[Struct]:
 
 @dataclass(frozen=True, slots=True)
 class Function:
-    """A function selector: what a settings command is asked to do."""
+    """A function selector: the action that a settings command requests."""
 
     name: str
     letter: str

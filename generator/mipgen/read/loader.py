@@ -229,7 +229,7 @@ _BOUNDS = {"minimum": "at least", "exclusiveMinimum": "more than", "maximum": "a
 
 
 def _fault_of_value(error: Any) -> str:
-    """The fault of a value, as what its name continues with."""
+    """The fault of a value, as the continuation of its name."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     match error.validator:
         case "type":

@@ -1,1 +1,1 @@
-"""Turns nodes into the model, and checks it. Knows what each key of a specification means."""
+"""Turns nodes into the model, and checks it. Knows the meaning of each key of a specification."""

@@ -1,4 +1,4 @@
-"""Resolves devices: what each supports, and what its values mean where they differ."""
+"""Resolves devices: the fields that each supports, and the meaning of values that differ."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ REQUIRED = ("supports", "base_rates", "ack_codes")
 
 
 def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Types, problems: Problems) -> m.Model:
-    """The model with its devices, and each of whose parameters states what differs on them."""
+    """The model with its devices; each of its parameters states its differences on them."""
     names = [name for node in nodes for name in (node["title"], *(node.get("also") or ()))]
     _unique((node["name"] for node in nodes), "two devices are called '{}'; rename one", problems)
     _unique(names, "two devices are titled '{}'; rename one", problems)
@@ -83,7 +83,7 @@ def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:
 
 
 def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> Iterable[tuple[str, m.Variant]]:
-    """`varies` of a device: the path of a parameter -> what it is there."""
+    """`varies` of a device: the path of a parameter -> its facts there."""
     device, spec = node["device"].value, node.get("varies")
     for path, case in spec.items() if spec else ():
         assert spec is not None
@@ -384,7 +384,7 @@ class _Device:
             )
 
     def check_valid(self, f: m.Field, p: m.Parameter) -> None:
-        """The bit that says whether a value is valid is one that the flags have on this device."""
+        """The valid flag of a value must be a bit that the flags have on this device."""
         own = self.own(p)
         explicit = own is not None and own.valid is not None
         path = f"{f.full_name}.{p.name}"

@@ -1,4 +1,4 @@
-"""Examples and errata: what the manuals show, and where they are wrong."""
+"""Examples and errata: the packets in the manuals, and their mistakes."""
 
 from __future__ import annotations
 

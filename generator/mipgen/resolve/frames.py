@@ -1,4 +1,4 @@
-"""Frames of reference: which way their axes point, and how vectors in them become those of other conventions."""
+"""Frames of reference: the directions of their axes, and the conversion of vectors to other conventions."""
 
 from __future__ import annotations
 

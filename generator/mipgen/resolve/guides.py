@@ -123,7 +123,7 @@ class _Guide:
         )
 
     def call(self, f: m.Field, values: codec.Values, place: m.Position) -> m.Call:
-        """The way in which the command is sent, with the values that it then takes."""
+        """The way in which the command is sent, with the values for it."""
         for call in f.calls:
             if (call.function.value if call.function else None) == values.get("function"):
                 wanted = {p.name for p in call.required if p.constant is None}
@@ -163,7 +163,7 @@ class _Guide:
     # ----------------------------------------------------------------------- answers
 
     def response(self, node: Node, f: m.Field, call: m.Call, values: codec.Values, silent: bool) -> Shown | None:
-        """The response, with the values that the step states, and typical ones beside them."""
+        """The response, with the values that the step states, and typical ones for the others."""
         given = node.get("answer")
         possible = {
             r.full_name: r

@@ -214,7 +214,7 @@ class _Heir:
         return self.mapped(key, {**nodes, **(own.value if own else {})}, {**keys, **(own.keys if own else {})})
 
     def concerned(self, name: str, has: set[str]) -> bool:
-        """Does the device have this field or set? A family says it for those of its devices that do; an unknown name
+        """Does the device have this field or set? A family states it for those of its devices that do; an unknown name
         is kept, so that it is reported."""
         f = self.model.field(name)
         if f is None:

@@ -187,7 +187,7 @@ class Layout:
         return False
 
     def meaning(self, node: Node, p: m.Parameter) -> m.Parameter:
-        """Adds what the value means to how it is laid out."""
+        """Adds the meaning of the value to its layout."""
         words = self.types.vocabulary
         named = p.element if isinstance(p.element, (m.Enum, m.Bitfield, m.Struct)) else None
         if not node.keys.keys().isdisjoint(meaning.LIMITS):

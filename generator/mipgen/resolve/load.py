@@ -24,7 +24,7 @@ from .vocabulary import Vocabulary, sources
 def load_model(spec: Path, *overlays: Path) -> m.Model:
     """Loads, resolves and checks a specification with its overlays; raises SpecError with all problems.
 
-    What the manuals show is checked only once the definitions are right: otherwise it would seem wrong.
+    Examples and errata are checked only once the definitions are right: otherwise they would seem wrong.
     """
     collecting = gc.isenabled()
     gc.disable()  # nothing of a model is garbage; looking for it takes a quarter of the time

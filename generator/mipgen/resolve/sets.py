@@ -366,7 +366,7 @@ class _Places:
     problems: Problems
 
     def of(self, node: Node) -> tuple[m.Occurrence, ...]:
-        """The sets of a field, with what it has of its own in each."""
+        """The sets of a field, with its own facts in each."""
         title, cited = _title(node), self.sources(node, node)
         own = node.get("in")
         if not self.several:
@@ -395,7 +395,7 @@ class _Places:
         return occurrences
 
     def sources(self, node: Node, field: Node, s: m.Set | None = None) -> tuple[m.Source, ...]:
-        """The sources of a field, or of what it is in one set."""
+        """The sources of a field, or of its facts in one set."""
         heading = _heading(field, (s or self.sets[0]).number)
         return sources(node, self.types.vocabulary, self.problems, heading=heading)
 

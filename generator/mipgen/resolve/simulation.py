@@ -1,4 +1,4 @@
-"""Resolves `simulation`: what a simulated device knows, shows and does."""
+"""Resolves `simulation`: the knowledge, the data and the behavior of a simulated device."""
 
 from __future__ import annotations
 

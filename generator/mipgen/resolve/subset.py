@@ -156,7 +156,7 @@ def _needed(model: m.Model, asked: dict[str, m.Field], devices: tuple[str, ...])
 
 
 def _only(model: m.Model, needed: dict[str, m.Field], devices: tuple[m.Device, ...]) -> m.Model:
-    """The model without other fields, and without what only these need."""
+    """The model without other fields, and without things that only these need."""
     ids = {d.id for d in devices}
     acknowledge = _narrowed(model.protocol.acknowledge, ids, needed)
     fields = {name: _narrowed(f, ids, needed) for name, f in needed.items()}
@@ -214,7 +214,7 @@ def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> 
 
 
 def _narrowed(f: m.Field, devices: set[str], names: Container[str]) -> m.Field:
-    """The field without what differs on other devices, and without responses that are left out."""
+    """The field without the differences on other devices, and without responses that are left out."""
     parameters = tuple(
         replace(p, variants=tuple(v for v in p.variants if not v.by_device or v.key in devices)) for p in f.parameters
     )

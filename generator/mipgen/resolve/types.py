@@ -78,7 +78,7 @@ class Types:
         return self._done[where, name]
 
     def _kind(self, name: str, node: Node) -> str | None:
-        """The key that says what kind of type it is; None if there is none, or if others do not fit it."""
+        """The key that determines the kind of type; None if there is none, or if others do not fit it."""
         kinds = [k for k in ("enum", "bitfield", "bytes", "struct", "vector") if k in node]
         if len(kinds) != 1:
             wanted = "exactly one of enum, bitfield, bytes, struct, vector"

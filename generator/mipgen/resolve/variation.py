@@ -35,7 +35,7 @@ class Scope:
 
 
 def differs_by_device(node: Node, p: m.Parameter, problem: Problem) -> bool:
-    """`varies: {by: device}`: every device that supports the field says in its own file what the values are."""
+    """`varies: {by: device}`: every device that supports the field states the values in its own file."""
     spec = node.get("varies")
     if spec is None or spec["by"].value != m.DEVICE:
         return False
@@ -46,7 +46,7 @@ def differs_by_device(node: Node, p: m.Parameter, problem: Problem) -> bool:
 
 
 def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope: Scope) -> tuple[m.Variant, ...]:
-    """`varies: {by: mode, cases: ...}`: what differs by an enumeration of the same record."""
+    """`varies: {by: mode, cases: ...}`: differences by an enumeration of the same record."""
     spec = node.get("varies")
     if spec is None or spec["by"].value == m.DEVICE:
         return ()
@@ -130,7 +130,7 @@ def _constant(node: Node, p: m.Parameter, problem: Problem) -> int | None:
 
 
 def _only(node: Node, p: m.Parameter, t: object, problem: Problem) -> tuple[m.EnumValue | m.Bits, ...]:
-    """The values of an enumeration, or the bits of a bitfield, that there are."""
+    """The values of an enumeration, or the bits of a bitfield, that exist."""
     parts: list[m.EnumValue | m.Bits] = []
     for part, kind, what in (("values", m.Enum, "an enumeration"), ("bits", m.Bitfield, "a bitfield")):
         if part not in node:

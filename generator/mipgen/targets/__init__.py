@@ -1,1 +1,1 @@
-"""One package for each target; `emit.target.Target` defines what it offers."""
+"""One package for each target; `emit.target.Target` defines its interface."""

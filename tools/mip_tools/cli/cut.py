@@ -103,7 +103,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _clock(log: Log, name: str, bounds: Bounds) -> str:
-    """The clock by which a log is cut. Raises Failure if it has none that will do."""
+    """The clock by which a log is cut. Raises Failure if it has no suitable one."""
     from ..columns import times
 
     clock = times.best(log.parts(PART))

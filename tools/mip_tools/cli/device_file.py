@@ -88,7 +88,7 @@ class Facts:
         return (SHARED if kinds and kinds[0].NAME.startswith("shared.") else key[0]), key[1]
 
     def rates(self) -> dict[str, int | None]:
-        """Data set -> base rate; None of a data set whose rate neither the device nor the profile knows."""
+        """Data set -> base rate; None if neither the device nor the profile knows it."""
         known = self.model.profile.base_rates if self.model.profile else {}
         sets = sorted({set for set, d in self.told.descriptors if 0x80 <= set < SHARED and types(set, d)})
         rates = {number: self.told.base_rates.get(number) for number in sets if number in SETS}
@@ -216,7 +216,7 @@ def _elsewhere(id: str, folder: Path) -> bool:
 def merged(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
     """The text of a file with the data from the device; contradictions by data set or port, each with its place.
 
-    Everything that the file says stays. Raises Failure if it is not a file of this device.
+    Everything else in the file is kept. Raises Failure if it is not a file of this device.
     """
     file = YamlFile(path)
     wanted = facts.model.id

@@ -1,4 +1,4 @@
-"""`mip doctor`: what is wrong with a device, a port or a log, and why."""
+"""`mip doctor`: the faults of a device, a port or a log, and their causes."""
 
 from __future__ import annotations
 

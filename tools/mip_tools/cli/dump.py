@@ -113,7 +113,7 @@ def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
 
 
 def _fast(options: argparse.Namespace, selection: Selection, device: str | None) -> int | None:
-    """Shows whole files; None if they have no packet, so that the other way must find the cause."""
+    """Shows whole files; None if they have no packet, so that the slower way finds the cause."""
     from .lines import Lines, Objects, lines
 
     packets, shown, form = 0, 0, Objects(device) if options.json else Lines(device)

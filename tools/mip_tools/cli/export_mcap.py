@@ -80,7 +80,7 @@ class Job:
 
 
 def check(clock: str | None, options: argparse.Namespace) -> None:
-    """Messages have times. Raises Failure or Misuse without a clock that can give them."""
+    """Raises Failure or Misuse if no clock provides the times that messages need."""
     if options.time not in (None, "utc", "clock"):
         raise Misuse(f"--time {options.time} is for tables; messages have the time of the clock")
     if clock is None:
@@ -171,7 +171,7 @@ def timed(samples: Iterable[T], by_host: bool) -> Iterator[tuple[T, int]]:
 
 
 def message(field: Field, named: bool) -> dict[str, Any]:
-    """The values of a field as its schema describes them; those that JSON has no number for are left out."""
+    """The values of a field as its schema describes them; numbers that JSON does not have are left out."""
     return _object(field, values.plain(field, named))
 
 

@@ -1,4 +1,4 @@
-"""`mip info`: what is in a log."""
+"""`mip info`: the contents of a log."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 CHUNK = 1 << 16
 #: Bytes that are looked at together, even if more have arrived.
 _BATCH = 1 << 20
-#: Seconds after which it is said that nothing has arrived.
+#: Seconds after which it is reported that nothing has arrived.
 _TURN = 0.1
 _HEX = re.compile(rb"(?:0[xX])?[0-9A-Fa-f]{2}(?:[\s,:]*(?:0[xX])?[0-9A-Fa-f]{2})*[\s,]*")
 _TEXT = re.compile(rb"[0-9A-Fa-fxX\s,:]*")

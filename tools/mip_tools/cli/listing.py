@@ -71,8 +71,8 @@ class Listing:
 def ask(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda text: None) -> Listing:
     """Asks a device while it is idle, and resumes its streams, also after an error or an interrupt.
 
-    `name` is that of the port, for messages; `complain` gets one for each answer that is missing, without which there
-    is a listing all the same, and if the streams could not be resumed. Raises Failure.
+    `name` is that of the port, for messages; `complain` is called with one for each missing answer, without which the
+    listing is still made, and if the streams could not be resumed. Raises Failure.
     """
     questions = _Questions(link, name, complain)
     questions.greet()

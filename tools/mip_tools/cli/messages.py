@@ -1,4 +1,4 @@
-"""The fields of a log as JSON messages, by columns: the same as of packet by packet, but faster."""
+"""The fields of a log as JSON messages, by columns: the same as packet by packet, but faster."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from .selection import Selection
 #: Bytes of a log whose messages are in memory together.
 PART = 1 << 20
 
-#: Rows of fields: their packets, the offsets of their data in the payloads, and what they are made to.
+#: Rows of fields: their packets, the offsets of their data in the payloads, and the values made from them.
 _Rows = tuple[Array, Array, list[tuple[Occurrence, bytes]]]
 _NOTHING: _Rows = (np.zeros(0, np.int64), np.zeros(0, np.int64), [])
 
 
 def survey(log: Log, selection: Selection) -> tuple[list[Occurrence], str | None]:
-    """The types of the fields that a log has and a selection wants, by number; and its best clock."""
+    """The types of the selected fields in a log, by number, and its best clock."""
     found = {
         of(number, kind)
         for part in log.parts(PART)

@@ -31,7 +31,7 @@ def _set(number: int) -> str:
 
 
 def field(found: Found, device: str | None) -> str:
-    """A field with its values; with its bytes, if they cannot be decoded or there are more of them."""
+    """A field with its values; with its bytes, if they cannot be decoded, or if some are left over."""
     said: dict[str, Any] = {"field": name_of(found)}
     if found.value is not None:
         said["values"] = values.plain(found.value, True, device)

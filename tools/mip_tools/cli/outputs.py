@@ -145,7 +145,7 @@ def holds_bytes(path: str | Path) -> bool:
 
 
 def refuse_input(output: str, source: str) -> None:
-    """Raises Misuse if a log would be replaced by what is made of it, whatever the two are called."""
+    """Raises Misuse if the output would replace the log, whatever the names of the two are."""
     try:  # one of them may not exist, or standard input or output may not be a file
         given = os.fstat(sys.stdin.fileno()) if source == "-" else os.stat(source)
         taken = os.fstat(sys.stdout.fileno()) if output == "-" else os.stat(output)

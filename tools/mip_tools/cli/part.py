@@ -81,7 +81,7 @@ class Within:
 def kept(
     parts: Iterable[tuple[int, Log]], within: Within, selection: Selection, skipped: bool
 ) -> Iterator[tuple[bytes, int]]:
-    """The bytes of the packets that are within, if wanted with those behind each; and how many packets they are.
+    """The bytes of the packets that are within, with those behind each if wanted, and the number of packets.
 
     The parts are logs, each with the place at which its bytes begin.
     """

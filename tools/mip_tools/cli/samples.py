@@ -28,7 +28,7 @@ class Sample(NamedTuple):
 
 
 def survey(pieces: Iterable[Piece | None], selection: Selection) -> tuple[list[Occurrence], str | None]:
-    """The types of the selected fields that a log has, by number; and its best clock."""
+    """The types of the selected fields in a log, by number, and its best clock."""
     first: dict[Occurrence, tuple[int, int]] = {}
     single: set[tuple[int, int]] = set()  # has one layout, and is known
     clocks: set[str] = set()

@@ -21,7 +21,7 @@ class Piece(NamedTuple):
 
 
 class Scanner:
-    """The parser, with offsets. All pieces together are the stream; memory is bounded."""
+    """The parser, with offsets. The pieces together are the whole stream; memory is bounded."""
 
     def __init__(self) -> None:
         self._parser = Parser()
@@ -32,7 +32,7 @@ class Scanner:
         return self._pieces(self._parser.feed_all(data))
 
     def flush(self) -> Iterator[Piece]:
-        """The pieces of what is left, at the end of a file or after a silence."""
+        """The remaining pieces, at the end of a file or after a silence."""
         return self._pieces(self._parser.flush_all())
 
     def _pieces(self, items: list[Packet | bytes]) -> Iterator[Piece]:

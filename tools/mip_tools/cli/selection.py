@@ -101,7 +101,7 @@ class Selection:
 
 
 def _all(names: Iterable[str]) -> set[Key]:
-    """The keys of names, each perhaps several with commas between."""
+    """The keys of names; each text may have several, with commas between them."""
     chosen: set[Key] = set()
     for text in names:
         if _NUMBERS.fullmatch(text):

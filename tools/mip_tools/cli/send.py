@@ -52,7 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def shielded(given: list[str]) -> list[str]:
     """The words of the command line, so that none that begins with a negative number looks like an option: -1,0,0.
 
-    argparse takes nothing for an option that begins with a space.
+    For argparse, a word that begins with a space is not an option.
     """
     return [f" {word}" if _NEGATIVE.match(word) else word for word in given]
 

@@ -22,7 +22,7 @@ from ..errors import Failure
 
 np: Any = numpy  # its file format is not typed
 
-#: Takes the columns of a part.
+#: Writes the columns of a part.
 Write = Callable[[Sequence[Series]], None]
 #: Rows of a table in a file that are written together.
 _GROUP = 1 << 15
@@ -39,7 +39,7 @@ def require(form: str) -> None:
 
 @contextmanager
 def csv(out: IO[bytes]) -> Iterator[Write]:
-    """A line for each row."""
+    """Writes a line for each row."""
     begun = False
 
     def write(columns: Sequence[Series]) -> None:
@@ -55,7 +55,7 @@ def csv(out: IO[bytes]) -> Iterator[Write]:
 
 @contextmanager
 def jsonl(out: IO[bytes]) -> Iterator[Write]:
-    """An object for each row."""
+    """Writes an object for each row."""
 
     def write(columns: Sequence[Series]) -> None:
         for lines in text.json_lines(columns):
@@ -66,7 +66,7 @@ def jsonl(out: IO[bytes]) -> Iterator[Write]:
 
 @contextmanager
 def parquet(out: IO[bytes]) -> Iterator[Write]:
-    """Groups of some ten thousand rows."""
+    """Writes groups of some ten thousand rows."""
     with _arrow(lambda schema: parquet_writer(out, schema)) as write:
         yield write
 
@@ -83,7 +83,7 @@ def parquet_writer(out: Any, schema: Any) -> Any:
 
 @contextmanager
 def arrow(out: IO[bytes]) -> Iterator[Write]:
-    """The file format of Arrow, which is also that of Feather."""
+    """Writes the file format of Arrow, which is also that of Feather."""
     with _arrow(lambda schema: import_module("pyarrow").ipc.new_file(out, schema)) as write:
         yield write
 

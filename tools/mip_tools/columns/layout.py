@@ -79,7 +79,7 @@ def _scalars(dtype: np.dtype[Any]) -> Iterator[np.dtype[Any]]:
 def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple[dict[str, Array], Array | None]:
     """The columns of some rows of bytes, and which rows have the right constants, if not all do.
 
-    `turned` says that items of one size have the byte order of this machine already.
+    `turned`: items of one size already have the byte order of this machine.
     """
     if not shape.dtype.itemsize:
         return {}, None

@@ -198,15 +198,15 @@ class Log:
         return any(map(len, self.columns(kinds)))
 
     def column(self, kind: Kind, set: int | None = None) -> Column[Any]:
-        """The fields of a type; of one that several sets have, those in packets of one set if wanted.
+        """The fields of a type; if several sets have it, only those in packets of one set, if wanted.
 
         Raises LookupError as `log[kind]` does.
         """
         return self.columns([kind], set)[0]
 
     def columns(self, kinds: Sequence[Kind] | None = None, set: int | None = None) -> list[Column[Any]]:
-        """The columns of several types, read together; without a list, of all that the log has, each
-        set apart."""
+        """The columns of several types, read together; without a list, of all that the log has, separately for each
+        set."""
         if kinds is None:
             known = [count for count in self.types() if set is None or count.set == set]
             kinds = list(dict.fromkeys(of(count.set, count.type) for count in known if count.type is not None))

@@ -12,7 +12,7 @@ from .tables import Series
 
 
 def made(series: Sequence[Series], units: bool) -> Any:
-    """A frame; what is missing is NaN or NaT, in integers NA."""
+    """A frame; missing values are NaN or NaT, and NA among integers."""
     pandas = library("pandas")
     frame = pandas.DataFrame({titled(one, units): _column(pandas, one) for one in series})
     if series and series[0].name == "time":

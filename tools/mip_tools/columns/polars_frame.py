@@ -12,7 +12,7 @@ from .tables import Series
 
 
 def made(series: Sequence[Series], units: bool) -> Any:
-    """A frame; what is missing is null."""
+    """A frame; missing values are null."""
     polars = library("polars")
     return polars.DataFrame([_column(polars, one, titled(one, units)) for one in series])
 

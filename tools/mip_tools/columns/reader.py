@@ -103,7 +103,7 @@ class Reader:
                 yield None
 
     def _one_of(self, present: list[int]) -> int | None:
-        """The only set that the log has it in. Raises LookupError if there are more: they are never mixed."""
+        """The only set in which the log has it. Raises LookupError if there are more: they are never mixed."""
         if len(present) > 1:
             names = [self._kind.name_in(n) for n in present]
             raise LookupError(

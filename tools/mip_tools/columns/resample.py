@@ -30,7 +30,7 @@ _UNITS = {"Hz": 1.0, "kHz": 1000.0, "s": 1.0, "ms": 1e-3, "us": 1e-6}
 
 
 def step(rate: str | float) -> int:
-    """Nanoseconds between two rows: of "100Hz", "10ms", or a number in Hz. Raises ValueError."""
+    """Nanoseconds between two rows, from "100Hz", "10ms", or a number in Hz. Raises ValueError."""
     match = _RATE.fullmatch(rate if isinstance(rate, str) else f"{rate}Hz")
     try:
         value = float(match[1]) * _UNITS[match[2]] if match else 0.0
@@ -141,7 +141,7 @@ def _sampled(group: list[Series], time: Array, here: Array, grid: Array, method:
 
 
 def _between(group: list[Series], a: list[Array], b: list[Array], weight: Array, every: list[Array]) -> list[Array]:
-    """Values between two of them: of a quaternion by its direction, of angles the short way round."""
+    """Interpolates between two values: quaternions by direction, angles the short way round."""
     if tuple(one.name.rpartition(".")[2] for one in group) == _QUATERNION:
         sign = np.where(sum(x * y for x, y in zip(a, b)) < 0, -1.0, 1.0)  # both are the same rotation
         mixed = [x + weight * (sign * y - x) for x, y in zip(a, b)]

@@ -59,7 +59,7 @@ def candidates(data: Array, first: int, limit: int, length: int) -> tuple[Array,
 def clear(data: Array, begin: int, length: int, whole: bool) -> int | None:
     """Where the first packet at or behind `begin` may begin: one before it may reach beyond it.
 
-    `whole` says that nothing comes before the data. If candidates overlap so far back that these data do not suffice,
+    `whole`: nothing precedes the data. If candidates overlap so far back that these data do not suffice,
     the result is None.
     """
     at, end = candidates(data, 0, begin, length)

@@ -212,7 +212,7 @@ def _table(
 def _beside(
     chosen: Sequence[_Part], lefts: list[Array], places: list[Array], begin: Array, form: Form, number: int
 ) -> Iterator[Series]:
-    """Time, and place in the log: those of the first packet of each row."""
+    """The columns of time and place in the log, by the first packet of each row."""
     count = len(begin)
     if form.clock and form.time:
         values = np.full(count, "NaT", times.dtype(form.clock))
@@ -288,7 +288,7 @@ def _values(column: Column[Any], form: Form, single: bool) -> Iterator[_Values]:
 
 
 def _stripped(texts: Array) -> Array:
-    """Texts without the zeros and spaces that fill them up."""
+    """Texts without the zeros and spaces that pad them."""
     short = np.empty(texts.shape, object)
     flat = short.reshape(-1)
     flat[:] = [None if text is None else text.strip("\0 ") for text in texts.reshape(-1).tolist()]

@@ -24,7 +24,7 @@ def csv_head(columns: Sequence[Series]) -> str:
 
 
 def csv_lines(columns: Sequence[Series]) -> Iterator[str]:
-    """The lines of a table, many at once; what is missing is empty."""
+    """The lines of a table, many at once; missing values are empty."""
 
     def template(there: list[bool], formats: list[str]) -> str:
         given = iter(formats)
@@ -34,7 +34,7 @@ def csv_lines(columns: Sequence[Series]) -> Iterator[str]:
 
 
 def json_lines(columns: Sequence[Series]) -> Iterator[str]:
-    """An object for each row, many at once; what is missing is left out."""
+    """An object for each row, many at once; missing values are left out."""
     names = [json.dumps(one.name).replace("%", "%%") for one in columns]
 
     def template(there: list[bool], formats: list[str]) -> str:

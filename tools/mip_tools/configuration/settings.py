@@ -137,7 +137,7 @@ def response_names(response: type[Any]) -> dict[str, str]:
 
 
 def places(kind: type[Command], profile: Device) -> Iterator[tuple[Place, bool]]:
-    """The instances to ask a device for; True for one after which there may be no more, if the device refuses it."""
+    """The instances to ask a device for; True for one after which there may be no more, if the device rejects it."""
     names = keys(kind)
     values: list[list[int]] = []
     for name in names:
@@ -179,7 +179,7 @@ def _values(p: Parameter, kind: type[Command], profile: Device) -> list[int]:
 
 
 def named(p: Parameter, profile: Device) -> dict[int, str]:
-    """The values of an enumeration that there are on a device, by their numbers; empty of another type."""
+    """The values of an enumeration that exist on a device, by their numbers; empty for another type."""
     kind = on(p, profile).type
     if not (isinstance(kind, type) and issubclass(kind, IntEnum)):
         return {}
@@ -193,7 +193,8 @@ def on(p: Parameter, profile: Device) -> Parameter:
 
 
 def _most(limit: str | None, profile: Device) -> int:
-    """How many instances a device may have; if its profile does not state it, as many as any other device has."""
+    """The number of instances that a device may have; if its profile does not state it, as many as any other device
+    has."""
     own = profile.limits.get(limit or "")
     if own is not None:
         return int(own.value)

@@ -87,8 +87,8 @@ class Talk:
     def push(self, wanted: Held) -> Pushed:
         """Writes these settings to the device in a safe order, except those that it has already.
 
-        Settings that the device refuses are tried again once others, on which they may depend, are written, and so are
-        settings that others have changed.
+        Settings that the device rejects are tried again after others, on which they may depend; so are settings that
+        others have changed.
         """
         done = Pushed()
         ordered = in_order(wanted)
@@ -188,7 +188,8 @@ class Talk:
     # ----------------------------------------------------------------- flash memory
 
     def save(self) -> tuple[int | None, dict[Place, str]]:
-        """Saves all current settings: how many, None if all at once, and which the device refused, with the reason."""
+        """Saves all current settings. Returns their number, None if all at once, and those that the device rejected,
+        with the reason."""
         whole = saves_all(self.profile)
         if whole is not None:
             try:
@@ -221,7 +222,7 @@ class Talk:
 
 
 class Lost(Exception):
-    """A change after which the device was not heard, and which was taken back."""
+    """A change that was taken back, because the device no longer answered."""
 
 
 class Pushed:

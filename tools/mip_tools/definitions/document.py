@@ -51,7 +51,7 @@ class Document:
 
     @cached_property
     def homes(self) -> dict[str, Item]:
-        """Module -> the first set of the family that it is of."""
+        """Module -> the first set of its family."""
         found: dict[str, Item] = {}
         for s in self.content["sets"]:
             found.setdefault(self.module(s["family"]), s)

@@ -14,7 +14,7 @@ def _fill(module: Any, **content: Any) -> None:
 
 
 def of_set(document: Document, module: Any) -> None:
-    """A family of descriptor sets. Commands name their responses, so these come first."""
+    """Fills the module of a family of descriptor sets. Commands name their responses, so these come first."""
     home, made = module.__name__.rpartition(".")[2], Fields(document, module)
     for t in document.content["types"]:
         if document.symbol(t["name"])[0] == home:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import chain
 
-#: Cause -> what it means, and what to do.
+#: Cause -> its meaning, and the remedy.
 CAUSES = {
     "line damage": "bytes were changed or lost on the way; check cable, baud rate and grounding",
     "overload": "the device left out packets while others came; send less, or raise the baud rate: `mip bandwidth`",
@@ -48,7 +48,7 @@ class Event:
 
 
 def merged(events: Iterable[Event]) -> list[Event]:
-    """Events of one cause that overlap are one. A gap is explained by what else happened in it."""
+    """Merges events of one cause that overlap. Other events explain the gaps in which they happened."""
     apart: dict[str, list[Event]] = {cause: [] for cause in _RANK}  # no two of a cause overlap
     for event in sorted(events, key=lambda e: (_RANK[e.cause], e.begin)):
         near = (_first(apart[cause], event) for cause in _RANK if cause == event.cause or explains(cause, event.cause))
@@ -65,7 +65,7 @@ def merged(events: Iterable[Event]) -> list[Event]:
 
 
 def _first(events: list[Event], event: Event) -> Event | None:
-    """The first, of events of one cause, that overlaps another one."""
+    """The first of the events of one cause that overlaps another event."""
     at = bisect_left(events, event.begin, key=lambda e: e.end + _slack(e.cause, event.cause))
     return events[at] if at < len(events) and events[at].overlaps(event) else None
 

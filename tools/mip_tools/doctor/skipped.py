@@ -26,7 +26,7 @@ class Damage(NamedTuple):
 
 
 class Skipped:
-    """Takes the pieces of a log."""
+    """Finds the damage in the pieces of a log."""
 
     def __init__(self) -> None:
         self.sentences = 0
@@ -58,7 +58,7 @@ class Skipped:
         yield from self._complete(True)
 
     def _lines(self, text: bytes) -> None:
-        """Takes whole lines. Sentences are those with a correct checksum, as for all commands."""
+        """Examines whole lines. Sentences are those with a correct checksum, as for all commands."""
         others = []
         for line in text.split(b"\n")[:-1]:
             found = sentences.last(line)

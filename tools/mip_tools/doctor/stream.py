@@ -65,7 +65,7 @@ class _Noted(NamedTuple):
 
 
 class Examination:
-    """Takes the parts of a log in order."""
+    """Examines the parts of a log in order."""
 
     def __init__(self, size: int, device: str | None = None) -> None:
         self.result = Examined(size)

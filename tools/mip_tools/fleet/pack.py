@@ -89,7 +89,7 @@ def _groups(work: Pack, left: int) -> Iterator[Any]:
 
 
 def _tables(source: Source) -> Iterator[Any]:
-    """The rows of a source, some at a time, with the log and the device that they are of."""
+    """The rows of a source, in batches, with their log and device."""
     import pyarrow as pa
 
     if source.path.suffix == ".parquet":

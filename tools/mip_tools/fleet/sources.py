@@ -1,4 +1,4 @@
-"""The logs of a fleet: where they are, what they are called, and whether two are the same."""
+"""The logs of a fleet: their places, their names, and whether two are the same."""
 
 from __future__ import annotations
 

@@ -73,7 +73,7 @@ class Channel:
         return self._size
 
     def collect(self) -> None:
-        """Takes the bytes that the device has sent. Without room for them, the oldest packets are
+        """Collects the bytes that the device has sent. Without room for them, the oldest packets are
         dropped whole."""
         if self.link.baud != self._baud:
             self._baud = self.link.baud

@@ -1,4 +1,4 @@
-"""Refusals, by their codes on the wire, and the function selectors that every device treats in one way."""
+"""Codes of rejected commands on the wire, and the function selectors that every device treats alike."""
 
 from __future__ import annotations
 

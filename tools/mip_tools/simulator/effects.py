@@ -89,7 +89,7 @@ def _communication_mode(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _format(device: VirtualDevice, call: Call) -> Outcome:
-    """Refuses fields that the device does not send with the set."""
+    """Rejects fields that the device does not send with the set."""
     set, entries = call.values["set"], call.values["fields"] or ()
     if call.writes:
         if set not in data_sets(device.profile):
@@ -220,7 +220,7 @@ def _trigger(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _action(device: VirtualDevice, call: Call) -> Outcome:
-    """Refuses fields that the device does not send with the set."""
+    """Rejects fields that the device does not send with the set."""
     set = call.values["set"]
     if call.writes and set is not None:
         known = set in data_sets(device.profile)

@@ -1,7 +1,7 @@
 """The estimation filter of a device: its states, and the errors of what it estimates.
 
 An estimate is the truth plus an error. Errors and variances change by the same steps, those of a Kalman filter for
-each axis, so that the errors are as large as the uncertainties say: they grow without aiding, and shrink with it.
+each axis, so that the errors are as large as the uncertainties indicate: they grow without aiding, and shrink with it.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ WANDERS = 1e-3
 #: The largest error, which means that nothing is known.
 MOST = 1e12
 
-#: Headings that the user sends, as they are called by the commands.
+#: Headings that the user sends, by their names in the commands.
 HEADINGS = ("filter_external_heading_update", "filter_external_heading_update_with_time", "aiding_true_heading")
 #: Sources that `aiding_measurement_enable` names -> kinds of measurements.
 SOURCES = {
@@ -121,7 +121,7 @@ class Filter:
         return self._world.noise * self._random.gauss(0.0, 1.0)
 
     def reset(self) -> None:
-        """Back to initialization."""
+        """Returns to initialization."""
         self.level = self.aligned = self.placed = False
         self._age = 0.0
         self._ran = False
@@ -462,7 +462,7 @@ class Filter:
 
     @property
     def state(self) -> tuple[str, ...]:
-        """The state, as devices of one generation and the other call it."""
+        """The state, with the names of both generations of devices."""
         name = "full_nav" if self.placed else "ahrs" if self.aligned else "vertical_gyro" if self.level else "init"
         return name, "run_solution_valid" if self._complete else "init" if self.level else "startup", "init"
 
@@ -476,7 +476,7 @@ class Filter:
 
     @property
     def flags(self) -> tuple[str, ...]:
-        """Condition and warnings, as devices of one generation and the other call them."""
+        """Condition and warnings, with the names of both generations of devices."""
         if self._flags is None:
             self._flags = self._find_flags()
         return self._flags

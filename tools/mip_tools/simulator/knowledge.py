@@ -84,7 +84,7 @@ def _asked(device: VirtualDevice, context: Context, limit: str) -> Sequence[int]
 
 
 def _trigger_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
-    """Type and state. A trigger in a test mode is active."""
+    """The type and the state of each trigger. A trigger in a test mode is active."""
     modes = {given["instance"]: given["mode"] for given in device.settings_of("trigger_mode")}
     rows = []
     for instance in _asked(device, context, TRIGGERS):
@@ -113,7 +113,7 @@ RANGES: dict[int, Sequence[tuple[int, float]]] = {
 
 
 def _receivers(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int, str]]:
-    """Number, set of the data, and description."""
+    """The number, the data set and the description of each receiver."""
     sets = sorted(data_sets(device.profile) & {context["only"], context["first"], context["second"]})
     return [(i, set, f"Simulated receiver {i}".ljust(32)) for i, set in enumerate(sets, 1)]
 

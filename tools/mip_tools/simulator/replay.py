@@ -36,7 +36,7 @@ class _Series:
     values: list[Any]
 
     def around(self, t: float) -> tuple[Any, Any, float, float]:
-        """The values before and after a time, how far it is between them (0 to 1), and their distance in seconds.
+        """The values before and after a time, its place between them (0 to 1), and their distance in seconds.
 
         Outside of the times, the distance is 0.
         """

@@ -50,7 +50,7 @@ def encoder(kind: type[Field], profile: Device, world: World, set: int, channel:
     return lambda: motion.recorded(set, descriptor, world.time) or simulated()
 
 
-#: A sensor or an estimate -> the quantity that a data field of a device that has it shows.
+#: A sensor or an estimate -> the quantity in the data fields of devices that have it.
 _SENSES = {
     "mag": "measured.magnetic_field", "pressure": "measured.pressure", "position": "position.latitude",
     "gnss_1": "gnss_1.latitude", "gnss_2": "gnss_2.latitude",

@@ -1,4 +1,4 @@
-"""Settings that several commands give in different forms: the mounting of the sensor, the rotation of a frame.
+"""Settings that several commands have in different forms: the mounting of the sensor, the rotation of a frame.
 
 `spec/simulation` names the form as the effect of the command, and its parameters as the arguments.
 """

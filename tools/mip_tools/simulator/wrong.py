@@ -105,7 +105,7 @@ def _left_over(raw: RawField) -> int | None:
 
 
 def shorter(raw: RawField, random: Random) -> RawField:
-    """A response that is too short for every layout of it; the same if none is."""
+    """A response that is too short for each of its layouts; unchanged if that is impossible."""
     for size in random.sample(range(len(raw.data)), len(raw.data)):
         made = raw._replace(data=raw.data[:size])
         if all(_truncated(t, made.data) for t in types(raw.set, raw.descriptor)):

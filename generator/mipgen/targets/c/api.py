@@ -82,9 +82,9 @@ def cpp_writing(model: m.Model) -> dict[str, Any]:
 
 
 def _calls(f: m.Field, model: m.Model) -> Iterator[dict[str, Any]]:
-    """The functions that call a command, with the structures of C++: the function selector, what they take, and the
-    response that they decode.
-    One that takes nothing of a command with reserved values alone takes the whole structure."""
+    """The functions that call a command, with the structures of C++: the function selector, their
+    arguments, and the response that they decode. For a command with reserved values alone, the
+    function without arguments gets the whole structure."""
     made = constructors(f)
     for call in calls.calls(f, model):
         if call.whole and made:

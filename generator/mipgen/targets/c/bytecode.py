@@ -174,13 +174,14 @@ def _joined(steps: Sequence[Step | Numbers | Part]) -> list[Step | Numbers | Par
 
 
 def _steps(parameters: Iterable[m.Parameter], base: str, record: str = "") -> Iterator[Step | Numbers | Part]:
-    """`base`: the structure where places begin; `record`: what leads from there to the record of the parameters."""
+    """`base`: the structure where places begin; `record`: the path from there to the record of the
+    parameters."""
     for p in parameters:
         yield from _step(p, base, record, record)
 
 
 def _step(p: m.Parameter, base: str, record: str, of: str) -> Iterator[Step | Numbers | Part]:
-    """`of`: what comes before the member; it differs from `record` in a union."""
+    """`of`: the path before the member; it differs from `record` in a union."""
     name = of + member(p.name)
     if p.kind == "constant":
         yield Step("MIP_CONSTANT", (p.size, *map(hexadecimal, p.octets)), 2 + p.size)

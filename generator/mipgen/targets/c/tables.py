@@ -44,7 +44,8 @@ def _ordered(model: m.Model) -> list[m.Field]:
 
 
 def sets(model: m.Model) -> Iterator[SetEntry]:
-    """All descriptor sets by number; that of the acknowledge, which stands for all command sets, is 0."""
+    """All descriptor sets by number; that of the acknowledge, which represents all command sets, is
+    0."""
     acknowledge = model.protocol.acknowledge
     yield SetEntry(acknowledge.set, acknowledge.family, 0, 1)
     places: dict[str, tuple[int, int]] = {}

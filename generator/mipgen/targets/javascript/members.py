@@ -62,7 +62,7 @@ def given(way: m.Call, record: m.Field) -> str:
 
 
 def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
-    """The type of what a client gets for a command sent in this way."""
+    """The type of the result for a command that a client sends in this way."""
     layouts = calls.answers(f, function, model)
     return " | ".join(dict.fromkeys(reference(layout, home(f)) for layout in layouts)) or "undefined"
 

@@ -27,7 +27,7 @@ from .names import programs, symbols, type_name
 #: The version of the form of the document, as the README explains it; the schema states it too.
 FORMAT = "1.0"
 
-#: Attributes that are not written: positions in the sources, and what is written in another place or form.
+#: Attributes that are not written: positions in the sources, and those written in another place or form.
 LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Parameter: ("element", "typical", "most"),  # typical values are with the calls of fields
     Quantity: ("typical",),
@@ -209,7 +209,7 @@ _PLAIN: dict[type, Callable[[Any], Any]] = {
 
 
 def _attributes(thing: Any) -> dict[str, Any]:
-    """The attributes of an object of the model, and what is added to them."""
+    """The attributes of an object of the model, and the added ones."""
     attributes = {
         RENAMED.get(name, name): plain(v)
         for name, default in _written(type(thing))
@@ -286,7 +286,7 @@ def _field(f: m.Field, attributes: dict[str, Any]) -> dict[str, Any]:
     return attributes
 
 
-#: Class -> what is added to the attributes of an object.
+#: Class -> the function that adds attributes to those of an object.
 _MORE: dict[type, Callable[[Any, dict[str, Any]], dict[str, Any]]] = {
     m.Parameter: _parameter,
     m.Field: _field,
@@ -304,7 +304,7 @@ def _clock(c: m.Clock, model: m.Model) -> dict[str, Any]:
 
 
 def _set(s: m.Set, model: m.Model) -> dict[str, Any]:
-    """A set with the fields that occur in it, and what belongs to its family."""
+    """A set with the fields that occur in it, and the types of its family."""
     family = model.family(s.family)
     assert family is not None
     more = {"types": plain(family.types), "fields": plain(model.fields_in(s))}
@@ -372,7 +372,7 @@ _OPERATIONS: dict[m.Shape, dict[str, str]] = {
 
 
 def operations(record: m.Field | m.Struct) -> list[dict[str, Any]]:
-    """The steps of a codec: the parameters as it reads and writes them, without what they mean."""
+    """The steps of a codec: the parameters as it reads and writes them, without their meaning."""
     groups = [
         {"kind": "group", "first": g.first, "last": g.last, "body": [*map(_operation, g.parameters)]}
         for g in record.groups

@@ -13,7 +13,7 @@ from .names import member, type_name, value
 
 
 def least(parameters: Iterable[m.Parameter]) -> Extent:
-    """The bytes that must be there, once counters are known."""
+    """The bytes that must be present, once counters are known."""
     return extent.shortest(parameters).counted
 
 
@@ -86,7 +86,7 @@ class Peek:
 
 
 def present(group: m.Group, f: m.Field) -> str:
-    """When the parameters of a group are there; empty if always."""
+    """The condition for the parameters of a group to be present; empty if they always are."""
     required = [c.function for c in f.calls if len(c.required) >= group.last]
     if required == [None]:
         return ""

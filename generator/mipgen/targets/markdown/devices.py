@@ -1,4 +1,4 @@
-"""Devices: what each supports, and what differs there."""
+"""Devices: the fields that each supports, and the differences there."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .text import code, hexadecimal, inline, opening, table
 
 
 def supported(page: Page, d: m.Device, s: m.Set) -> str:
-    """The fields of a set that a device supports, with the functions that it takes; empty if there are none."""
+    """The fields of a set that a device supports, with the functions that it accepts; empty if there are none."""
     rows = [entry(page, x.field, x.functions, d) for x in d.certain if x.set == s.number]
     return table(rows, ENTRY) if rows else ""
 
@@ -65,7 +65,7 @@ def remarks(page: Page, d: m.Device) -> list[str]:
 
 
 def listed(page: Page) -> str:
-    """All devices by what is known of them."""
+    """All devices, by the completeness of their profiles."""
     whole = [d for d in page.model.devices if not d.incomplete]
     part = [d for d in page.model.devices if d.incomplete and d.certain]
     named = [d for d in page.model.devices if d.incomplete and not d.certain]

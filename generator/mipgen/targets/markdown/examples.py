@@ -1,4 +1,4 @@
-"""Examples, byte by byte: what each byte of a packet is, and what its value means."""
+"""Examples, byte by byte, with the meaning of each value."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .text import code, decimal, hexadecimal, inline, plain, spaced, table
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """Some bytes of an example, and what they are."""
+    """Some bytes of an example, and their meaning."""
 
     data: bytes
     name: str  # Markdown
@@ -88,7 +88,7 @@ def parts(model: m.Model) -> list[Part]:
 
 
 def packet_table(page: Page, x: m.Example) -> str:
-    """Every byte of an example, and what it means."""
+    """Every byte of an example, and its meaning."""
     pieces = [piece for part in x.fields for piece in _field(page, x, part)]
     if x.role != "field":
         s = page.model.set(x.set)
@@ -102,7 +102,7 @@ def packet_table(page: Page, x: m.Example) -> str:
 
 
 def typical(page: Page, f: m.Field) -> m.Call:
-    """The form whose typical values a page shows: of a command the first that a device takes."""
+    """The form whose typical values a page shows: for a command, the first that a device accepts."""
     return page.index.samples.sent(f)[0] if f.role == m.COMMAND else f.calls[0]
 
 
@@ -138,7 +138,7 @@ def _field(page: Page, x: m.Example, part: m.ExampleField) -> Iterator[Piece]:
 
 
 def _record(around: Around, data: bytes, prefix: str) -> Iterator[Piece]:
-    """The parameters of a record that are there, in order, each with its bytes."""
+    """The parameters of a record that are present, in order, each with its bytes."""
     at = 0
     for p in around.parameters:
         if p.constant is None and p.name not in around.values:

@@ -93,7 +93,7 @@ ENTRY = ["Descriptor", "Field", "Functions", "Responses"]
 
 
 def entry(page: Page, f: m.Field, functions: Sequence[m.Function], d: m.Device | None = None) -> list[str]:
-    """A field in a list, with the functions that it takes there; of a device, with the responses that it sends."""
+    """A field in a list, with these functions; for a device, with the responses that it sends."""
     asks = not f.functions or any(x.responds for x in functions)
     responses = (page.model.answers(f, d.id) if d else page.model.responses(f)) if asks else ()
     marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
@@ -106,7 +106,7 @@ def entry(page: Page, f: m.Field, functions: Sequence[m.Function], d: m.Device |
 
 
 def contents(page: Page, s: m.Set, listed: bool = True) -> str:
-    """The commands or data fields of a set that some device is known to have, or those that none is; may be empty."""
+    """The commands or data fields of a set that some device is known to have, or the others; may be empty."""
     rows = [
         [
             *entry(page, f, f.functions),

@@ -1,4 +1,4 @@
-"""Frames of reference: where their axes point, and the frames that other software uses."""
+"""Frames of reference: the directions of their axes, and the frames that other software uses."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ LENGTH = 80
 
 @dataclass(frozen=True, slots=True)
 class Arrow:
-    """An axis of a drawing: where it ends, and what is written there."""
+    """An axis of a drawing: its end, and the text there."""
 
     name: str
     direction: str
@@ -94,7 +94,7 @@ def drawn(model: m.Model) -> list[tuple[str, str, list[Arrow]]]:
 
 
 def drawings(page: Page, model: m.Model) -> str:
-    """All frames as images, with what they show in words."""
+    """All frames as images, each with a description."""
     return "\n".join(
         f"![{inline(title)}: " + ", ".join(f"{x.name} {x.direction}" for x in axes) + f"]({page.url(drawing(name))})"
         for name, title, axes in drawn(model)

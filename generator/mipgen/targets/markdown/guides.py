@@ -263,7 +263,7 @@ def _both(page: Page, guide: Guide) -> list[m.Field]:
 
 
 def refused(page: Page, guide: Guide) -> str:
-    """The commands of both devices, of which the new one takes fewer functions."""
+    """The commands of both devices, of which the new one accepts fewer functions."""
     move = guide.migration
     assert move is not None
     taken = [{s.field.full_name: s.functions for s in d.supports} for d in (move.before, move.after)]

@@ -67,7 +67,7 @@ def names(page: Page) -> list[Section]:
 
 
 def type_users(page: Page) -> list[Section]:
-    """Every type, and what uses it."""
+    """Every type, and the fields and types that use it."""
     rows = [
         (t.name, [page.link(t), inline(getattr(t, "owner", None) or ""), types.nature(t), users(page, t)])
         for t in page.model.all_types
@@ -91,7 +91,7 @@ def vendor(page: Page) -> list[Section]:
 
 
 def lettered(rows: Iterable[tuple[str, Sequence[str]]], headings: Sequence[str]) -> list[Section]:
-    """A table for each letter; what begins with a digit comes first."""
+    """A table for each letter; entries that begin with a digit come first."""
     by_letter: dict[str, list[Sequence[str]]] = {}
     for word, row in sorted(rows, key=lambda row: (row[0].lower(), row[1])):
         by_letter.setdefault("0 to 9" if word[:1].isdigit() else word[:1].upper(), []).append(row)

@@ -1,4 +1,4 @@
-"""The page to start with: in each language, what to install and a complete first program; and programs
+"""The page to start with: in each language, the installation and a complete first program; and programs
 into which those on the pages of fields fit."""
 
 from __future__ import annotations

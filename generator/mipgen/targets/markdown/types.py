@@ -1,4 +1,4 @@
-"""Types: what kind each is, and its values or bits."""
+"""Types: the kind of each, and its values or bits."""
 
 from __future__ import annotations
 

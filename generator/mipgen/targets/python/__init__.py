@@ -98,7 +98,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "digits": "{:02X}".format,
         "letters": m.letters,
         "by_descriptor": tables.by_descriptor,
-        # what is known at run time
+        # for the description at run time
         "field_info": partial(info.of_field, model=model),
         "parameter_info": partial(info.of_parameter, model=model),
         "enum_info": info.of_enumeration,

@@ -108,7 +108,7 @@ def initial(record: m.Record) -> list[str]:
 
 
 def accepted(p: m.Parameter, record: m.Record) -> str:
-    """The type of what a caller may pass for a member."""
+    """The type of the argument for a member."""
     one = _needed(p, record)
     return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
 
@@ -123,7 +123,7 @@ def _needed(p: m.Parameter, record: m.Record) -> str:
 
 
 def kept(p: m.Parameter, record: m.Record) -> str:
-    """The value that the object keeps of what a caller passed."""
+    """The value that the object keeps of an argument."""
     name, kinds = member(p.name), ", ".join(reference(v, home(record)) for v in vectors(p))
     if kinds:
         return f"codec.{'vectors' if is_array(p) else 'vector'}({name}, {kinds})"
@@ -144,7 +144,7 @@ def vector_members(record: m.Record) -> dict[str, list[str]]:
 
 
 def columns(v: m.Vector) -> int:
-    """How many columns a matrix has: its elements are called by row and column, m11, m12 …; 0 for other vectors.
+    """The number of columns of a matrix, whose elements are named by row and column, m11, m12 …; 0 for other vectors.
 
     >>> columns(m.Vector("matrix2f", m.SCALARS["float"], ("m11", "m12", "m21", "m22"), ""))
     2
@@ -155,12 +155,13 @@ def columns(v: m.Vector) -> int:
 
 
 def layout(record: m.Record) -> list[tuple[str, str, str]]:
-    """The rows of a layout, as `wire` of the package has them: name, letters of `struct`, and what makes the value."""
+    """The rows of a layout, as `wire` of the package has them: name, letters of `struct`, and the function that makes
+    the value."""
     return [_row(p, record) for p in record.parameters]
 
 
 def always(record: m.Record) -> int | None:
-    """How many parameters are always present, if not all are."""
+    """The number of parameters that are always present, if not all are."""
     return len(record.always) if record.optional else None
 
 
@@ -268,7 +269,7 @@ def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
 
 
 def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
-    """The type of what a client gets for a command sent in this way: a response, one of several, or None."""
+    """The type of the result for a command that a client sends in this way: a response, one of several, or None."""
     layouts = calls.answers(f, function, model)
     return " | ".join(dict.fromkeys(reference(layout, home(f)) for layout in layouts)) or "None"
 
@@ -290,7 +291,7 @@ def silencers(f: m.Field, model: m.Model) -> list[tuple[int, int, str, int]]:
 
 
 def matches(f: m.Field, model: m.Model) -> str:
-    """Whether `data` can be those of a field, as a condition; empty if any can."""
+    """The condition that `data` is that of a field; empty if any data can be."""
     sizes = model.sizes(f)
     tests = [f"{sizes.start} <= len(data)"] if sizes.start else []
     if sizes.stop <= m.MAX_FIELD_DATA:

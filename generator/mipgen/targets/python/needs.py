@@ -1,4 +1,4 @@
-"""Leaves out of a package what is of no use without a fact that its specification does not have.
+"""Leaves out the parts of a package that are useless without a fact that its specification does not have.
 
 `needs` in language.yaml names the modules that need a fact. They are left out with the statements that import from
 them, and with each statement of the runtime below a comment such as `# needs: session`.

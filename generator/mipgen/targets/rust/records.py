@@ -213,7 +213,8 @@ class Records:
     # ------------------------------------------------------------------ constructors and setters
 
     def constructors(self, record: m.Record) -> list[Constructor]:
-        """The constructors of a record. For what a device sends, they are used by simulators and tests."""
+        """The constructors of a record. Those of data and responses are used by simulators and
+        tests."""
         ways = calls.constructors(record)
         if isinstance(record, m.Field) and record.role != m.COMMAND and record.parameters:
             ways = record.calls
@@ -314,7 +315,7 @@ def _parts(parameters: Iterable[m.Parameter]) -> Iterator[m.Parameter]:
 
 
 def is_sequence(record: m.Record) -> bool:
-    """Does the wire have just its members, one after another?"""
+    """Does its wire format consist of its members only, one after another?"""
     return not is_special(record) and all(member(p.name) == p.name for p in record.parameters)
 
 

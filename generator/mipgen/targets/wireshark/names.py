@@ -1,4 +1,4 @@
-"""Display filter names, and what must not collide: `mip.<set>.<field>.<parameter>.<element or bit>`."""
+"""Display filter names, which must not collide: `mip.<set>.<field>.<parameter>.<element or bit>`."""
 
 from __future__ import annotations
 
