@@ -4,6 +4,9 @@
     make prove FIELD=base.comm_speed        one layout
     make prove COUNT=10 SEED=3              the core and ten layouts drawn by the seed
 
+What is proved of the core holds for any layout whose codec is well-formed; `test_prove.py` looks whether all are. The
+proofs of layouts show more: that what is decoded is encoded to the same bytes.
+
 A proof depends on its harness, the sources that it includes and the prover. A result is kept in build/prove/ under the
 hash of these without their comments, and a complete run writes the tables of docs/proofs.md.
 """
@@ -62,8 +65,31 @@ CLIENT = {
     "client_wait": ("up to three requests", "--unwind 9"),
     "client_barrier": ("up to three requests", "--unwind 9 --unwindset mip_client_barrier.1:65"),
 }
-#: Harnesses that include what they prove.
-WHOLE = ("core.c", "parser.c", "client.c")
+#: The same for the interpreter of programs, one step of it at a time.
+INTERPRETER = {
+    "layout": ("the first step of any program", "--unwind 2"),
+    "step_of_numbers": ("any program, any state", "--unwind 10 --unwindset run:2"),
+    "step_of_counted_numbers": ("any program, any state; items of up to 4 numbers", "--unwind 10 --unwindset run:2"),
+    "other_step": ("any program, any state", "--unwind 10 --unwindset run:2"),
+    "read": ("any program, any field", "--unwind 10 --unwindset run:2"),
+    "write": ("any program, any structure", "--unwind 10 --unwindset run:2"),
+}
+#: The same for decoding and encoding; each is compiled for speed and for size.
+CODEC = {
+    "decode": ("any codec, any field", "--unwind 3 --object-bits 10"),
+    "encode": ("any codec, any structure, any packet that is being built", "-DANY_NUMBERS --unwind 3 --object-bits 10"),
+    "moves": ("numbers of any kind, up to 255 bytes", "--unwind 3 --object-bits 10"),
+}
+#: Harnesses that include what they prove, and what they include besides core.h.
+INCLUDED = {
+    "core.c": ("core.c", "checksum.h"),
+    "parser.c": ("parser.c", "checksum.h"),
+    "client.c": ("client.c", "client.h"),
+    "interpreter.c": ("program.c", "program.h"),
+    "codec.c": ("codec.c", "program.h"),
+}
+#: What harnesses share.
+SHARED = {"numbers.c": "layout.h", "program.c": "layout.h", "interpreter.c": "steps.h", "codec.c": "steps.h"}
 #: The harness tries arrays of variable length with at most this many items.
 ITEMS = 3
 
@@ -90,10 +116,13 @@ def core() -> Iterator[Proof]:
         ("core.c", CORE, ("-DMIP_CHECKSUM=0", "-DLARGEST=16")),
         ("parser.c", PARSER, ("-DMIP_CHECKSUM=0", "-DLARGEST=600", "-D__OPTIMIZE_SIZE__")),
         ("client.c", CLIENT, ()),
+        ("interpreter.c", INTERPRETER, ()),
+        ("codec.c", CODEC, ()),
+        ("codec.c", {f"{name}, for size": proof for name, proof in CODEC.items()}, ("-D__OPTIMIZE_SIZE__",)),
     ):
-        headers = ("client.h", "core.h") if source == "client.c" else ("core.h", "checksum.h")
         for name, (bounds, options) in group.items():
-            yield Proof(name, bounds, source, name, (*given, *options.split()), (source, *headers))
+            function = name.partition(",")[0]
+            yield Proof(name, bounds, source, function, (*given, *options.split()), (*INCLUDED[source], "core.h"))
 
 
 def layouts() -> Iterator[Proof]:
@@ -125,7 +154,8 @@ def layout(f: m.Field, of: m.Model) -> Iterator[Proof]:
     if not numbers:
         given += ["--slice-formula", f"-DWIRE={joined(wire(f))}", f"-DMEMORY={joined(memory(f))}"]
     harness = "numbers.c" if numbers else "program.c"
-    sources = ("core.c", "codec.c", "program.c", "double.c", f"{module}.c", "core.h", "program.h", f"{module}.h")
+    interpreter = [] if numbers else ["program.c"]
+    sources = ("core.c", "codec.c", *interpreter, "double.c", f"{module}.c", "core.h", "program.h", f"{module}.h")
     for function in ("decode", "encode"):
         yield Proof(f"{f.full_name}, {function}", bounds, harness, function, tuple(given), sources)
 
@@ -177,7 +207,7 @@ def prover() -> str | None:
 
 def key(proof: Proof, sources: Path, cbmc: str) -> str:
     digest = hashlib.sha256(repr((proof.function, proof.options, version(cbmc))).encode())
-    harness = [proof.harness] if proof.harness in WHOLE else [proof.harness, "layout.h"]
+    harness = [proof.harness, *([SHARED[proof.harness]] if proof.harness in SHARED else [])]
     for path in (*(HERE / name for name in harness), *(sources / "mip" / name for name in proof.sources)):
         digest.update(without_comments(path.read_text("utf-8")).encode())
     return digest.hexdigest()[:24]
@@ -195,7 +225,7 @@ def version(cbmc: str, known: dict[str, str] = {}) -> str:  # noqa: B006
 
 def prove(proof: Proof, cbmc: str, seconds: int, sources: Path = SOURCES) -> Result:
     """Proves it, or finds what refutes it, within `seconds` of processor time."""
-    linked = [] if proof.harness in WHOLE else [n for n in proof.sources if n.endswith(".c")]
+    linked = [] if proof.harness in INCLUDED else [n for n in proof.sources if n.endswith(".c")]
     also = [sources / "mip" / name for name in linked]
     command = [cbmc, HERE / proof.harness, *also, "-I", sources, "--function", proof.function, "--json-ui",
                "--unwinding-assertions", "--drop-unused-functions", *proof.options]  # fmt: skip
@@ -284,6 +314,27 @@ PLANTS = [
     ("client.c", "MIP_REQUEST_SILENT;\n        return;", "MIP_REQUEST_SILENT;", "client_wait"),
     ("client.c", "size == 0 || packet->descriptor_set", "packet->descriptor_set", "client_passes"),
     ("client.c", "field += 4;\n        if", "field += 5;\n        if", "client_passes"),
+    ("program.c", "size > (size_t)(s->end - bytes)", "size > (size_t)(s->end - bytes) + 1", "step_of_numbers"),
+    ("program.c", "n << (kind & 3)", "n", "step_of_numbers"),
+    ("program.c", "times = 1;\n            uint8_t", "uint8_t", "step_of_counted_numbers"),
+    ("program.c", "*p++) * times;", "*p++) * (times + 1);", "step_of_counted_numbers"),
+    ("program.c", "times > of[1]", "times > of[1] + 1U", "other_step"),
+    ("program.c", "same = *program++ == bytes[i] && same;", "same = same && *program++ == bytes[i];", "other_step"),
+    ("program.c", "(size_t)of[1] << 8 | of[2]", "((size_t)of[1] << 8 | of[2]) + 1", "other_step"),
+    ("program.c", "p += of[3];", "p += of[2];", "other_step"),
+    ("program.c", "index < functions ? p[index] : 0", "p[index]", "other_step"),
+    ("program.c", "s->cut = true;", "s->cut = true, s->mark = s->end + 1;", "other_step"),
+    ("program.c", "size_t left = p[3]", "size_t left = p[3] + 1U", "layout"),
+    ("program.c", "s.error == MIP_OK && s.counts", "s.error == MIP_OK", "read"),
+    ("program.c", "*size = (size_t)(s.at - data);", "*size = (size_t)(s.at - data) + 1;", "write"),
+    ("codec.c", "field->size >= codec->numbers &&", "", "decode"),
+    ("codec.c", "codec->numbers > field->size", "codec->numbers > field->size + 1", "decode, for size"),
+    ("codec.c", "*(codec->program - i)", "*(codec->program - i - 1)", "decode"),
+    ("codec.c", "MOVE_1(16, 24);", "MOVE_1(16, 26);", "decode"),
+    ("codec.c", "start + size + MIP_CHECKSUM_SIZE > builder->capacity", "start + size > builder->capacity", "encode"),
+    ("codec.c", "step >> 5, step & 31, writing", "step >> 5, 31, writing", "encode, for size"),
+    ("codec.c", "memory += bits / 8;", "memory += bits / 4;", "moves"),
+    ("codec.c", "memory + (i ^ flip)", "memory + (i + flip)", "moves, for size"),
     ("codec.c", "codec->numbers > field->size", "codec->numbers > field->size + 1", "sensor.scaled_accel, decode"),
     ("codec.c", "left -= codec->numbers;", "left -= 1;", "sensor.scaled_accel, decode"),
     ("codec.c", "start + size + MIP_CHECKSUM_SIZE > builder->capacity", "start + size > builder->capacity + 1",
