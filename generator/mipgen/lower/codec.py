@@ -262,7 +262,7 @@ def _octets(p: m.Parameter, value: Any, values: Values) -> bytes:
             raise CodecError("count", f"{p.name} needs {p.size} bytes")
         return b"".join(_bytes(p.scalar, byte) for byte in value)
     if p.kind == "text":
-        value = value.ljust(p.count or 0) if isinstance(value, str) else value  # as devices do
+        value = value.ljust(p.count or 0) if isinstance(value, str) else value  # devices pad texts, too
         _check_count(p, value)
         try:
             octets: bytes = value.encode("latin-1")

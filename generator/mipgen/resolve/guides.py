@@ -92,7 +92,7 @@ class _Guide:
     # ----------------------------------------------------------------------- steps
 
     def step(self, node: Node, devices: tuple[m.Device, ...]) -> Step | None:
-        """A command, its answer and the data that follow; None if it is not right."""
+        """A command, its answer and the data that follow; None if it has a mistake."""
         try:
             return self.resolved(node, devices)
         except evidence.Wrong as wrong:

@@ -114,7 +114,7 @@ def _beside(path: Path) -> Path:
         part = path.with_name(begin + end)
         if not part.exists():
             return part
-        number += 1  # kept by a program that was killed; numbers of processes repeat
+        number += 1  # a killed program has left it; numbers of processes repeat
 
 
 def _failed(name: str, error: OSError, more: str = "") -> Exception:

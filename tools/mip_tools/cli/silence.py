@@ -26,7 +26,7 @@ class Silence:
     """Watches what arrives at a port: reports a silence once, and ends it if there is a time-out."""
 
     def __init__(self, name: str, options: argparse.Namespace, say: Callable[[str], object] | None = None) -> None:
-        """`say` gets the report, in place of standard error."""
+        """`say` is called with the report, which otherwise goes to standard error."""
         self._name = name
         self._say = say or self._print
         self._program = f"mip {options.command}"

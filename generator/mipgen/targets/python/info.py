@@ -175,7 +175,7 @@ Flags = list[tuple[str, str, int]]
 def flags(paths: Iterable[str], record: m.Record, device: str | None = None) -> Flags:
     """The flags that mark a value as valid: path, attribute and mask of each; the mask of a bool is 0.
 
-    None if the bit depends on the device, which is not known.
+    Empty if the bit depends on the device, which is not known.
     """
     flags = []
     for path in paths:
