@@ -1,7 +1,7 @@
 """Additions of the site to the Markdown; MkDocs calls the functions whose names begin with `on_`.
 
-Without it the pages have the same content: anchors stand before headings, programs are folded, and the search of the
-site finds nothing.
+Without these functions, the pages have the same content: anchors stand before headings, programs are folded, and the
+search of the site finds nothing.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def on_config(config: Any) -> Any:
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
-    """Gives headings their anchors and programs their tabs, and a page its description."""
+    """Adds anchors to headings, tabs to programs, and a description to a page."""
     if page.file.src_uri == "programs.md":
         _frames.update(frames(markdown))
     text = _ANCHORED.sub(r"\2 { #\1 }", markdown)
@@ -90,7 +90,7 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
 
 
 def on_post_page(output: str, **_: Any) -> str:
-    """Gives a page the classes that scripts of the theme add after it is styled, which computes all styles again."""
+    """Adds the classes to a page that scripts of the theme would add later, so that all styles were computed again."""
     classes = '<script>document.documentElement.className = "js js-focus-visible"</script>'
     return output.replace("<head>", f"<head>{classes}", 1)
 
@@ -119,7 +119,7 @@ def frames(markdown: str) -> dict[str, dict[str, str]]:
 
 
 def rulers(content: str) -> str:
-    """Gives the parts of packets their names, and those of parameters a colour that their rows have, too."""
+    """Adds names to the parts of packets, and to those of parameters the colour of their rows."""
     found = dict.fromkeys(x for ruler in _RULER.findall(content) for x, _ in _PART.findall(ruler) if x[:1] == "#")
     colours = {place[1:]: f"mip-colour-{i % _COLOURS}" for i, place in enumerate(found)}
     content = _RULER.sub(lambda ruler: _ruler(ruler[0], colours), content)

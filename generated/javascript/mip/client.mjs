@@ -53,7 +53,7 @@ export class Client {
         return this.#parser.skipped;
     }
 
-    /** When the next command times out; undefined if none waits. */
+    /** The time at which the next command times out; undefined if none waits. */
     get deadline() {
         return this.#waiting.length ? Math.min(...this.#waiting.map(({ deadline }) => deadline)) : undefined;
     }
@@ -238,7 +238,7 @@ export class Client {
 
 const timedOut = ({ command }) => ({ type: "timedOut", command });
 
-/** The response that a field is, if it is one of those that are asked for; or why it cannot be decoded. */
+/** The response in a field, if it is one of those that are requested; or the reason why it cannot be decoded. */
 function responseIn({ descriptor, data }, wanted) {
     const kind = wanted.find((one) => one.DESCRIPTOR === descriptor && one.matches(data));
     if (!kind) return undefined;

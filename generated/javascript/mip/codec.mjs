@@ -308,7 +308,7 @@ export function memberName(words) {
 
 /** Named values, one after another. */
 export class Layout {
-    /** @param blocks name -> block, in wire order; @param always how many are always there: others may be absent at the end */
+    /** @param blocks name -> block, in wire order; @param always the number of those that are always present */
     constructor(blocks, always) {
         this.names = Object.keys(blocks);
         this.members = this.names.map(memberName);

@@ -301,8 +301,8 @@ export class Device {
     }
 
     /**
-     * Opens the port again, after it was lost, and tries to for `within` seconds. Waiting data is kept. The device may
-     * have restarted: apply its settings again.
+     * Opens the port again, after it was lost, and keeps trying for up to `within` seconds. Waiting
+     * data is kept. The device may have restarted: apply its settings again.
      */
     async reopen({ within = 30 } = {}) {
         checkSeconds(within);

@@ -2,7 +2,7 @@
 
 import type { Identity } from "../session.mjs";
 
-/** Bytes that a function takes. */
+/** Bytes as an argument of a function. */
 export type Bytes = Uint8Array | ArrayBuffer;
 
 /** The class of all errors of the package. */
@@ -191,10 +191,10 @@ export interface Answer {
     type: "answer";
     command: Command;
     accepted: boolean;
-    /** 0 if the command is accepted, else why it is rejected. */
+    /** 0 if the command is accepted, else the reason why it is rejected. */
     code: number;
     response?: Response;
-    /** Why there is no response: the device sent none ("missing_response"), or it cannot be decoded. */
+    /** The reason why there is no response: the device sent none ("missing_response"), or it cannot be decoded. */
     error?: MipError;
     /** The response, not decoded. */
     raw?: RawField;
@@ -238,7 +238,7 @@ export declare class Client {
     get pending(): Command[];
     /** The number of received bytes that are part of no packet. */
     get skipped(): number;
-    /** When the next command times out; undefined if none waits. */
+    /** The time at which the next command times out; undefined if none waits. */
     get deadline(): number | undefined;
     /**
      * The bytes to send: one packet with these commands, all of one set, behind a barrier if an earlier command was not

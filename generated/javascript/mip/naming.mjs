@@ -11,7 +11,8 @@ function caseOf(record, name) {
 }
 
 /**
- * The parameters along a path of a field; the last of them says what the value there means. Indices have none.
+ * The parameters along a path of a field; the last of them describes the value there. Indices have
+ * none.
  */
 export function parametersAt(protocol, field, path) {
     const found = [];

@@ -78,8 +78,8 @@ OnEnd = Callable[[BaseException], object]
 #: Opens a port at this baud rate.
 Opening = Callable[[int], Coroutine[Any, Any, Any]]
 
-# Nothing here waits by `asyncio.wait_for` in the task of a caller: until Python 3.12, it drops a
-# cancellation that comes in the same turn of the event loop as the result.
+# Nothing here waits by `asyncio.wait_for` in the task of a caller: until Python 3.12, it drops a cancellation that
+# arrives in the same turn of the event loop as the result.
 
 
 class Device(AtPort):
@@ -386,7 +386,7 @@ class Device(AtPort):
         self._wake(News(True, True))
 
     def _wake(self, news: News) -> None:
-        # Whoever waits has the future; those who come later wait for the next one.
+        # The current waiters have the future; later ones wait for the next one.
         if news.answers:
             self._answered.set_result(None)
             self._answered = self._loop.create_future()

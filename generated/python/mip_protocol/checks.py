@@ -13,7 +13,7 @@ from zlib import adler32
 
 #: The most bytes whose second sum stays below 65521.
 PIECE = 22
-#: The most that is left of the first sum of a whole packet if that has reached 65521.
+#: The largest remainder of the first sum of a whole packet if that has reached 65521.
 WRAPPED = 259 * 255 - 65521
 #: A header that has occurred this often will occur again.
 TIMES = 8

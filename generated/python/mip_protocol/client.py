@@ -221,7 +221,7 @@ class Client:
 
     @property
     def deadline(self) -> float | None:
-        """When the next command times out; None if no command waits."""
+        """The time at which the next command times out; None if no command waits."""
         return min((p.deadline for p in self._pending), default=None)
 
     def cancel(self, command: Command, silent: bool = False) -> None:

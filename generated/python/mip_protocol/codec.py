@@ -70,7 +70,7 @@ def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
 
 
 class Known(dict[int, Any]):
-    """Numbers as members of an enumeration or a bitfield: faster than to ask for each, and bounded."""
+    """Numbers as members of an enumeration or a bitfield: faster than looking up each, and bounded."""
 
     SIZE = 1024
 

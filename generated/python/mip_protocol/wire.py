@@ -52,7 +52,7 @@ class Text(NamedTuple):
 
 
 class Items(NamedTuple):
-    """Elements: structures, vectors, or numbers, which `kind` converts if there is one."""
+    """Elements: structures, vectors, or numbers, which are converted by `kind`, if there is one."""
 
     kind: Any
     length: int | str | None

@@ -56,7 +56,7 @@ static inline struct mip_sums plain(const uint8_t *bytes, size_t size) {
 
 #if MIP_CHECKSUM == MIP_CHECKSUM_WORDS
 
-/** Four lanes of 16 bits, each with eight that count. */
+/** Four lanes of 16 bits, of which only the low eight matter. */
 #define LANES UINT64_C(0x00FF00FF00FF00FF)
 
 /** Compilers make one load of this where the host allows it. */
@@ -147,7 +147,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     const __m128i behind = _mm_mul_epu32(_mm_sad_epu8(done, zero), _mm_set1_epi32((int)rest));
     const __m128i b =
         _mm_add_epi32(_mm_add_epi32(inside, behind), _mm_slli_epi32(_mm_sad_epu8(before, zero), 4));
-    /* Both sums in one number: b has less than 20 bits, and of a only eight count. */
+    /* Both sums in one number: b has less than 20 bits, and only eight bits of a matter. */
     __m128i both = _mm_add_epi32(b, _mm_slli_epi32(_mm_sad_epu8(a, zero), 24));
     both = _mm_add_epi32(both, _mm_shuffle_epi32(both, _MM_SHUFFLE(1, 0, 3, 2)));
     both = _mm_add_epi32(both, _mm_shuffle_epi32(both, _MM_SHUFFLE(2, 3, 0, 1)));

@@ -170,7 +170,7 @@ MIP_API void mip_client_wait(struct mip_client *client, struct mip_request *requ
  * Sets where the response is stored. Call it right after mip_client_add. False, and nothing is
  * stored, if the command with its values does not request this response.
  *
- * If devices answer in different layouts, say which one this device has; if it sends another one,
+ * If devices answer in different layouts, state which one this device has; if it sends another one,
  * the request is undecodable with MIP_ERROR_LAYOUT. If you do not know, take the field from
  * mip_client_next and decode it by the `codec` of the request, which then is the layout received.
  */

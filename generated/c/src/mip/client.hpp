@@ -118,7 +118,7 @@ class client {
     }
 
     /**
-     * Takes bytes as they arrive, in any pieces, or none to update the time only: requests are
+     * Processes bytes as they arrive, in any pieces, or none to update the time only: requests are
      * answered or time out. All other fields go to the handlers, as in mip::dispatch.
      */
     template <class... Handlers>

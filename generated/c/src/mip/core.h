@@ -57,8 +57,8 @@ typedef enum mip_error {
     MIP_ERROR_LAYOUT
 } mip_error;
 
-/** MIP_VERSION_NUMBER of the library that is linked: another one than that of the headers if they
- * do not belong together. */
+/** MIP_VERSION_NUMBER of the linked library, which differs from that of the headers if they do not
+ * belong together. */
 MIP_API unsigned long mip_version(void);
 
 /** The error as one word in lower case: "truncated"; "ok" if there is none. */
@@ -150,7 +150,7 @@ static inline struct mip_walk mip_walk_packet(const struct mip_packet *packet) {
     return walk;
 }
 
-/** Gets the next field. False at the end; `error` then says whether all fields have been seen. */
+/** Gets the next field. False at the end; `error` then shows whether all fields have been seen. */
 static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field) {
     const size_t left = (size_t)(walk->end - walk->at);
     if (left == 0) {
@@ -374,7 +374,7 @@ MIP_API bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor
 MIP_API bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field);
 
 /** Is it a field of this type, in any of the descriptor sets in which the type occurs? Its
- * `descriptor_set` says in which one. */
+ * `descriptor_set` is the one in which it arrived. */
 MIP_API bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec);
 
 /**
@@ -594,7 +594,7 @@ MIP_API void mip_set_bits(uint8_t *bytes, unsigned bits, uint64_t value);
 /* ----------------------------------------------------------------- arguments of constructors */
 
 #ifdef MIP_REFUSED_BY_COMPILER
-/** Only declared: a call of it is an error. */
+/** This is only declared, so that a call of it is an error. */
 void mip_neither_true_nor_false(void)
     MIP_REFUSED_BY_COMPILER("neither true nor false: are two arguments swapped?");
 #endif
@@ -611,12 +611,12 @@ static inline mip_bool mip_truth(mip_bool value) {
 }
 
 #ifdef MIP_REFUSED_BY_COMPILER
-/** Only declared: a call of it is an error. */
+/** This is only declared, so that a call of it is an error. */
 void mip_array_has_fewer_elements(void)
     MIP_REFUSED_BY_COMPILER("the array has fewer elements: use MIP_ARRAY(array)");
 #endif
 
-/** An array in place of its number of elements and its address, which are two arguments. */
+/** The number of elements of an array and its address, as two arguments. */
 #define MIP_ARRAY(array) (sizeof(array) / sizeof((array)[0])), (array)
 
 /** Returns the size of `count` elements in bytes. Optimizing compilers reject a constant count that
@@ -635,7 +635,7 @@ static inline size_t mip_counted(size_t count, const void *items, size_t size) {
 /** Copies as many bytes as there is room for. */
 MIP_API void mip_copy(void *to, size_t room, const void *from, size_t size);
 
-/** Copies a string, cuts what is too long, and fills the rest with spaces; `room` counts the
+/** Copies a string, shortened to the size, and fills the rest with spaces; `room` counts the
  * terminating NUL too. */
 MIP_API void mip_copy_text(char *to, size_t room, const char *text);
 

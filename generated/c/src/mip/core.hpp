@@ -2,8 +2,8 @@
  * @file
  * C++17 on the C library: packets and fields as ranges, values by their type, names.
  *
- * Header only, without heap, exceptions, virtual functions or run-time type information. Nothing
- * is kept beside what C keeps, so objects of both can be mixed freely.
+ * Header only, without heap, exceptions, virtual functions or run-time type information. It stores
+ * no more than C does, so objects of both can be mixed freely.
  */
 #ifndef MIP_CORE_HPP
 #define MIP_CORE_HPP
@@ -128,7 +128,8 @@ template <std::size_t Size> std::string_view text(const char (&characters)[Size]
 /* ------------------------------------------------------------------------- enumerations and flags
  */
 
-/* Enumerations and bitfields are `enum class`. The type that names_of returns tells them apart. */
+/* Enumerations and bitfields are `enum class`; the type that names_of returns distinguishes them.
+ */
 
 /** The names of the values of an enumeration. */
 struct value_names {
@@ -150,7 +151,8 @@ struct bit_names {
 
 namespace detail {
 
-/** The number of elements as C takes it; too many for it are too many for any array. */
+/** The number of elements in the type of C. A number that is too large for it is too large for any
+ * array. */
 template <class Items> constexpr std::uint8_t count(const Items &items) {
     return static_cast<std::uint8_t>(items.size() < 0xFF ? items.size() : 0xFF);
 }
@@ -372,7 +374,7 @@ struct packet : mip_packet {
     end_of_range end() const {
         return {};
     }
-    /** The packet that these bytes are, if they are exactly one. `why` receives what is wrong. */
+    /** The packet of these bytes, if they are exactly one. `why` receives the error. */
     static std::optional<packet> check(mip::bytes of, mip_error *why = nullptr) {
         packet checked;
         const mip_error error = mip_packet_check(of.data(), of.size(), &checked);
@@ -519,7 +521,7 @@ template <class Handler>
 using handled_by =
     std::remove_cv_t<std::remove_reference_t<typename handled<std::decay_t<Handler>>::type>>;
 
-/** Calls a handler with as much as it takes: the value, the field, the time. */
+/** Calls a handler with the arguments that it has: the value, the field, the time. */
 template <class Handler, class T, class... More>
 void call(Handler &handler, const T &value, const field &from, More... more) {
     if constexpr (std::is_invocable_v<Handler &, const T &, const field &, More...>) {
@@ -559,8 +561,8 @@ template <class Handler> bool offer(const field &from, std::uint16_t key, Handle
 
 /**
  * Calls the first handler whose parameter names the type of the field: `[](const T &value) {...}`,
- * or `[](const T &value, const field &from) {...}`. One that takes only a field gets all that are
- * not for an earlier one. True if any was called.
+ * or `[](const T &value, const field &from) {...}`. One whose only parameter is a field is called
+ * with all that are not for an earlier one. True if any was called.
  */
 template <class... Handlers> bool dispatch(const field &from, Handlers &&...handlers) {
     [[maybe_unused]] const std::uint16_t key = from.key();
@@ -579,7 +581,7 @@ template <class... Handlers> void dispatch(const packet &from, Handlers &&...han
 
 namespace detail {
 
-/** The structure of C that is sent for a value: its own, or that which a command fills. */
+/** The structure of C that is sent for a value: its own, or the one that a command fills. */
 template <class T, class = void> struct sent {
     using structure = c_type<T>;
     static const structure *fill(const T &value, structure *) {

@@ -51,7 +51,7 @@ struct mip_port {
  * left empty is for none. */
 #define MIP_ANY_FIELD (&mip_any_field)
 
-/** It is not a wire format: only its address counts. */
+/** It is not a wire format: only its address matters. */
 extern MIP_API const struct mip_codec mip_any_field;
 
 /** For `descriptor_set` of a handler: every set in which the type occurs. */
@@ -110,7 +110,7 @@ struct mip_device {
     /** Called where each packet begins and ends; NULL, unless the program sets it. It must not
      * move, and may be constant. */
     const struct mip_observer *observer;
-    /** Its `timeout` is how long the device may take to answer. */
+    /** Its `timeout` is the time that the device may take to answer. */
     struct mip_client client;
     /** It holds the bytes of an incomplete packet. */
     struct mip_parser parser;
@@ -238,7 +238,7 @@ MIP_API struct mip_result mip_device_call(struct mip_device *device,
 #define MIP_NO_DATA(exchange) (&(exchange).descriptor)
 
 /**
- * Sends a command whose answer is an acknowledge, whatever its values are. Its data is given as it
+ * Sends a command whose answer is an acknowledge, whatever its values are. Its data is passed as it
  * is sent, without its structure; the address is never NULL. Functions mip_call_... that take plain
  * values call this, or mip_device_request, so that a program with only these links nothing that
  * encodes. If there are more than MIP_MAX_FIELD_DATA bytes, it is not sent: MIP_ERROR_COUNT.

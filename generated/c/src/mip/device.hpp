@@ -245,7 +245,7 @@ template <std::size_t Handlers = 8> class device {
                 }
             });
     }
-    /** Calls a handler with each field that no earlier one is for: `(const field &from)`, perhaps
+    /** Calls a handler with each field that has no earlier handler: `(const field &from)`, perhaps
      * with the time. */
     template <class Handler> void on_other(Handler handler) {
         add(MIP_ANY_FIELD, MIP_ANY_SET, handler,
@@ -322,7 +322,7 @@ template <std::size_t Handlers = 8> class device {
             new (at) Handler(handler);
         }
     }
-    /** The part of it that all handlers share; returns the place of what they capture. */
+    /** The part of `add` that all handlers share; returns the memory for the captures. */
     void *enter(const mip_codec *type, std::uint8_t descriptor_set,
                 void (*handle)(void *, const mip_field *, std::uint32_t)) {
         const std::size_t next = device_.handler_count;

@@ -1,8 +1,8 @@
 /**
  * @file
  * Attributes for compilers that know them: MIP_API marks the exports of a shared library,
- * MIP_INLINE, MIP_QUICK and MIP_APART say what becomes part of its callers, MIP_CHECKED marks
- * results that callers must check.
+ * MIP_INLINE, MIP_QUICK and MIP_APART determine which functions become part of their callers,
+ * MIP_CHECKED marks results that callers must check.
  *
  * A static library, and sources that are compiled with the program, need none of this. To build a
  * shared library, define MIP_SHARED for the library and its users, and MIP_BUILDING for the library
@@ -27,13 +27,13 @@
 #endif
 
 #ifdef __GNUC__
-/** Before a function whose result says whether it has done anything: compilers warn if that is
+/** Before a function whose result shows whether it has done anything: compilers warn if that is
  * ignored. */
 #define MIP_CHECKED __attribute__((warn_unused_result))
 /** A structure of four bytes that functions return in a register. */
 #define MIP_WORD __attribute__((aligned(4)))
 #else
-/** Before a function whose result says whether it has done anything. */
+/** Before a function whose result shows whether it has done anything. */
 #define MIP_CHECKED
 /** A structure of four bytes. */
 #define MIP_WORD
@@ -54,7 +54,7 @@
 #define MIP_INLINE static inline
 #endif
 
-/* Most fields take one function without calls; code for the others is apart from it. */
+/* Most fields need one function without calls; code for the others is separate. */
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 /** A static function that becomes part of those that call it. */
 #define MIP_QUICK MIP_INLINE

@@ -22,8 +22,8 @@ const struct mip_set *mip_registry_set(uint8_t number) {
                : NULL;
 }
 
-/** The first entry from this one on that has the descriptor and occurs in the set. They follow each
- * other; those of the next sets do not occur in this one. */
+/** The first entry from this one on that has the descriptor and occurs in the set. They are
+ * consecutive; those of the next sets do not occur in this one. */
 static const struct mip_entry *among(const struct mip_entry *entry, uint8_t descriptor_set,
                                      uint8_t descriptor) {
     for (; entry < mip_registry + mip_registry_size && entry->descriptor == descriptor; entry++) {

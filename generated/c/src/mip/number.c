@@ -189,7 +189,7 @@ static void put_decimal(const struct mip_print *print, const struct binary *v) {
     }
 }
 
-/* A number of which these are the bits; its mantissa has `width` of them, without the leading one.
+/* Prints the number with these bits; its mantissa has `width` of them, without the leading one.
  */
 static void put_real(const struct mip_print *print, uint64_t bits, unsigned width,
                      unsigned exponents) {

@@ -29,7 +29,8 @@ MIP_QUICK void describe(struct mip_packet *packet, const uint8_t *bytes, size_t 
     packet->descriptor_set = bytes[2];
 }
 
-/** The same as candidate() for a place in the buffer, and 0 if the packet is there and not valid.
+/** The same as candidate() for a place in the buffer, and 0 if the packet is complete and not
+ * valid.
  */
 static size_t examine(const struct mip_parser *parser, size_t at, struct mip_packet *packet) {
     const uint8_t *bytes = parser->buffer + at;
@@ -274,7 +275,8 @@ MIP_APART bool begin(struct mip_parser *parser, const uint8_t **data, size_t *si
 #ifndef __OPTIMIZE_SIZE__
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-    /* Packet after packet, without a call; the shortest ones apart, as they have no whole block. */
+    /* Packet after packet, without a call. The shortest ones are separate: they have no whole
+     * block. */
     const uint8_t *bytes = *data;
     if (parser->length > 0) {
         return *size < parser->missing ? extend(parser, data, size)

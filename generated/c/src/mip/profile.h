@@ -1,7 +1,7 @@
 /**
  * @file
- * What a device supports, and how it differs from other devices. mip/profiles.h names the
- * devices.
+ * The fields that a device supports, and its differences from other devices. mip/profiles.h names
+ * the devices.
  */
 #ifndef MIP_PROFILE_H
 #define MIP_PROFILE_H
@@ -35,7 +35,7 @@ struct mip_profile_evidence {
     const char *why;
 };
 
-/** A command or a data field that a device has for certain or probably, or that it lacks. */
+/** A command or a data field that a device certainly or probably has, or that it lacks. */
 struct mip_profile_field {
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
@@ -82,7 +82,7 @@ struct mip_profile_port {
     const char *sends;
 };
 
-/** A limit of a device: a number, and what it limits. */
+/** A limit of a device: a number, and the limited quantity. */
 struct mip_profile_limit {
     /** Its name. */
     const char *name;
@@ -190,13 +190,13 @@ extern MIP_API const size_t mip_profile_count;
  * spaces around it do not matter. NULL if it is unknown. */
 MIP_API const struct mip_profile *mip_profile_find(const char *name);
 
-/** A device by its model number; NULL if it is unknown, for example of a newer device. */
+/** A device by its model number; NULL if it is unknown, for example that of a newer device. */
 MIP_API const struct mip_profile *mip_profile_by_model(uint16_t model_number);
 
 /**
  * The model number in the device information: its model and serial numbers begin with it.
  * Spaces may precede it, and a dot, a dash, a space, a NUL or the end of the text follows it. 0 if
- * it is not there.
+ * there is none.
  */
 MIP_API uint16_t mip_model_number(const char *text, size_t size);
 

@@ -25,8 +25,8 @@ struct stream {
     bool optional;
     bool cut;
     bool stopped;
-    /** Are parameters left out? What is in memory of them is looked at, so that none that has a
-     * value is left out silently. */
+    /** Are parameters left out? Their memory is checked, so that none that has a value is left out
+     * silently. */
     bool absent;
 };
 

@@ -95,7 +95,7 @@ struct mip_names {
     uint8_t size;
 };
 
-/** The type that defines what a number means, if that depends on the device or a parameter. */
+/** The type that defines the meaning of a number, if it depends on the device or a parameter. */
 struct mip_reading {
     /** Id of the device; NULL if it depends on the parameter `by`. */
     const char *device;

@@ -16,7 +16,7 @@ extern "C" {
 
 /** A packet, or bytes that are not part of one. */
 struct mip_piece {
-    /** The place of the first byte: how many bytes of the stream come before it. */
+    /** The place of the first byte: the number of bytes of the stream before it. */
     uint64_t offset;
     /** The bytes. They are valid until the next call, and as long as those given are unchanged. */
     const uint8_t *bytes;
@@ -61,7 +61,7 @@ MIP_API bool mip_stream_next(struct mip_stream *stream, const uint8_t **data, si
                              struct mip_piece *piece);
 
 /**
- * Discards the incomplete packet at the end, and returns what is there instead, piece by piece:
+ * Discards the incomplete packet at the end, and returns its bytes instead, piece by piece:
  * see mip_parser_flush.
  *
  *     while (mip_stream_flush(&stream, &piece)) { ... }

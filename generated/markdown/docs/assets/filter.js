@@ -1,5 +1,5 @@
 // Filters the tables of a page: rows by what is typed, and on pages that compare devices, columns by device.
-// It takes the place of `<div class="filter">`; without it, the tables are whole. The address keeps what was chosen.
+// It replaces `<div class="filter">`; without it, the tables are whole. The address keeps what was chosen.
 
 (() => {
     const place = document.querySelector("div.filter");
@@ -30,7 +30,7 @@
         }
     }
 
-    /** Devices that have no column get one: what the list at the end of the page says of them, else "?". */
+    /** Adds columns for devices without one: with the entries of the list at the end of the page, else "?". */
     function addColumn(link, probable, refused) {
         for (const table of withColumns) {
             for (const row of table.rows) {

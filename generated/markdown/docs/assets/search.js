@@ -126,8 +126,8 @@ globalThis.mipSearch = (() => {
     }
 
     /**
-     * All that a text finds, in groups, the best first. `index` is of the fields, null for a site without them, `texts` those
-     * of the pages. `instead` is what was looked for if nothing has the words as they are typed.
+     * The results for a text, in groups, the best first. `index` is of the fields, null for a site without them,
+     * `texts` those of the pages. `instead` is the text that was searched if nothing has the words as they are typed.
      */
     function search(index, texts, text) {
         const found = searchAs(index, texts, text);

@@ -251,7 +251,7 @@
         return [element("label", {}, box, " Show what only other devices have")];
     }
 
-    /** The lines and sections of a field that say what values mean on devices, none of which is that of the reader. */
+    /** The lines and sections of a field about values on devices, none of which is that of the reader. */
     function valuesOfOthers(device) {
         const lines = [...document.querySelectorAll("article li")].filter((line) => line.querySelector("a[href*='/devices/']"));
         const isMine = (line) => line.querySelector(`a[href$='/devices/${device.id}.html']`) !== null;
