@@ -254,8 +254,8 @@ def test_messages(
     assert (set(kinds), clock) == (set(seen), best)
     for some in (kinds, kinds[::2]):
         found = samples.kept(samples.samples(pieces, some, selection, clock), invalid)
-        wanted = [(s.kind, s.time, s.packet, encoded(s.value, named)) for packet in found for s in packet]
-        assert list(messages.Messages(some, selection, clock, invalid, named).of(log)) == wanted
+        wanted = [(s.kind, s.time, s.own, s.packet, encoded(s.value, named)) for packet in found for s in packet]
+        assert list(messages.Messages(some, selection, clock, invalid, messages.Json(named)).of(log)) == wanted
 
 
 def test_fields_that_come_twice_make_rows_in_their_order(tmp_path: Path, capsys: Any) -> None:

@@ -11,17 +11,21 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import Parser, registry
+from mip_protocol import PacketBuilder, Parser, filter_data, registry
 from mip_tools.binding import info
+from mip_tools.cli import messages
 from mip_tools.cli.export_mcap import message, schema
-from mip_tools.ros import axes
-from mip_tools.ros.standard import Converter
+from mip_tools.columns import layout, read_log
+from mip_tools.occurrence import of
+from mip_tools.ros import axes, standard
+from mip_tools.ros.types import Types
 from mip_tools.simulator import VirtualDevice
 from program import DEVICE, log, mip
 from support import ROOT, heavy, later
+from test_by_columns import damaged
 from test_doctor import sent, started
 
-jsonschema = later("jsonschema")
+np, jsonschema = later("numpy"), later("jsonschema")
 
 MESSAGES = ROOT / "generated/ros2"
 NAVIGATION = {
@@ -136,6 +140,44 @@ def test_a_bag(tmp_path: Path) -> None:
         assert "/imu/data" in bag.topics and not any(t.startswith("/mip/") for t in bag.topics)
 
 
+@heavy("rosbags")
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("whole", [True, False])
+def test_a_bag_is_the_same_however_the_log_is_divided(
+    whole: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    device = VirtualDevice(DEVICE)
+    (tmp_path / "log").write_bytes(sent(device, started(device, NAVIGATION), 2) if whole else damaged(1))
+    bags = []
+    for part in (messages.PART, 3000):
+        monkeypatch.setattr(messages, "PART", part)
+        bag = tmp_path / str(part) / "drive"
+        assert mip("export", tmp_path / "log", "--format", "ros2", "-o", bag, "--messages", MESSAGES) == (0, "", "")
+        bags.append({path.name: path.read_bytes() for path in bag.iterdir()})
+    assert bags[0] == bags[1] and len(bags[0]["drive.mcap"]) > 10_000
+
+
+@heavy("rosbags")
+def test_messages_are_encoded_as_rosbags_does() -> None:
+    rng, types = random.Random(1), Types(MESSAGES)
+    seen: dict[str, int] = {}
+    for number, kind in registry.all_types():
+        name, shape = types.of(kind), layout.layout(kind)
+        if name is None or shape is None:
+            continue
+        number = 0x80 if number == registry.SHARED_SET else number
+        data = [rng.randbytes(shape.dtype.itemsize) for _ in range(20)]
+        log = read_log(b"".join(bytes(PacketBuilder(number).add(kind.DESCRIPTOR, one).build()) for one in data))
+        column = log.column(kind, number)
+        found = types.of_column(name, column, "imu_link")
+        wanted = [types.of_field(name, one, "imu_link") for one in column.objects()]
+        assert found is not None and len(found) == len(wanted) > 0
+        seen[name] = len(found)
+        for a, b in zip(found, wanted):  # a NaN that signals is quiet as a number of Python
+            assert a == b or repr(types.store.deserialize_cdr(a, name)) == repr(types.store.deserialize_cdr(b, name))
+    assert len(seen) > 100
+
+
 # --------------------------------------------------------------------------- axes
 
 
@@ -170,25 +212,30 @@ def test_attitudes_of_rep_103() -> None:
 
 def test_odometry_while_it_moves() -> None:
     """Heading east: positions, velocities in the body, and covariances turned with it."""
-    kinds = {n: registry.by_name(f"filter_data.{n}") for n in ("llh_position", "attitude_quaternion", "ned_velocity")}
-    spread = registry.by_name("filter_data.ned_velocity_uncertainty")
-    converter = Converter()
     half = math.sqrt(0.5)
+    converter = standard.Converter()
 
-    def at(latitude: float, longitude: float) -> dict[str, Any]:
-        fields = {
-            "llh_position": kinds["llh_position"](latitude, longitude, 500.0, 1),
-            "attitude_quaternion": kinds["attitude_quaternion"]((half, 0, 0, half), 1),  # heads east
-            "ned_velocity": kinds["ned_velocity"](0.0, 5.0, 1.0, 1),
-            "ned_velocity_uncertainty": spread(0.1, 0.2, 0.3, 1),
-        }
-        named = {f"filter_data.{name}": field for name, field in fields.items()}
-        (made,) = converter.messages(named)
-        return made.values
+    def at(longitude: float, *others: Any) -> dict[str, list[Any]]:
+        values = (
+            filter_data.LlhPosition(47.0, longitude, 500.0, 1),
+            filter_data.AttitudeQuaternion((half, 0, 0, half), 1),  # heads east
+            filter_data.NedVelocity(0.0, 5.0, 1.0, 1),
+            *others,
+        )
+        builder = PacketBuilder(0x82)
+        for field in values:
+            builder.add(field.DESCRIPTOR, field.encode())
+        log = read_log(bytes(builder.build()))
+        kinds = [of(0x82, type(field)) for field in values]
+        found = standard.fields(log, kinds, lambda column: np.ones(len(column), bool))
+        (made,) = converter.messages(found)
+        assert made.topic == "/filter/odometry"
+        return {path: values[0].tolist() for path, values in made.values.items()}
 
-    first, second = at(47.0, 8.0), at(47.0001, 8.0)
-    assert first["pose"]["pose"]["position"] == pytest.approx({"x": 0, "y": 0, "z": 0})
-    assert second["pose"]["pose"]["position"] == pytest.approx({"x": 0, "y": 11.117, "z": 0}, abs=0.01)
-    assert second["twist"]["twist"]["linear"] == pytest.approx({"x": 5, "y": 0, "z": -1}, abs=1e-6)
-    covariance = second["twist"]["covariance"]
-    assert [covariance[0], covariance[7], covariance[14]] == pytest.approx([0.04, 0.01, 0.09])
+    first = at(8.0, filter_data.NedVelocityUncertainty(0.1, 0.2, 0.3, 1))
+    second = at(8.0001)
+    assert [first[f"pose.pose.position.{v}"] for v in "xyz"] == pytest.approx([0, 0, 0])
+    assert [second[f"pose.pose.position.{v}"] for v in "xyz"] == pytest.approx([7.604, 0, 0], abs=0.01)
+    assert [second[f"twist.twist.linear.{v}"] for v in "xyz"] == pytest.approx([5, 0, -1], abs=1e-6)
+    for covariance in (first["twist.covariance"], second["twist.covariance"]):  # of the last uncertainty
+        assert [covariance[0], covariance[7], covariance[14]] == pytest.approx([0.04, 0.01, 0.09])

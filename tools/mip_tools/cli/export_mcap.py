@@ -44,8 +44,9 @@ class Message(NamedTuple):
 
     kind: Occurrence
     time: int | None
+    own: bool  # is the time that of its packet?
     packet: int
-    data: bytes
+    data: Any  # in the form of the messages: JSON, or CDR
 
 
 class _Timed(Protocol):
@@ -71,10 +72,10 @@ class Job:
 
     def write(self, path: str, types: Sequence[Occurrence]) -> None:
         """Writes fields of these types into a file."""
-        from .messages import Messages
+        from .messages import Json, Messages
 
         named = self._options.named
-        made = Messages(types, self._selection, self._clock, self._options.invalid, named)
+        made = Messages(types, self._selection, self._clock, self._options.invalid, Json(named))
         with outputs.whole(path) as out, inputs.columns(self._name) as log:
             write_mcap(out, made.of(log), self._clock, named)
 

@@ -5,27 +5,47 @@ from __future__ import annotations
 import argparse
 import os
 import shutil
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from importlib import import_module
-from itertools import chain
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from ..binding import SECOND
+from ..binding import SECOND, Field
+from ..columns import Log
+from ..columns.column import Column
 from ..errors import Failure, Misuse
 from ..occurrence import Occurrence
-from ..ros.standard import Converter
+from ..ros import cdr, standard
 from ..ros.types import Types
 from . import clocks, inputs
-from .export_mcap import check, timed
-from .messages import survey
-from .samples import Sample, kept, samples
+from .export_mcap import Message, check, timed
+from .messages import Messages, Objects, survey
 from .selection import Selection
+
+#: Of messages in the axes of the device.
+FRAME = "imu_link"
+REFERENCE = "sensor_msgs/msg/TimeReference"
 
 
 def require(form: str) -> None:
     """Raises Failure if the package that writes bags is missing."""
     Types()
+
+
+class _Form:
+    """Fields as messages of mip_msgs, without their times; None if there is no type for them."""
+
+    def __init__(self, types: Types) -> None:
+        self._types = types
+
+    def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[bytes | None] | None:
+        name = self._types.of(kind.kind)
+        return self._types.of_column(name, column, FRAME) if name else [None] * len(column)
+
+    def field(self, field: Field, kind: Occurrence) -> bytes | None:
+        name = self._types.of(kind.kind)
+        return self._types.of_field(name, field, FRAME) if name else None
 
 
 class Job:
@@ -46,54 +66,59 @@ class Job:
         folder = Path(path)
         if os.path.lexists(path):
             raise Failure(f"{path} exists; name another folder")
-        packets = kept(samples(inputs.pieces(self._name), types, self._selection, self._clock), self._options.invalid)
         try:
-            self._write(folder, packets)
+            with inputs.columns(self._name) as log:
+                self._write(folder, log)
         except BaseException as error:
             shutil.rmtree(folder, ignore_errors=True)
             if isinstance(error, OSError):
                 raise Failure(f"{path} cannot be written: {error.strerror or error}") from None
             raise
 
-    def _write(self, folder: Path, packets: Any) -> None:
+    def _write(self, folder: Path, log: Log) -> None:
         rosbag2: Any = import_module("rosbags.rosbag2")
         known = Types(self._options.messages)
-        converter = Converter()
+        made = Messages(self.types, self._selection, self._clock, self._options.invalid, _Form(known))
+        converter = standard.Converter(FRAME)
+        waiting: dict[int, list[tuple[str, str, bytes]]] = {}  # standard messages of packets that are not written yet
         with rosbag2.Writer(folder, version=9, storage_plugin=rosbag2.StoragePlugin.MCAP) as bag:
             topics: dict[str, Any] = {}
+            own = {kind: (f"/mip/{kind.name.replace('.', '/')}", known.of(kind.kind)) for kind in self.types}
 
-            def write(topic: str, kind: str, moment: int, frame: str, values: dict[str, Any]) -> None:
+            def write(topic: str, kind: str | None, moment: int, message: bytes) -> None:
                 if topic not in topics:
                     topics[topic] = bag.add_connection(topic, kind, typestore=known.store)
-                stamp = {"sec": moment // SECOND, "nanosec": moment % SECOND}
-                message = known.build(kind, {"header": {"stamp": stamp, "frame_id": frame}, **values})
-                bag.write(topics[topic], moment, known.store.serialize_cdr(message, kind))
+                bag.write(topics[topic], moment, cdr.stamped(message, moment))
 
-            packet: list[Sample] = []
-            last = 0
-            for sample, moment in timed(chain.from_iterable(packets), False):
-                if packet and packet[0].packet != sample.packet:
-                    self._standard(converter, packet, last, write)
-                    packet = []
-                packet.append(sample)
-                last = moment
-                kind = known.of(sample.kind.kind)
-                if kind is not None:
-                    values = known.content(sample.value, kind)
-                    write(f"/mip/{sample.kind.name.replace('.', '/')}", kind, moment, "imu_link", values)
-            if packet:
-                self._standard(converter, packet, last, write)
+            def messages() -> Iterator[Message]:
+                for part, first in made.parts(log):
+                    for each in converter.messages(standard.fields(part, self.types, made.kept)):
+                        for packet, message in zip((each.packet + first).tolist(), _encoded(each, known)):
+                            waiting.setdefault(packet, []).append((each.topic, each.type, message))
+                    yield from made.of_part(part, first)
+
+            for packet, group in groupby(timed(messages(), False), lambda one: one[0].packet):
+                for one, moment in group:
+                    if one.data is not None:
+                        write(*own[one.kind], moment, one.data)
+                for topic, kind, message in waiting.pop(packet, ()):
+                    write(topic, kind, moment, message)
+                if one.own and one.time is not None and clocks.dated(self._clock):
+                    write("/time_reference", REFERENCE, moment, self._reference(known, one.time))
         if not topics:
             raise Failure(f"{self._options.file} has nothing of which there are messages; name the folder of mip_msgs")
 
-    def _standard(self, converter: Converter, packet: list[Sample], moment: int, write: Any) -> None:
-        for m in converter.messages({sample.kind.name: sample.value for sample in packet}):
-            write(m.topic, m.type, moment, m.frame, m.values)
-        own = packet[0]
-        if own.own and own.time is not None and clocks.dated(self._clock):
-            at = {"sec": own.time // SECOND, "nanosec": own.time % SECOND}
-            values = {"time_ref": at, "source": self._clock}
-            write("/time_reference", "sensor_msgs/msg/TimeReference", moment, "imu_link", values)
+    def _reference(self, known: Types, time: int) -> bytes:
+        """The message with the device's own time of a packet."""
+        sec, nanosec = divmod(time, SECOND)
+        values = {"time_ref.sec": sec, "time_ref.nanosec": nanosec}
+        return known.rows(REFERENCE, 1, values, {"header.frame_id": FRAME, "source": self._clock or ""})[0]
+
+
+def _encoded(made: standard.Messages, known: Types) -> list[bytes]:
+    """Standard messages without their times."""
+    texts = {"header.frame_id": made.frame, "child_frame_id": made.child}
+    return known.rows(made.type, len(made.packet), made.values, texts)
 
 
 __all__ = ["Job", "require"]

@@ -50,7 +50,7 @@ def write(
 
         packets = kept(samples(_flushing(chain(seen, arriving), out), None, selection, clock), options.invalid)
         every = chain.from_iterable(packets)
-        made = (Message(one.kind, one.time, one.packet, encoded(one.value, options.named)) for one in every)
+        made = (Message(one.kind, one.time, one.own, one.packet, encoded(one.value, options.named)) for one in every)
         write_mcap(out, made, clock, options.named, live=True)
         return
     if form == "csv" and not (types or found):

@@ -1,18 +1,20 @@
-"""The fields of a log as JSON messages, by columns: the same as packet by packet, but faster."""
+"""The fields of a log as messages, by columns: the same as packet by packet, but faster."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
+from typing import Any, Protocol
 
 import numpy as np
 
 from ..binding import Field, registry
 from ..columns import Log, contents, layout, times, walk
+from ..columns.column import Column
 from ..columns.piece import Piece
 from ..columns.reader import Reader
 from ..columns.scan import Array
 from ..occurrence import Occurrence, of
-from . import row_texts
+from . import inputs, row_texts
 from .decoding import decoded
 from .export_mcap import SEPARATORS, Message, encoded
 from .samples import valid
@@ -22,7 +24,7 @@ from .selection import Selection
 PART = 1 << 20
 
 #: Rows of fields: their packets, the offsets of their data in the payloads, and the values made from them.
-_Rows = tuple[Array, Array, list[tuple[Occurrence, bytes]]]
+_Rows = tuple[Array, Array, list[tuple[Occurrence, Any]]]
 _NOTHING: _Rows = (np.zeros(0, np.int64), np.zeros(0, np.int64), [])
 
 
@@ -38,44 +40,104 @@ def survey(log: Log, selection: Selection) -> tuple[list[Occurrence], str | None
     return ordered, times.best(log.parts(PART))
 
 
+#: Some rows of a column as objects.
+Objects = Callable[[Array], Iterator[Field]]
+
+
+class Form(Protocol):
+    """The form of messages."""
+
+    def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[Any] | None:
+        """The messages of all rows of a column; None if they depend on more than its values."""
+
+    def field(self, field: Field, kind: Occurrence) -> Any:
+        """The message of a field."""
+
+
+class Json:
+    """Fields as JSON, with numbers or with names."""
+
+    def __init__(self, named: bool) -> None:
+        self._named = named
+
+    def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[bytes] | None:
+        texts = row_texts.json_object(column, kind.kind, None, self._named, SEPARATORS)
+        if texts is None:
+            return None
+        messages = [text.encode() for text in row_texts.formatted(*texts, len(column))]
+        odd = np.zeros(len(column), bool)
+        for name in column:
+            if column[name].dtype.kind == "f":  # numbers that JSON does not have are left out
+                odd |= ~np.isfinite(column[name]).reshape(len(column), -1).all(axis=1)
+        rows = np.flatnonzero(odd)
+        for row, one in zip(rows.tolist(), objects(rows)):
+            messages[row] = self.field(one, kind)
+        return messages
+
+    def field(self, field: Field, kind: Occurrence) -> bytes:
+        return encoded(field, self._named)
+
+
 class Messages:
     """Makes the messages of some types of fields."""
 
     def __init__(
-        self, kinds: Collection[Occurrence], selection: Selection, clock: str | None, invalid: str, named: bool
+        self, kinds: Collection[Occurrence], selection: Selection, clock: str | None, invalid: str, form: Form
     ) -> None:
         self._kinds, self._selection, self._clock = set(kinds), selection, clock
-        self._drops, self._named = invalid == "drop", named
+        self._drops, self._form = invalid == "drop", form
 
     def of(self, log: Log) -> Iterator[Message]:
         """The messages of a log, in the order of the fields."""
-        number = 0
+        for part, first in self.parts(log):
+            yield from self.of_part(part, first)
+
+    @staticmethod
+    def parts(log: Log) -> Iterator[tuple[Log, int]]:
+        """The parts of a log, and the numbers of their first packets."""
+        number, progress = 0, inputs.Progress(log.size)
         for part in log.parts(PART):
-            for piece in part.pieces():
-                yield from self._of_piece(part, piece, number + piece.number)
+            yield part, number
             number += part.packets
+            progress.at(part.end)
+        progress.clear()
+
+    def of_part(self, part: Log, first: int) -> Iterator[Message]:
+        """The messages of a part of a log."""
+        for piece in part.pieces():
+            yield from self._of_piece(part, piece, first + piece.number)
+
+    def kept(self, column: Column[Any]) -> Array:
+        """The rows of a column whose values are wanted."""
+        there = np.ones(len(column), bool)
+        for name in column if self._drops else ():
+            if column.parameters[name].flags:
+                there &= column.valid(name).reshape(len(column), -1).all(axis=1)
+        return there
 
     def _of_piece(self, part: Log, piece: Piece, first: int) -> Iterator[Message]:
         """The messages of a piece, whose first packet has this number."""
 
         def made(number: int, descriptor: int, runs: list[walk.Run]) -> tuple[Array, Array, list[Message]]:
             packet, offset, rows = self._rows(part, piece, number, descriptor, runs)
-            moments, numbers = self._times(part, piece, number, packet).tolist(), (packet + first).tolist()
+            moments, own = self._times(part, piece, number, packet)
             messages = [
-                Message(kind, None if moment == times.NONE else moment, number, data)
-                for (kind, data), moment, number in zip(rows, moments, numbers)
+                Message(kind, None if moment == times.NONE else moment, own, number, data)
+                for (kind, data), moment, own, number in zip(
+                    rows, moments.tolist(), own.tolist(), (packet + first).tolist()
+                )
             ]
             return packet, offset, messages
 
         wanted = [run for run in piece.runs or () if self._selection.has(run.set, run.descriptor)]
         yield from walk.in_order(wanted, made)[1]
 
-    def _times(self, part: Log, piece: Piece, number: int, packet: Array) -> Array:
-        """The times of packets of a set."""
+    def _times(self, part: Log, piece: Piece, number: int, packet: Array) -> tuple[Array, Array]:
+        """The times of packets of a set, and whether these are their own."""
         if self._clock is None or number < 0x80:
-            return np.full(len(packet), times.NONE, np.int64)
+            return np.full(len(packet), times.NONE, np.int64), np.zeros(len(packet), bool)
         places = piece.begin + piece.at[packet]
-        return times.at(part, number, self._clock, packet + piece.number, lambda: places)[0]
+        return times.at(part, number, self._clock, packet + piece.number, lambda: places)
 
     def _rows(self, part: Log, piece: Piece, number: int, descriptor: int, runs: list[walk.Run]) -> _Rows:
         """The fields of a set and descriptor."""
@@ -92,9 +154,9 @@ class Messages:
                 return rows
         packet, offset = walk.places(runs, len(piece.at))
         found = list(_decoded(piece, descriptor, packet, offset))
-        kept = [row for row, one in enumerate(found) if one and one[0] in self._kinds and self._keeps(one[1])]
-        messages = [(one[0], encoded(one[1], self._named)) for row in kept if (one := found[row])]
-        return packet[kept], offset[kept], messages
+        kept = [(row, *one) for row, one in enumerate(found) if one and one[0] in self._kinds and self._keeps(one[1])]
+        left = [row for row, *_ in kept]
+        return packet[left], offset[left], [(kind, self._form.field(field, kind)) for _, kind, field in kept]
 
     def _keeps(self, field: Field) -> bool:
         return not self._drops or valid(field)
@@ -104,22 +166,19 @@ class Messages:
         reader = Reader(part, (number, kind.kind), None)
         reader.add(piece)
         column = reader.column()
-        texts = row_texts.json_object(column, kind.kind, None, self._named, SEPARATORS)
-        if texts is None:
-            return None
         packet, offset = walk.places(runs, len(piece.at))
-        messages = [(kind, text.encode()) for text in row_texts.formatted(*texts, len(column))]
-        odd, kept = np.zeros(len(packet), bool), np.ones(len(packet), bool)
-        for name in column.names:
-            if column[name].dtype.kind == "f":  # numbers that JSON does not have are left out
-                odd |= ~np.isfinite(column[name]).reshape(len(packet), -1).all(axis=1)
-            if self._drops and column.parameters[name].flags:
-                kept &= column.valid(name).reshape(len(packet), -1).all(axis=1)
-        rows = np.flatnonzero(odd).tolist()
-        for row, one in zip(rows, _decoded(piece, kind.kind.DESCRIPTOR, packet[rows], offset[rows])):
-            if one:
-                messages[row] = kind, encoded(one[1], self._named)
-        return packet[kept], offset[kept], [messages[row] for row in np.flatnonzero(kept).tolist()]
+
+        def objects(rows: Array) -> Iterator[Field]:
+            for raw in piece.fields(kind.kind.DESCRIPTOR, packet[rows], offset[rows]):
+                value = decoded(raw).value
+                assert value is not None  # such types take any bytes
+                yield value
+
+        messages = self._form.rows(column, kind, objects)
+        if messages is None:
+            return None
+        kept = self.kept(column)
+        return packet[kept], offset[kept], [(kind, messages[row]) for row in np.flatnonzero(kept).tolist()]
 
 
 def _decoded(piece: Piece, descriptor: int, packet: Array, offset: Array) -> Iterator[tuple[Occurrence, Field] | None]:
@@ -128,4 +187,4 @@ def _decoded(piece: Piece, descriptor: int, packet: Array, offset: Array) -> Ite
         yield None if found.kind is None or found.value is None else (of(found.raw.set, found.kind), found.value)
 
 
-__all__ = ["Messages", "survey"]
+__all__ = ["Form", "Json", "Messages", "Objects", "survey"]

@@ -3,35 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import sqrt
+from typing import Any, TypeAlias
 
-Vector = tuple[float, float, float]
+import numpy as np
+
+from ..columns.scan import Array
+
+#: Each is a number, or an array of numbers: many vectors at once.
+Vector = tuple[Any, Any, Any]
+Numbers: TypeAlias = "Sequence[Any] | Array"
 #: w, x, y, z.
-Quaternion = tuple[float, float, float, float]
+Quaternion = tuple[Any, Any, Any, Any]
 
 NOT_ROTATED: Quaternion = (1.0, 0.0, 0.0, 0.0)
 
 
-def body(v: Sequence[float]) -> Vector:
+def body(v: Numbers) -> Vector:
     """Converts forward, right, down to forward, left, up: y and z change their signs."""
     x, y, z = v
     return x, -y, -z
 
 
-def world(v: Sequence[float]) -> Vector:
+def world(v: Numbers) -> Vector:
     """Converts north, east, down to east, north, up."""
     north, east, down = v
     return east, north, -down
 
 
-def attitude(q: Sequence[float]) -> Quaternion:
+def attitude(q: Numbers) -> Quaternion:
     """The rotation from the body of REP 103 to ENU, from the attitude in NED that a device sends."""
     w, x, y, z = q
-    length = sqrt(2 * (w * w + x * x + y * y + z * z)) or 1.0
+    length = np.sqrt(2 * (w * w + x * x + y * y + z * z))
+    length = np.where(length == 0, 1.0, length)
     return (w + z) / length, (x + y) / length, (x - y) / length, (w - z) / length
 
 
-def matrix(q: Quaternion) -> list[list[float]]:
+def matrix(q: Quaternion) -> list[list[Any]]:
     """The rotation matrix of a unit quaternion."""
     w, x, y, z = q
     return [
@@ -41,14 +48,14 @@ def matrix(q: Quaternion) -> list[list[float]]:
     ]
 
 
-def into_body(q: Quaternion, v: Sequence[float]) -> Vector:
+def into_body(q: Quaternion, v: Numbers) -> Vector:
     """A vector of the world in the axes of a body with this attitude."""
     m = matrix(q)
     x, y, z = (sum(m[k][i] * v[k] for k in range(3)) for i in range(3))
     return x, y, z
 
 
-def variances_into_body(q: Quaternion, variances: Sequence[float]) -> list[float]:
+def variances_into_body(q: Quaternion, variances: Numbers) -> list[Any]:
     """The covariance (3 x 3, row by row) in the body of independent errors along the axes of the world."""
     m = matrix(q)
     return [sum(m[k][i] * variances[k] * m[k][j] for k in range(3)) for i in range(3) for j in range(3)]

@@ -1,16 +1,22 @@
-"""Standard messages of ROS 2, made from the data fields of a packet.
+"""Standard messages of ROS 2, made from columns of data fields.
 
-The values of a message are a dictionary; what it leaves out is zero. Fields that a specification or a packet does not
-have are left out of messages, and a message without its first value is not made.
+What the values of messages leave out is zero. Fields that a specification or a packet does not have are left out of
+messages, and a message without its first value is not made.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from math import isfinite, radians
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from math import radians
 from typing import Any, NamedTuple
 
-from ..binding import EnumInfo, Field, info
+import numpy as np
+
+from ..binding import info
+from ..columns import Log
+from ..columns.column import Column
+from ..columns.scan import Array
+from ..occurrence import Occurrence
 from ..simulator import earth
 from . import axes
 
@@ -23,114 +29,201 @@ _NO_FIX, _FIX, _SATELLITES, _GROUND = -1, 0, 1, 2
 _FIXES = {"fix_rtk_float": _GROUND, "fix_rtk_fixed": _GROUND, "fix_differential": _GROUND}
 _FIXES |= {"fix_2d": _FIX, "fix_3d": _FIX}
 
+#: How the names of the fields end that messages are made of.
+_USED = (
+    ".fix_info",
+    ".llh_position",
+    "sensor.scaled_accel",
+    "sensor.scaled_gyro",
+    "sensor.scaled_mag",
+    "sensor.comp_quaternion",
+    "filter_data.attitude_quaternion",
+    "filter_data.ned_velocity",
+    "filter_data.comp_angular_rate",
+    "filter_data.euler_angles_uncertainty",
+    "filter_data.llh_position_uncertainty",
+    "filter_data.ned_velocity_uncertainty",
+)
 
-class Message(NamedTuple):
-    """A message for a topic; `frame` is that of its header."""
+
+class Messages(NamedTuple):
+    """Messages of a topic, one for each of some packets; `frame` is that of their headers."""
 
     topic: str
     type: str
     frame: str
-    values: dict[str, Any]
+    packet: Array
+    values: dict[str, Array]  # path -> the values of all messages
+    child: str = ""  # the other frame of odometry
 
 
-Fields = Mapping[str, Field]
+class Rows(NamedTuple):
+    """The fields of a type in a part of a log: the last one of each packet that has any."""
+
+    packet: Array
+    column: Column[Any]
+    row: Array
+
+    def some(self, which: Array) -> Rows:
+        return Rows(self.packet[which], self.column, self.row[which])
+
+    def within(self, packet: Array) -> Rows:
+        """The fields of these packets."""
+        return self.some(np.isin(self.packet, packet))
+
+    def of(self, name: str) -> Array:
+        """The values of a parameter; of a vector, an array for each element."""
+        return np.asarray(self.column[name][self.row], np.float64).T
+
+    def valid(self, name: str) -> Array:
+        """The rows in which a parameter is valid by its flags, and a number."""
+        both = (self.column.valid(name), np.isfinite(self.column[name]))
+        good, finite = (np.asarray(each.reshape(len(self.column), -1).all(axis=1))[self.row] for each in both)
+        return np.asarray(good & finite)
+
+
+Fields = Mapping[str, Rows]
+
+
+def fields(log: Log, kinds: Iterable[Occurrence], kept: Callable[[Column[Any]], Array]) -> Fields:
+    """The fields of a part of a log that messages are made of, by name; `kept` selects rows of a column."""
+    used = [one for one in kinds if one.name.endswith(_USED)]
+    found = {}
+    for one, column in zip(used, log.columns(used)):
+        row = np.flatnonzero(kept(column))[::-1] if len(column) else _NONE
+        packet, last = np.unique(column.packet[row], return_index=True)
+        if len(packet):
+            found[one.name] = Rows(packet, column, row[last])
+    return found
+
+
+class _Last:
+    """The last values before each packet, which may be in an earlier part of the log."""
+
+    def __init__(self, first: float | Sequence[float]) -> None:
+        self._last = np.array([first])
+
+    def at(self, packet: Array, known: Array, values: Array) -> Array:
+        """The values at some packets; `values` are those of the packets `known`."""
+        every = np.concatenate((self._last, values))
+        self._last = every[-1:]
+        found: Array = every[np.searchsorted(known, packet, side="right")]
+        return found
 
 
 class Converter:
-    """Makes messages of the fields of packets, in the order of a log: positions are relative to the first one."""
+    """Makes messages of the parts of a log, in their order: positions are relative to the first one."""
 
     def __init__(self, frame: str = "imu_link", world: str = "odom") -> None:
         self._frame, self._world = frame, world
         self._origin: tuple[float, float, earth.Vector] | None = None  # radians, and Earth-fixed
-        self._status: dict[str, int] = {}  # of the last fix, by the set of the receiver
-        self._filter: dict[str, Field] = {}
+        self._status: dict[str, _Last] = {}  # of fixes, by the set of the receiver
+        self._spread: dict[str, _Last] = {}  # squares of uncertainties
 
-    def messages(self, fields: Fields) -> Iterator[Message]:
-        """The messages of a packet. `fields`: full name in its set -> value."""
-        yield from self._imu(fields)
-        yield from self._magnetic(fields)
-        yield from self._fixes(fields)
-        yield from self._odometry(fields)
+    def messages(self, fields: Fields) -> list[Messages]:
+        """The messages of a part. Those of one packet are in the order of their topics here."""
+        with np.errstate(all="ignore"):  # infinite values, and NaNs that signal
+            made = (self._imu(fields), self._magnetic(fields), self._fixes(fields), self._odometry(fields))
+            return [one for each in made for one in each if len(one.packet)]
 
-    def _imu(self, fields: Fields) -> Iterator[Message]:
-        accel, gyro = fields.get("sensor.scaled_accel"), fields.get("sensor.scaled_gyro")
-        if accel is None and gyro is None:
-            return
-        quaternion = fields.get("sensor.comp_quaternion")
-        made: dict[str, Any] = {
-            "orientation": _quaternion(axes.NOT_ROTATED),
-            "orientation_covariance": UNKNOWN,
-            "angular_velocity_covariance": UNKNOWN,
-            "linear_acceleration_covariance": UNKNOWN,
-        }
+    def _imu(self, fields: Fields) -> Iterator[Messages]:
+        accel, gyro, quaternion = (
+            fields.get(f"sensor.{n}") for n in ("scaled_accel", "scaled_gyro", "comp_quaternion")
+        )
+        packet = np.unique(np.concatenate([_NONE, *(each.packet for each in (accel, gyro) if each is not None)]))
+        orientation, force, rate = (_each(packet, first) for first in (axes.NOT_ROTATED, _ZERO, _ZERO))
+        of_orientation, of_force, of_rate = (_each(packet, UNKNOWN) for _ in range(3))
         if quaternion is not None:
-            made |= {"orientation": _quaternion(axes.attitude(_of(quaternion, "q")))}
-            made |= {"orientation_covariance": [0.0] * 9}  # zeros: not known
+            quaternion = quaternion.within(packet)
+            at = np.searchsorted(packet, quaternion.packet)
+            orientation[at] = np.transpose(axes.attitude(quaternion.of("q")))
+            of_orientation[at] = 0  # zeros: not known
         if gyro is not None:
-            made |= {"angular_velocity": _vector(axes.body(_of(gyro, "scaled_gyro")))}
-            made |= {"angular_velocity_covariance": [0.0] * 9}
+            at = np.searchsorted(packet, gyro.packet)
+            rate[at] = np.transpose(axes.body(gyro.of("scaled_gyro")))
+            of_rate[at] = 0
         if accel is not None:
-            force = [STANDARD_GRAVITY * v for v in _of(accel, "scaled_accel")]
-            made |= {"linear_acceleration": _vector(axes.body(force)), "linear_acceleration_covariance": [0.0] * 9}
-        yield Message("/imu/data", "sensor_msgs/msg/Imu", self._frame, made)
+            at = np.searchsorted(packet, accel.packet)
+            force[at] = np.transpose(axes.body(STANDARD_GRAVITY * accel.of("scaled_accel")))
+            of_force[at] = 0
+        values = {
+            **_quaternion("orientation", orientation),
+            "orientation_covariance": of_orientation,
+            **_vector("angular_velocity", rate),
+            "angular_velocity_covariance": of_rate,
+            **_vector("linear_acceleration", force),
+            "linear_acceleration_covariance": of_force,
+        }
+        yield Messages("/imu/data", "sensor_msgs/msg/Imu", self._frame, packet, values)
 
-    def _magnetic(self, fields: Fields) -> Iterator[Message]:
+    def _magnetic(self, fields: Fields) -> Iterator[Messages]:
         mag = fields.get("sensor.scaled_mag")
         if mag is not None:
-            field = _vector(axes.body([TESLA * v for v in _of(mag, "scaled_mag")]))
-            yield Message("/imu/mag", "sensor_msgs/msg/MagneticField", self._frame, {"magnetic_field": field})
+            values = _vector("magnetic_field", np.transpose(axes.body(TESLA * mag.of("scaled_mag"))))
+            yield Messages("/imu/mag", "sensor_msgs/msg/MagneticField", self._frame, mag.packet, values)
 
-    def _fixes(self, fields: Fields) -> Iterator[Message]:
-        for name, field in fields.items():
-            set, _, short = name.partition(".")
-            if short == "fix_info" and _valid(field, "fix_type"):
-                said = info(type(_of(field, "fix_type")))
-                assert isinstance(said, EnumInfo)
-                status = _FIXES.get(said.names.get(int(_of(field, "fix_type")), ""), _NO_FIX)
-                sbas = "sbas_used" in field.to_dict()["fix_flags"] and _valid(field, "fix_flags")
-                self._status[set] = _SATELLITES if status == _FIX and sbas else status
-        for name, field in fields.items():
-            set, _, short = name.partition(".")
-            if short != "llh_position" or not _valid(field, "latitude") or not hasattr(field, "horizontal_accuracy"):
+    def _fixes(self, fields: Fields) -> Iterator[Messages]:
+        for set in dict.fromkeys(name.partition(".")[0] for name in fields):
+            place, fix = fields.get(f"{set}.llh_position"), fields.get(f"{set}.fix_info")
+            if place is not None:
+                place = place.some(place.valid("latitude"))
+            last = self._status.setdefault(set, _Last(_FIX))
+            known = (_NONE, _NONE) if fix is None else _status(fix)
+            status = last.at(_NONE if place is None else place.packet, *known)
+            if place is None or "horizontal_accuracy" not in place.column.names:
                 continue
-            made = {
-                "status": {"status": self._status.get(set, _FIX)},
-                "latitude": _of(field, "latitude"),
-                "longitude": _of(field, "longitude"),
-                "altitude": _of(field, "ellipsoid_height") if _valid(field, "ellipsoid_height") else float("nan"),
+            good = place.valid("horizontal_accuracy") & place.valid("vertical_accuracy")
+            across, up = place.of("horizontal_accuracy") ** 2, place.of("vertical_accuracy") ** 2
+            values = {
+                "status.status": status,
+                "latitude": place.of("latitude"),
+                "longitude": place.of("longitude"),
+                "altitude": np.where(place.valid("ellipsoid_height"), place.of("ellipsoid_height"), np.nan),
+                "position_covariance": np.where(good[:, None], _diagonal(np.transpose((across, across, up))), 0),
+                "position_covariance_type": good,
             }
-            if _valid(field, "horizontal_accuracy") and _valid(field, "vertical_accuracy"):
-                across, up = _of(field, "horizontal_accuracy") ** 2, _of(field, "vertical_accuracy") ** 2
-                made |= {"position_covariance": _diagonal((across, across, up)), "position_covariance_type": 1}
-            yield Message(f"/{set}/fix", "sensor_msgs/msg/NavSatFix", f"{set}_antenna", made)
+            yield Messages(f"/{set}/fix", "sensor_msgs/msg/NavSatFix", f"{set}_antenna", place.packet, values)
 
-    def _odometry(self, fields: Fields) -> Iterator[Message]:
-        # Uncertainties may be sent more rarely, and in other packets, than their values.
-        self._filter |= {name: field for name, field in fields.items() if name.endswith("_uncertainty")}
+    def _odometry(self, fields: Fields) -> Iterator[Messages]:
         place, turned = fields.get("filter_data.llh_position"), fields.get("filter_data.attitude_quaternion")
-        if place is None or turned is None or not _valid(place, "latitude") or not _valid(turned, "q"):
+        packet = _NONE
+        if place is not None and turned is not None:
+            place, turned = place.some(place.valid("latitude")), turned.some(turned.valid("q"))
+            packet = np.intersect1d(place.packet, turned.packet)
+            place, turned = place.within(packet), turned.within(packet)
+        # Uncertainties may be sent more rarely, and in other packets, than their values.
+        around = self._variances(fields, packet, "euler_angles", "roll", "pitch", "yaw")
+        along = self._variances(fields, packet, "llh_position", "east", "north", "down")
+        spread = self._variances(fields, packet, "ned_velocity", "east", "north", "down")
+        if place is None or turned is None:
             return
-        q = axes.attitude(_of(turned, "q"))
-        position = self._local(_of(place, "latitude"), _of(place, "longitude"), _of(place, "ellipsoid_height"))
-        around = self._variances("filter_data.euler_angles_uncertainty", "roll", "pitch", "yaw")
-        along = self._variances("filter_data.llh_position_uncertainty", "east", "north", "down")
-        pose = {"pose": {"position": _vector(position), "orientation": _quaternion(q)}}
-        made: dict[str, Any] = {
-            "child_frame_id": self._frame,
-            "pose": pose | {"covariance": _blocks(_diagonal(along), _diagonal(around))},
-        }
+        q = axes.attitude(turned.of("q"))
+        where = (place.of(name).tolist() for name in ("latitude", "longitude", "ellipsoid_height"))
+        position = np.array([_ZERO, *(self._local(*one) for one in zip(*where))])[1:]
+        linear, angular = _each(packet, UNKNOWN), _each(packet, UNKNOWN)
+        speed, rate = _each(packet, _ZERO), _each(packet, _ZERO)
         moving, turning = fields.get("filter_data.ned_velocity"), fields.get("filter_data.comp_angular_rate")
-        twist: dict[str, Any] = {}
-        linear, angular = UNKNOWN, UNKNOWN
-        if moving is not None and _valid(moving, "north"):
-            speed = [_of(moving, name) for name in ("north", "east", "down")]
-            spread = self._variances("filter_data.ned_velocity_uncertainty", "east", "north", "down")
-            twist["linear"] = _vector(axes.into_body(q, axes.world(speed)))
-            linear = axes.variances_into_body(q, spread)
-        if turning is not None and _valid(turning, "gyro"):
-            twist["angular"], angular = _vector(axes.body(_of(turning, "gyro"))), [0.0] * 9
-        made["twist"] = {"twist": twist, "covariance": _blocks(linear, angular)}
-        yield Message("/filter/odometry", "nav_msgs/msg/Odometry", self._world, made)
+        if moving is not None:
+            moving = moving.some(moving.valid("north")).within(packet)
+            at = np.searchsorted(packet, moving.packet)
+            w, x, y, z = (each[at] for each in q)
+            velocity = axes.world([moving.of(name) for name in ("north", "east", "down")])
+            speed[at] = np.transpose(axes.into_body((w, x, y, z), velocity))
+            linear[at] = np.transpose(axes.variances_into_body((w, x, y, z), spread[at].T))
+        if turning is not None:
+            turning = turning.some(turning.valid("gyro")).within(packet)
+            at = np.searchsorted(packet, turning.packet)
+            rate[at] = np.transpose(axes.body(turning.of("gyro")))
+            angular[at] = 0
+        values = {
+            **_vector("pose.pose.position", position),
+            **_quaternion("pose.pose.orientation", np.transpose(q)),
+            "pose.covariance": _blocks(_diagonal(along), _diagonal(around)),
+            **_vector("twist.twist.linear", speed),
+            **_vector("twist.twist.angular", rate),
+            "twist.covariance": _blocks(linear, angular),
+        }
+        yield Messages("/filter/odometry", "nav_msgs/msg/Odometry", self._world, packet, values, self._frame)
 
     def _local(self, latitude: float, longitude: float, height: float) -> axes.Vector:
         """East, north, up of the first position, in m."""
@@ -142,43 +235,56 @@ class Converter:
         x, y, z = (a - b for a, b in zip(at, origin))
         return axes.world(earth.to_ned(lat, lon, (x, y, z)))
 
-    def _variances(self, name: str, *parameters: str) -> list[float]:
+    def _variances(self, fields: Fields, packet: Array, name: str, *parameters: str) -> Array:
         """The squares of the last standard deviations; zeros if they are not known."""
-        field = self._filter.get(name)
-        if field is None or not _valid(field, parameters[0]):
-            return [0.0] * 3
-        return [_of(field, p) ** 2 for p in parameters]
+        field = fields.get(f"filter_data.{name}_uncertainty")
+        known, values = _NONE, _each(_NONE, _ZERO)
+        if field is not None:
+            known, values = field.packet, np.transpose([field.of(p) ** 2 for p in parameters])
+            values[~field.valid(parameters[0])] = 0
+        return self._spread.setdefault(name, _Last(_ZERO)).at(packet, known, values)
 
 
-def _of(field: Field, name: str) -> Any:
-    return getattr(field, name)
+_NONE: Array = np.zeros(0, np.int64)
+_ZERO = (0.0, 0.0, 0.0)
 
 
-def _valid(field: Field, name: str) -> bool:
-    """Is it valid by its flags, and a number?"""
-    held = _of(field, name)
-    parameter = info(type(field))[name]
-    numbers = held if isinstance(held, (tuple, list)) else [held]
-    return all(isfinite(v) for v in numbers) and all(f.holds(_of(field, f.attribute)) for f in parameter.flags)
+def _status(fix: Rows) -> tuple[Array, Array]:
+    """Packets, and the status in NavSatStatus that their fixes have."""
+    fix = fix.some(fix.valid("fix_type"))
+    kinds, flags = (info(fix.column.parameters[name].type) for name in ("fix_type", "fix_flags"))
+    of_value = {value: _FIXES.get(name, _NO_FIX) for value, name in kinds.names.items()}
+    status = np.array([of_value.get(v, _NO_FIX) for v in fix.column["fix_type"][fix.row].tolist()], np.int64)
+    used = next((bit.mask for bit in flags.bits if bit.name == "sbas_used"), 0)
+    sbas = fix.valid("fix_flags") & (fix.column["fix_flags"][fix.row] & used != 0)
+    return fix.packet, np.where(sbas & (status == _FIX), _SATELLITES, status)
 
 
-def _vector(v: axes.Vector) -> dict[str, float]:
-    return dict(zip("xyz", v))
+def _each(packet: Array, first: Sequence[float]) -> Array:
+    """The same values for each packet."""
+    return np.tile(np.array(first), (len(packet), 1))
 
 
-def _quaternion(q: axes.Quaternion) -> dict[str, float]:
-    return dict(zip("wxyz", q))
+def _vector(path: str, v: Array) -> dict[str, Array]:
+    return {f"{path}.{name}": v[:, i] for i, name in enumerate("xyz")}
 
 
-def _diagonal(variances: tuple[float, ...] | list[float]) -> list[float]:
-    return [variances[i] if i == j else 0.0 for i in range(3) for j in range(3)]
+def _quaternion(path: str, q: Array) -> dict[str, Array]:
+    return {f"{path}.{name}": q[:, i] for i, name in enumerate("wxyz")}
 
 
-def _blocks(first: list[float], second: list[float]) -> list[float]:
-    """A covariance of 6 x 6 of two of 3 x 3 whose errors are independent."""
-    rows = [[*first[3 * i : 3 * i + 3], 0.0, 0.0, 0.0] for i in range(3)]
-    rows += [[0.0, 0.0, 0.0, *second[3 * i : 3 * i + 3]] for i in range(3)]
-    return [v for row in rows for v in row]
+def _diagonal(variances: Array) -> Array:
+    """Covariances of 3 x 3, row by row."""
+    made = np.zeros((len(variances), 9))
+    made[:, ::4] = variances
+    return made
 
 
-__all__ = ["STANDARD_GRAVITY", "UNKNOWN", "Converter", "Fields", "Message"]
+def _blocks(first: Array, second: Array) -> Array:
+    """Covariances of 6 x 6 of two of 3 x 3 whose errors are independent."""
+    made = np.zeros((len(first), 6, 6))
+    made[:, :3, :3], made[:, 3:, 3:] = first.reshape(-1, 3, 3), second.reshape(-1, 3, 3)
+    return made.reshape(-1, 36)
+
+
+__all__ = ["STANDARD_GRAVITY", "UNKNOWN", "Converter", "Fields", "Messages", "Rows", "fields"]

@@ -1,14 +1,20 @@
-"""The types of messages, and objects of them, with the package rosbags."""
+"""The types of messages, with the package rosbags, and messages of them as bytes."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
+from functools import cache
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..binding import Described, Field, MissingExtra, Structure, info
 from ..errors import Failure
+
+if TYPE_CHECKING:
+    from ..columns.column import Column
+    from . import cdr
 
 PACKAGE = "mip_msgs"
 
@@ -26,6 +32,7 @@ class Types:
         folder = messages or installed()
         if folder is not None:
             self._add(folder / "msg" if (folder / "msg").is_dir() else folder, typesys.get_types_from_msg)
+        self._layout = cache(self._layout_of)
 
     def _add(self, folder: Path, parse: Any) -> None:
         found = sorted(folder.glob("*.msg"))
@@ -44,7 +51,35 @@ class Types:
         """The type of a field's messages; None if there is none."""
         return self._of_field.get(kind.NAME)
 
-    def build(self, name: str, values: dict[str, Any]) -> Any:
+    def rows(self, name: str, count: int, values: Mapping[str, Any], texts: Mapping[str, str]) -> list[bytes]:
+        """Messages of a type whose length depends on texts only. What is left out is zero, or empty.
+
+        `values`: path -> those of all messages, as `pose.pose.position.x`; `texts`: the same in each message.
+        """
+        layout = self._layout(name, tuple(texts.items()))
+        assert layout is not None
+        return layout.messages(count, values)
+
+    def of_column(self, name: str, column: Column[Any], frame: str) -> list[bytes] | None:
+        """The messages of all rows of a column, without their times; None if their lengths vary."""
+        texts = (("header.frame_id", frame),)
+        layout = self._layout(name, texts)
+        paths = [] if layout is None else layout.numbers()[2:]  # without those of the time
+        if layout is None or len(paths) != len(column.names):
+            return None
+        return layout.messages(len(column), {path: column[own] for path, own in zip(paths, column)})
+
+    def _layout_of(self, name: str, texts: tuple[tuple[str, str], ...]) -> cdr.Layout | None:
+        from . import cdr
+
+        return cdr.layout(self.store.fielddefs, name, dict(texts))
+
+    def of_field(self, name: str, field: Field, frame: str) -> bytes:
+        """The message of a field, without its time."""
+        values = {"header": {"frame_id": frame}, **self._content(field, name)}
+        return bytes(self.store.serialize_cdr(self._build(name, values), name, little_endian=True))
+
+    def _build(self, name: str, values: dict[str, Any]) -> Any:
         """A message with these values. What is left out is zero, or empty."""
         made = {}
         for member, (node, detail) in self.store.fielddefs[name][1]:
@@ -60,7 +95,7 @@ class Types:
                 return value or ""
             return bool(value) if base == "bool" else value if value is not None else np.dtype(base).type(0)
         if node == 2:  # another message
-            return self.build(detail, value or {})
+            return self._build(detail, value or {})
         (inner, inside), count = detail  # an array or a sequence
         if int(inner) == 1 and inside[0] != "string":
             fixed = count if node == 3 else 0
@@ -68,8 +103,8 @@ class Types:
             return np.array(held, np.dtype("uint8" if inside[0] in ("octet", "char") else inside[0]))
         return [self._value(int(inner), inside, v) for v in value or ()]
 
-    def content(self, record: Described, name: str) -> dict[str, Any]:
-        """The values of a field for `build`, in the order of the members of its message."""
+    def _content(self, record: Described, name: str) -> dict[str, Any]:
+        """The values of a field for `_build`, in the order of the members of its message."""
         held: list[Any] = []
         for p in info(type(record)).members:
             value = getattr(record, p.attribute)
@@ -84,7 +119,7 @@ class Types:
     def _plain(self, value: Any, kind: Any) -> Any:
         node, detail = int(kind[0]), kind[1]
         if node == 2 and isinstance(value, Structure):
-            return self.content(value, detail)
+            return self._content(value, detail)
         if node > 2:
             items = [] if value is None else list(value) if isinstance(value, (list, tuple, bytes)) else [value]
             if items and isinstance(items[0], Structure):
