@@ -337,20 +337,15 @@ impl Visitor for Decode {
 
     #[inline]
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
-        decode::<T>(field.data)
+        let mut reader = Reader::new(field.data);
+        match T::decode_from(&mut reader) {
+            Ok(value) => Some(Ok(value.into_any())),
+            Err(_) => wrong(reader, T::NAME),
+        }
     }
 
     fn unknown(self, _: &RawField<'_>) -> Self::Output {
         None
-    }
-}
-
-#[inline(never)] // so that finding the type needs no stack, and only jumps here
-fn decode<T: Listed>(data: &[u8]) -> Option<Result<AnyField, DecodeError>> {
-    let mut reader = Reader::new(data);
-    match T::decode_from(&mut reader) {
-        Ok(value) => Some(Ok(value.into_any())),
-        Err(_) => wrong(reader, T::NAME),
     }
 }
 
@@ -361,7 +356,15 @@ impl Visitor for DecodeWithTrailing {
 
     #[inline]
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
-        decode_with_trailing::<T>(field)
+        let mut reader = Reader::new(field.data);
+        match T::decode_from(&mut reader) {
+            Ok(value) => Some(Ok(Decoded {
+                set: field.set,
+                field: value.into_any(),
+                left_over: reader.remaining(),
+            })),
+            Err(_) => wrong(reader, T::NAME),
+        }
     }
 
     fn unknown(self, _: &RawField<'_>) -> Self::Output {
@@ -369,20 +372,7 @@ impl Visitor for DecodeWithTrailing {
     }
 }
 
-#[inline(never)] // for the same reason
-fn decode_with_trailing<T: Listed>(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
-    let mut reader = Reader::new(field.data);
-    match T::decode_from(&mut reader) {
-        Ok(value) => Some(Ok(Decoded {
-            set: field.set,
-            field: value.into_any(),
-            left_over: reader.remaining(),
-        })),
-        Err(_) => wrong(reader, T::NAME),
-    }
-}
-
-/// The result of `decode` after an error, compiled once for all types.
+/// The result of both after an error, compiled once for all types.
 #[cold]
 #[inline(never)]
 fn wrong<T>(reader: Reader<'_>, field: &'static str) -> Option<Result<T, DecodeError>> {
