@@ -84,7 +84,7 @@ struct mip_command {
 #define MIP_REQUEST_WAITING 0
 /** The device has carried out the command, and sent its response, if it has one. */
 #define MIP_REQUEST_ACKNOWLEDGED 1
-/** The device has rejected the command; `code` is the reason. */
+/** The device has refused the command; `code` is the reason. */
 #define MIP_REQUEST_REFUSED 3
 /** The device did not answer in time. */
 #define MIP_REQUEST_TIMED_OUT 4

@@ -599,7 +599,7 @@ void mip_neither_true_nor_false(void)
     MIP_REFUSED_BY_COMPILER("neither true nor false: are two arguments swapped?");
 #endif
 
-/** Returns its argument. Optimizing compilers reject a constant that is neither true nor false,
+/** Returns its argument. Optimizing compilers refuse a constant that is neither true nor false,
  * such as a descriptor set where `true` belongs. */
 static inline mip_bool mip_truth(mip_bool value) {
 #ifdef MIP_REFUSED_BY_COMPILER
@@ -619,7 +619,7 @@ void mip_array_has_fewer_elements(void)
 /** The number of elements of an array and its address, as two arguments. */
 #define MIP_ARRAY(array) (sizeof(array) / sizeof((array)[0])), (array)
 
-/** Returns the size of `count` elements in bytes. Optimizing compilers reject a constant count that
+/** Returns the size of `count` elements in bytes. Optimizing compilers refuse a constant count that
  * is larger than the array. */
 static inline size_t mip_counted(size_t count, const void *items, size_t size) {
 #ifdef MIP_REFUSED_BY_COMPILER

@@ -133,7 +133,7 @@ enum mip_outcome {
     MIP_ACKNOWLEDGED,
     /** It was sent; devices do not answer it. */
     MIP_SENT,
-    /** The device has rejected it: `code` is the reason. */
+    /** The device has refused it: `code` is the reason. */
     MIP_REFUSED,
     /** No reply arrived in time. If it arrives later, it is handled as data. */
     MIP_TIMED_OUT,

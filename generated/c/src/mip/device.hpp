@@ -24,7 +24,7 @@ enum class outcome {
     acknowledged = MIP_ACKNOWLEDGED,
     /** It was sent; devices do not answer it. */
     sent = MIP_SENT,
-    /** The device has rejected it: `code` is the reason. */
+    /** The device has refused it: `code` is the reason. */
     refused = MIP_REFUSED,
     /** No answer arrived in time. */
     timed_out = MIP_TIMED_OUT,
@@ -55,7 +55,7 @@ class [[nodiscard]] basic_result {
     mip::outcome outcome() const {
         return static_cast<mip::outcome>(result_.outcome);
     }
-    /** The acknowledge code, if there was an answer: why the device has rejected the command. */
+    /** The acknowledge code, if there was an answer: why the device has refused the command. */
     ack_code code() const {
         return static_cast<ack_code>(result_.code);
     }
