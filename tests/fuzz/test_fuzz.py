@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import random
+import sys
+from pathlib import Path
 from typing import Any
 
 import counts
 import differential
+import fuzz
 import pytest
+import support
 from support import SEED, Driver, heavy, rounds
 
 
@@ -64,3 +68,15 @@ def test_inputs_become_requests() -> None:
 def test_the_table_is_that_of_the_counts() -> None:
     page = counts.PAGE.read_text("utf-8")
     assert counts.page(page) == page
+
+
+def test_a_fresh_clone_has_the_invented_library_when_it_is_fuzzed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, found = tmp_path / "invented", []
+    monkeypatch.setitem(support.SPECS, "invented", (support.SPECS["invented"][0], out))
+    monkeypatch.setattr(fuzz, "fuzz", lambda name, seconds: found.append((out / "c").is_dir()) or 1)
+    monkeypatch.setattr(counts, "add", lambda *given: None)
+    monkeypatch.setattr(sys, "argv", ["fuzz.py", "--targets", "fields-invented"])
+    fuzz.main()
+    assert found == [True]
