@@ -1,4 +1,4 @@
-"""A field in packets of one descriptor set: what is counted, shown and exported apart from those of other sets."""
+"""A field in packets of one descriptor set, which is counted, shown and exported separately from other sets."""
 
 from __future__ import annotations
 

@@ -59,7 +59,7 @@ def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
     for path, data in finished.items():
         if rename is None:
             made[path] = data
-        else:  # in paths too
+        else:  # paths also contain the name
             made[rename(path)] = rename(data.decode("utf-8")).encode("utf-8")
     for file in files:
         if not isinstance(file, File):

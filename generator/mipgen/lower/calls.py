@@ -23,5 +23,5 @@ def replies(f: m.Field, function: m.Function | None, model: m.Model) -> list[m.R
 
 
 def answers(f: m.Field, function: m.Function | None, model: m.Model) -> list[m.Field]:
-    """The same with each layout of its own."""
+    """The layouts of these responses."""
     return [layout for r in replies(f, function, model) for layout in r.layouts]

@@ -78,7 +78,7 @@ class Older:
 class Session:
     """The commands that identify a device and start its data: their full names."""
 
-    baud: int  # of a new device
+    baud: int  # the rate of a new device
     ping: str
     idle: str
     resume: str

@@ -48,7 +48,7 @@ BESIDE = {"rules": "rules", "differences": "accepted"}
 DEVICES = "devices"
 PARTS = {"device": "devices", "family": "families"}
 
-#: The files of an overlay: the same, but what it adds to the protocol has a file of its own.
+#: The files of an overlay: the same, but its additions to the protocol have a file of their own.
 OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
 
 

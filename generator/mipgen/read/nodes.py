@@ -1,7 +1,7 @@
 """YAML as nodes with their places: files, lines and columns, nothing about MIP.
 
-YAML is read by the rules of version 1.2, but numbers are written as in JSON; duplicate keys, anchors, aliases and
-tags are refused.
+YAML is read by the rules of version 1.2, but numbers are written as in JSON; duplicate keys, anchors, aliases and tags
+are rejected.
 """
 
 from __future__ import annotations

@@ -94,7 +94,7 @@ def _check(model: m.Model, selection: Selection) -> None:
 
 
 def _places(model: m.Model, what: str, name: str) -> Iterator[tuple[m.Field, int]]:
-    """The fields that a set or the name of a field means, each with the number of its set."""
+    """The fields of a set, or those with a name, each with the number of its set."""
     for f in model.fields:
         for o in f.occurrences:
             if name in ((o.set_name,) if what == "set" else (f.full_name, f.name_in(o.set))):

@@ -19,7 +19,7 @@ from .values import receiver_of
 if TYPE_CHECKING:
     from .device import VirtualDevice
 
-Values = dict[str, Any]  # by argument of the effect
+Values = dict[str, Any]  # argument of the effect -> its value
 Act = Callable[["VirtualDevice", Values], None]
 
 #: Units of ranges -> those of the world.

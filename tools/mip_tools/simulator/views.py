@@ -11,7 +11,7 @@ from typing import Any
 from .earth import Matrix
 from .rotations import of_euler, of_quaternion, to_euler, to_quaternion, transposed
 
-Values = dict[str, Any]  # by argument of the effect
+Values = dict[str, Any]  # argument of the effect -> its value
 
 
 def _euler(values: Values) -> Matrix:

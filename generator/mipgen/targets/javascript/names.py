@@ -25,7 +25,7 @@ module = Escape(frozenset(_LANGUAGE["modules"]), digit_prefix="")
 _classes = Classes(module, Escape(frozenset(_LANGUAGE["classes"]), digit_prefix="Mip"))
 class_name, home, reference, identifiers = _classes.name, _classes.home, _classes.reference, _classes.identifiers
 
-#: A family -> what a program that imports its module as a whole calls it.
+#: A family -> its name in a program that imports its module as a whole.
 namespace = Escape(_KEYWORDS | frozenset(_LANGUAGE["modules"]), digit_prefix="mip")
 
 

@@ -70,7 +70,7 @@ def rests(record: m.Record) -> list[Rest]:
 
 @dataclass(frozen=True, slots=True)
 class Peek:
-    """The tag of a union inside a structure, read before the structure is: whether that is whole depends on it."""
+    """The tag of a union in a structure. It is read first, because it determines whether the structure is complete."""
 
     name: str
     place: Extent

@@ -70,7 +70,7 @@ def starts(model: m.Model) -> list[Start]:
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """Complete programs around what a page of a field shows, one in each language."""
+    """Complete programs around the lines on the page of a field, one in each language."""
 
     name: str  # the role of the field
     title: str
