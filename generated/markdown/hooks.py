@@ -82,7 +82,7 @@ def on_page_content(content: str, page: Any, **_: Any) -> str:
     whole = not WORKBENCH or _TABLES.match(path)
     title, *parts = sections(content if whole else _LEFT_OUT.sub(" ", content))
     if WORKBENCH and path.startswith(("fields/", "devices/", "sets/")):
-        parts = [part for part in parts if "." in part[0]]  # responses, which have a name; the rest is alike on all
+        parts = [part for part in parts if "." in part[0]]  # responses; other sections are alike on all pages
     cut = next((length for begins, length in _BEGINNINGS.items() if WORKBENCH and path.startswith(begins)), None)
     kept = [[anchor, heading, text[:cut]] for anchor, heading, text in [["", "", title[2]], *parts]]
     _texts[page.url] = [page.url, title[1] or page.title, kept]

@@ -33,7 +33,7 @@ globalThis.mipSearch = (() => {
         return telling(text).length < wordsOf(text).length || wordsOf(text).length > 3;
     }
 
-    /** A word in any of its forms, and those that mean the same. */
+    /** A pattern for any form of a word, and for its synonyms. */
     function patternOf(word, index) {
         const root = (one) => (one.length > 4 ? one.replace(/(?:ing|ed|es|s|e)$/, "") : one.length > 3 ? one.replace(/s$/, "") : one);
         const groups = index?.protocol.model.synonyms ?? [];
