@@ -139,6 +139,17 @@ def test_another_shape_makes_all_again_that_reads_the_part(tmp_path: Path) -> No
     assert kept == set()
 
 
+def test_in_another_shape_every_object_of_the_part_differs(tmp_path: Path) -> None:
+    """Also for what has read a detail of one and nothing of the part."""
+    runs = Runs(SPECS["invented"][0], tmp_path)
+    runs.run()
+    runs.replace("sets/measurements.yaml", "{name: u16, type: u16, description", "{name: w16, type: u16, description")
+    model = load_model(runs.spec)
+    slices = Slices(model, runs.out, "")
+    assert all(slices.differ([slices.places[id(s)]]) for s in model.sets)
+    assert not any(slices.differ([slices.places[id(d)]]) for d in model.devices)
+
+
 def test_two_edits_of_different_targets_make_only_what_shows_each(tmp_path: Path) -> None:
     """No file of C shows the first edit; C is still the output of the run before."""
     runs = Runs(SPECS["invented"][0], tmp_path)
