@@ -2,13 +2,13 @@
 
     make prove                              the core and every layout; what is unchanged is not proved again
     make prove FIELD=base.comm_speed        one layout
-    make prove COUNT=10 SEED=3              the core and ten layouts drawn by the seed
+    make prove COUNT=10 SEED=3              the core and ten layouts drawn by the seed; COUNT=0: the core
 
 What is proved of the core holds for any layout whose codec is well-formed; `test_prove.py` looks whether all are. The
 proofs of layouts show more: that what is decoded is encoded to the same bytes.
 
 A proof depends on its harness, the sources that it includes and the prover. A result is kept in build/prove/ under the
-hash of these without their comments, and a complete run writes the tables of docs/proofs.md.
+hash of these without their comments. A run of the core writes its table in docs/proofs.md, a complete one both.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ SOURCES = ROOT / "generated/c/src"
 KEPT = ROOT / "build/prove"
 TABLE = ROOT / "docs/proofs.md"
 MEMORY = 6 << 30  # bytes
-#: The marks around the tables that `make prove` writes.
-BEGIN, END = "<!-- written by make prove -->", "<!-- end -->"
+#: The marks around a table that `make prove` writes.
+BEGIN, END = "<!-- written by make prove: {} -->", "<!-- end of {} -->"
 
 #: What is proved of the core: bounds, and options of the prover. Everything else is of any size.
 CORE = {
@@ -379,38 +379,41 @@ def run(proofs: list[Proof], cbmc: str, seconds: int) -> list[tuple[Proof, Resul
     return results
 
 
-def write(cbmc: str) -> None:
-    """Writes the tables of docs/proofs.md from the stored results for the current sources."""
-    known = {p: result for p in (*core(), *layouts()) if (result := found(p, cbmc))}
+def write(title: str, rows: list[str]) -> None:
+    """Writes a table of docs/proofs.md."""
     git = ["git", "log", "-1", "--format=revision %h of %cs", "--abbrev=8", "--", "generated/c/src/mip", "tests/prove"]
     revision = subprocess.run(git, cwd=ROOT, capture_output=True, text=True).stdout.strip()
-    rows = []
-    for p in core():
-        r = known.get(p)
-        rows.append(f"| {p.name} | {p.bounds} | {f'{r.outcome}, {r.properties} properties' if r else 'not tried'} |")
-    groups: dict[tuple[str, str], list[Proof]] = {}
-    for p in layouts():
-        kind = "numbers only" if p.bounds == "any size" else "arrays" if "items" in p.bounds else "others"
-        groups.setdefault((kind, p.function), []).append(p)
-    bounds = {"numbers only": "fields of any size", "others": "all sizes up to one more than the longest",
-              "arrays": f"all sizes up to {ITEMS} items"}  # fmt: skip
-    rows += ["", "| Layouts | Looked at | Proved | Not in the time | Not tried |", "|---|---|---|---|---|"]
-    for (kind, function), members in sorted(groups.items(), reverse=True):
-        counts = [
-            sum((known[p].outcome if p in known else "") == o for p in members) for o in ("proved", "not proved", "")
-        ]
-        rows.append(f"| {kind}, {function} | {bounds[kind]} | " + " | ".join(map(str, counts)) + " |")
+    begin, end = BEGIN.format(title), END.format(title)
+    text = TABLE.read_text("utf-8")
+    before, _, rest = text.partition(begin)
+    lines = [begin, "", f"Sources of {revision or 'no revision'}.", "", *rows, "", end]
+    TABLE.write_text(before + "\n".join(lines) + rest.partition(end)[2], "utf-8")
+
+
+def write_core(results: list[tuple[Proof, Result]]) -> None:
+    rows = [f"| {p.name} | {p.bounds} | {r.outcome}, {r.properties} properties |" for p, r in results]
+    write("the core", ["| Core | Looked at | Result |", "|---|---|---|", *rows])
+
+
+def write_layouts(results: list[tuple[Proof, Result]]) -> None:
+    groups: dict[tuple[str, str], list[str]] = {}
     late: dict[str, list[str]] = {}
-    for p, r in known.items():
+    for p, r in results:
+        kind = "numbers only" if p.bounds == "any size" else "arrays" if "items" in p.bounds else "others"
+        groups.setdefault((kind, p.function), []).append(r.outcome)
         if r.outcome == "not proved":
             late.setdefault(p.name.split(", ")[0], []).append(p.function)
+    bounds = {"numbers only": "fields of any size", "others": "all sizes up to one more than the longest",
+              "arrays": f"all sizes up to {ITEMS} items"}  # fmt: skip
+    rows = ["| Layouts | Looked at | Proved | Not in the time |", "|---|---|---|---|"]
+    for (kind, function), outcomes in sorted(groups.items(), reverse=True):
+        rows.append(
+            f"| {kind}, {function} | {bounds[kind]} | {outcomes.count('proved')} | {outcomes.count('not proved')} |"
+        )
     if late:
         listed = ", ".join(f"`{name}` ({', '.join(functions)})" for name, functions in late.items())
         rows += ["", f"Not proved in the time: {listed}."]
-    text = TABLE.read_text("utf-8")
-    before, _, rest = text.partition(BEGIN)
-    head = [f"Sources of {revision or 'no revision'}.", "", "| Core | Looked at | Result |", "|---|---|---|"]
-    TABLE.write_text(before + BEGIN + "\n".join(["", "", *head, *rows, "", ""]) + END + rest.partition(END)[2], "utf-8")
+    write("layouts", rows)
 
 
 def main() -> int:
@@ -439,10 +442,15 @@ def main() -> int:
         proofs = random.Random(given.seed).sample(proofs, given.count)
         print(f"seed {given.seed}")
     began = time.monotonic()
-    results = run([*([] if given.field else core()), *proofs], cbmc, given.seconds)
-    counts = {o: sum(r.outcome == o for _, r in results) for o in ("proved", "refuted", "not proved")}
+    results = []
+    if not given.field:
+        results = run([*core()], cbmc, given.seconds)
+        write_core(results)
+    of_layouts = run(proofs, cbmc, given.seconds)
     if not given.field and given.count is None:
-        write(cbmc)
+        write_layouts(of_layouts)
+    results += of_layouts
+    counts = {o: sum(r.outcome == o for _, r in results) for o in ("proved", "refuted", "not proved")}
     print(", ".join(f"{n} {o}" for o, n in counts.items()) + f" in {time.monotonic() - began:.0f} s")
     return 1 if counts["refuted"] else 0
 
