@@ -149,10 +149,11 @@ def layout(f: m.Field, of: m.Model) -> Iterator[Proof]:
     given = [
         "-DMIP_CHECKSUM=0", f'-DHEADER="mip/{module}.h"', f"-DTYPE=struct {structure}", f"-DCODEC={structure}_codec",
         f"-DSET={set_of(f, of)}", f"-DLARGEST={largest}", "--unwind", str(max(270, 4 * largest)),
-        "--unwindset", "run:3", "--max-field-sensitivity-array-size", "1000", "--object-bits", "16",
+        "--max-field-sensitivity-array-size", "1000", "--object-bits", "16",
     ]  # fmt: skip
     if not numbers:
-        given += ["--slice-formula", f"-DWIRE={joined(wire(f))}", f"-DMEMORY={joined(memory(f))}"]
+        given += ["--unwindset", "run:3", "--slice-formula"]
+        given += [f"-DWIRE={joined(wire(f))}", f"-DMEMORY={joined(memory(f))}"]
     harness = "numbers.c" if numbers else "program.c"
     interpreter = [] if numbers else ["program.c"]
     sources = ("core.c", "codec.c", *interpreter, "double.c", f"{module}.c", "core.h", "program.h", f"{module}.h")
@@ -238,7 +239,7 @@ def prove(proof: Proof, cbmc: str, seconds: int, sources: Path = SOURCES) -> Res
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True, preexec_fn=limit)
     spent = round(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - began)
     if done.returncode not in (0, 10):
-        if "CONVERSION ERROR" in done.stdout or "PARSING ERROR" in done.stdout:
+        if done.returncode == 1 or "CONVERSION ERROR" in done.stdout or "PARSING ERROR" in done.stdout:
             sys.exit(f"{proof.name}: {done.stdout[-3000:]}{done.stderr[-2000:]}")
         return Result("not proved", spent, 0)
     found = next(x["result"] for x in json.loads(done.stdout) if "result" in x)
