@@ -26,9 +26,7 @@ class Evidence:
     kind: str  # "documented" in its manual, "listed" by the device, ... concluded from a "sister"
     why: str
     descriptors: dict[int, bytes]  # set -> descriptors of commands and data
-    undefined: tuple[
-        tuple[int, int], ...
-    ] = ()  # further descriptors that it lists, without a known layout
+    undefined: tuple[tuple[int, int], ...] = ()  # others that it lists, without a known layout
 
 
 @dataclass(frozen=True)
