@@ -5,18 +5,13 @@
  *
  * The functions of the parser that it calls may do anything that their contracts allow.
  */
-#include "mip/client.c"
+#include "any.h"
 
-#include <assert.h>
-#include <stdlib.h>
+#include "mip/client.c"
 
 #define REQUESTS 3
 #define RESPONSES 2
 
-size_t nondet_size(void);
-uint8_t nondet_byte(void);
-uint32_t nondet_32(void);
-_Bool nondet_bool(void);
 struct mip_request nondet_request(void);
 struct mip_response nondet_response(void);
 struct mip_exchange nondet_exchange(void);
@@ -37,12 +32,6 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
 size_t mip_packet_seal(uint8_t *bytes, uint8_t set, size_t size) {
     assert(set != 0 && __CPROVER_w_ok(bytes, size + 6));
     return size + 6;
-}
-
-static size_t up_to(size_t most) {
-    const size_t any = nondet_size();
-    __CPROVER_assume(any <= most);
-    return any;
 }
 
 /* A barrier is represented by the payload size of its reply: none, or at least two commands. */

@@ -5,27 +5,11 @@
  *
  * As in parser.c, loops are proved by induction, with a macro.
  */
+#include "any.h"
+
 #include "steps.h"
 
-#include <assert.h>
-#include <stdlib.h>
 #include <string.h>
-
-size_t nondet_size(void);
-uint8_t nondet_byte(void);
-_Bool nondet_bool(void);
-
-static size_t up_to(size_t most) {
-    const size_t value = nondet_size();
-    __CPROVER_assume(value <= most);
-    return value;
-}
-
-static uint8_t *any_bytes(size_t size) {
-    uint8_t *bytes = (uint8_t *)malloc(size);
-    __CPROVER_assume(bytes != NULL);
-    return bytes;
-}
 
 /* ------------------------------------------------------------------------- what the loops do first */
 
@@ -121,8 +105,6 @@ ANY_PUT(64)
 #define mip_put_64 any_put_64
 #endif
 
-/* A loop, by its function and the length of its head. */
-#define IS(function, head, text) (sizeof(__func__) == sizeof(function) && sizeof(text) == sizeof(head))
 #define for(...)                                                                                      \
     for (__VA_ARGS__)                                                                                 \
         if (IS("move_all", "unsigned step = *program; step != MIP_END; step = *program", #__VA_ARGS__) \

@@ -2,41 +2,23 @@
  * The core: checksum, check of packets, walk and builder. Walk and builder begin in any state that they can be in, and
  * one call leaves them in such a state again, so that what is proved of one call is proved of any number.
  */
+#include "any.h"
+
 #include "mip/checksum.h"
-
-#include <assert.h>
-#include <stdlib.h>
-
-size_t nondet_size(void);
-uint8_t nondet_byte(void);
-uint16_t nondet_sum(void);
-_Bool nondet_bool(void);
 
 #ifdef ANY_CHECKSUM
 /* The checksum has a proof of its own: here it is any number, and its bytes must be readable. */
 static uint16_t any_sum(const uint8_t *bytes, size_t size) {
     assert(__CPROVER_r_ok(bytes, size));
-    return nondet_sum();
+    return nondet_16();
 }
 #define mip_sum any_sum
 #endif
 #include "mip/core.c"
 
-static uint8_t *any_bytes(size_t size) {
-    uint8_t *bytes = (uint8_t *)malloc(size);
-    __CPROVER_assume(bytes != NULL);
-    return bytes;
-}
-
-static size_t any_size(size_t most) {
-    const size_t size = nondet_size();
-    __CPROVER_assume(size <= most);
-    return size;
-}
-
 /* The method that is compiled returns the sums that the protocol defines. */
 void checksum(void) {
-    const size_t size = any_size(LARGEST);
+    const size_t size = up_to(LARGEST);
     const uint8_t *bytes = any_bytes(size);
     uint8_t a = 0;
     uint8_t b = 0;
@@ -49,7 +31,7 @@ void checksum(void) {
 
 /* Bytes that are accepted are exactly one packet with its checksum; others change nothing. */
 void packet(void) {
-    const size_t size = any_size(LARGEST);
+    const size_t size = up_to(LARGEST);
     const uint8_t *bytes = any_bytes(size);
     struct mip_packet p = {NULL, 0, 0};
     const mip_error error = mip_packet_check(bytes, size, &p);
@@ -67,8 +49,8 @@ void packet(void) {
 
 /* From any place in a payload of any size: a field inside it, or the end, or an error that stays. */
 void walk(void) {
-    const size_t size = any_size(255);
-    const size_t at = any_size(size);
+    const size_t size = up_to(255);
+    const size_t at = up_to(size);
     const uint8_t *bytes = any_bytes(size + 1);
     struct mip_walk w;
     struct mip_field field;
@@ -89,7 +71,7 @@ void walk(void) {
 
 /* A walk through a packet begins at its first field and ends before its checksum, even if it is no valid packet. */
 void walk_begins(void) {
-    const size_t size = any_size(MIP_MAX_PACKET);
+    const size_t size = up_to(MIP_MAX_PACKET);
     const struct mip_packet p = {any_bytes(size), size, nondet_byte()};
     const struct mip_walk w = mip_walk_packet(&p);
     assert(w.error == MIP_OK && w.descriptor_set == p.descriptor_set);
@@ -98,26 +80,26 @@ void walk_begins(void) {
 
 /* From any state of a packet that is being built: a field of any size is inside it, or it is rejected and nothing changes. */
 void builder(void) {
-    const size_t capacity = any_size(300);
+    const size_t capacity = up_to(300);
     uint8_t *buffer = any_bytes(capacity);
     struct mip_builder b;
     const uint8_t set = nondet_byte();
     if (mip_builder_start(&b, buffer, capacity, set) == MIP_OK) {
         assert(set != 0 && set != 0xFF && capacity >= 6);
         assert(buffer[0] == 0x75 && buffer[1] == 0x65 && buffer[2] == set && buffer[3] == 0 && b.length == 4);
-        b.length += any_size(b.capacity - 6);
+        b.length += up_to(b.capacity - 6);
         buffer[3] = (uint8_t)(b.length - 4);
     } else {
         assert(set == 0 || set == 0xFF || capacity < 6);
     }
     const struct mip_builder before = b;
-    const size_t size = any_size(300);
+    const size_t size = up_to(300);
     const uint8_t *data = any_bytes(size);
     const uint8_t descriptor = nondet_byte();
     if (mip_builder_add(&b, descriptor, data, size) == MIP_OK) {
         assert(b.length == before.length + 2 + size && b.length + 2 <= capacity);
         assert(buffer[before.length] == size + 2 && buffer[before.length + 1] == descriptor);
-        const size_t i = any_size(size);
+        const size_t i = up_to(size);
         assert(i == size || buffer[before.length + 2 + i] == data[i]);
     } else {
         assert(b.length == before.length && b.error != MIP_OK);

@@ -6,6 +6,8 @@
  * As in parser.c, loops are proved by induction, with a macro. The program of an item is run by a call of its own,
  * which is replaced by anything that such a call may do: it finds a program of one step that ends it.
  */
+#include "any.h"
+
 #include <stddef.h>
 
 /* The product of a count and the size of an item: any function, of which only laws of products are used. */
@@ -20,25 +22,7 @@ static size_t product(size_t count, size_t each) {
 
 #include "steps.h"
 
-#include <assert.h>
-#include <stdlib.h>
 #include <string.h>
-
-size_t nondet_size(void);
-uint8_t nondet_byte(void);
-_Bool nondet_bool(void);
-
-static size_t up_to(size_t most) {
-    const size_t value = nondet_size();
-    __CPROVER_assume(value <= most);
-    return value;
-}
-
-static uint8_t *any_bytes(size_t size) {
-    uint8_t *bytes = (uint8_t *)malloc(size);
-    __CPROVER_assume(bytes != NULL);
-    return bytes;
-}
 
 static uint8_t *data; /* of the field, or of the packet */
 static size_t room;
@@ -76,8 +60,6 @@ static const uint8_t *p, *program;
 static uint8_t *base, *item;
 static size_t times, n, i, cases, size, left;
 
-/* A loop, by its function and the length of its head. */
-#define IS(function, head, text) (sizeof(__func__) == sizeof(function) && sizeof(text) == sizeof(head))
 #define for(...)                                                                                              \
     for (__VA_ARGS__)                                                                                         \
         if (IS("run", ";;", #__VA_ARGS__)                                     ? step_begins(s, &p, base, &times) \

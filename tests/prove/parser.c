@@ -7,15 +7,9 @@
  * allows; after one round, the invariant must hold again. The macro below puts this into the source. Copies and
  * checksums do anything that their contracts allow.
  */
+#include "any.h"
+
 #include "mip/checksum.h"
-
-#include <assert.h>
-#include <stdlib.h>
-
-size_t nondet_size(void);
-uint16_t nondet_16(void);
-uint32_t nondet_32(void);
-_Bool nondet_bool(void);
 
 struct content {
     uint8_t bytes[MIP_MAX_PACKET];
@@ -28,12 +22,6 @@ static const uint8_t *piece; /* the caller's bytes */
 static size_t size;
 static const uint8_t *data; /* what is left of them */
 static size_t left_over;
-
-static size_t up_to(size_t most) {
-    const size_t value = nondet_size();
-    __CPROVER_assume(value <= most);
-    return value;
-}
 
 /* Bytes of the stream so far that are in no packet, and those of this piece that are still to come. */
 static uint16_t total(size_t unread) {
@@ -173,8 +161,6 @@ static struct {
 static bool begin(struct mip_parser *parser, const uint8_t **of, size_t *all, struct mip_packet *found_now);
 static const uint8_t *end;
 
-/* A loop, by its function and the length of its head. */
-#define IS(function, head, text) (sizeof(__func__) == sizeof(function) && sizeof(text) == sizeof(head))
 #define for(...)                                                                                        \
     for (__VA_ARGS__)                                                                                   \
         if (IS("mip_parser_look_behind", "size_t at = 1; at < parser->length; at++", #__VA_ARGS__)      \
@@ -263,8 +249,7 @@ static bool any_sound(const uint8_t *bytes, size_t count) {
 
 static void any_call(size_t most) {
     size = up_to(most);
-    piece = (const uint8_t *)malloc(size);
-    __CPROVER_assume(piece != NULL);
+    piece = any_bytes(size);
     data = size > 0 || nondet_bool() ? piece : NULL;
     left_over = size;
     any_state();

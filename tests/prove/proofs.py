@@ -97,8 +97,6 @@ INCLUDED = {
     "interpreter.c": ("program.c", "program.h"),
     "codec.c": ("codec.c", "program.h"),
 }
-#: What harnesses share.
-SHARED = {"numbers.c": "layout.h", "program.c": "layout.h", "interpreter.c": "steps.h", "codec.c": "steps.h"}
 #: The harness tries arrays of variable length with at most this many items.
 ITEMS = 3
 
@@ -218,10 +216,16 @@ def prover() -> str | None:
 
 def key(proof: Proof, sources: Path, cbmc: str) -> str:
     digest = hashlib.sha256(repr((proof.function, proof.options, version(cbmc))).encode())
-    harness = [proof.harness, *([SHARED[proof.harness]] if proof.harness in SHARED else [])]
-    for path in (*(HERE / name for name in harness), *(sources / "mip" / name for name in proof.sources)):
+    for path in (*harness(HERE / proof.harness), *(sources / "mip" / name for name in proof.sources)):
         digest.update(without_comments(path.read_text("utf-8")).encode())
     return digest.hexdigest()[:24]
+
+
+def harness(path: Path) -> Iterator[Path]:
+    """A harness, and what it includes of this folder."""
+    yield path
+    for name in re.findall(r'#include "([a-z]+\.h)"', path.read_text("utf-8")):
+        yield from harness(HERE / name)
 
 
 def without_comments(source: str) -> str:
