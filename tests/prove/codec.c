@@ -187,10 +187,12 @@ void encode(void) {
     __CPROVER_assume(mip_builder_start(&b, buffer, capacity, nondet_byte()) == MIP_OK);
     b.length += up_to(b.capacity - MIP_HEADER_SIZE - MIP_CHECKSUM_SIZE);
     const size_t length = b.length;
+    buffer[3] = (uint8_t)(length - MIP_HEADER_SIZE);
     number_data = buffer + length + 2;
     const mip_error error = mip_encode(&codec, any_bytes(codec.size), &b);
     assert(b.length + MIP_CHECKSUM_SIZE <= b.capacity && b.capacity <= capacity);
     assert(error == MIP_OK ? b.length >= length + 2 : b.length == length);
+    assert(buffer[3] == b.length - MIP_HEADER_SIZE);
 }
 
 /* What the interpreter calls: numbers of any kind. */

@@ -1,7 +1,7 @@
 /*
  * Layouts that are more than numbers. Their program is run for one size after the other, and for one value after the
- * other of each byte that decides how others are read (WIRE, MEMORY: its place, how many values, the values). Each case
- * is a branch of its own that ends there, so that the prover does not carry the state of one into the next.
+ * other of each byte that decides how others are read (WIRE: its place, how many values, the values). Each case is a
+ * branch of its own that ends there, so that the prover does not carry the state of one into the next.
  */
 #include "layout.h"
 
@@ -13,7 +13,6 @@ struct split {
     uint8_t values[40];
 };
 static const struct split wire[] = {WIRE{0, 0, {0}}};
-static const struct split memory[] = {MEMORY{0, 0, {0}}};
 
 /* The next choice of values; false after the last. */
 static bool next(const struct split *splits, size_t *choice) {
@@ -50,20 +49,4 @@ void decode(void) {
             }
         }
     } while (next(wire, choice));
-}
-
-void encode(void) {
-    size_t choice[8] = {0};
-    do {
-        for (size_t i = 0; i < 4; i++) { /* enough for the largest; one byte too few; nothing but the header; nothing */
-            static const size_t capacities[] = {LARGEST + 8, LARGEST + 6, 8, 6};
-            uint8_t value[sizeof(TYPE)];
-            uint8_t buffer[LARGEST + 8]; /* the packet ends where this does */
-            choose(value, sizeof(value), memory, choice);
-            if (nondet_bool()) {
-                encode_this(value, buffer + (sizeof(buffer) - capacities[i]), capacities[i]);
-                __CPROVER_assume(false);
-            }
-        }
-    } while (next(memory, choice));
 }

@@ -5,7 +5,7 @@
     make prove COUNT=10 SEED=3              the core and ten layouts drawn by the seed; COUNT=0: the core
 
 What is proved of the core holds for any layout whose codec is well-formed; `test_prove.py` looks whether all are. The
-proofs of layouts show more: that what is decoded is encoded to the same bytes.
+proof of a layout shows more: that what is decoded is encoded to the same bytes.
 
 A proof depends on its harness, the sources that it includes and the prover. A result is kept in build/prove/ under the
 hash of these without their comments. A run of the core writes its table in docs/proofs.md, a complete one both.
@@ -103,7 +103,7 @@ ITEMS = 3
 
 @dataclass(frozen=True)
 class Proof:
-    name: str  # of a layout: "base.ping, decode"
+    name: str  # of a layout: "base.ping"
     bounds: str
     harness: str
     function: str
@@ -136,10 +136,10 @@ def core() -> Iterator[Proof]:
 def layouts() -> Iterator[Proof]:
     of = model("real")
     for f in all_fields(of):
-        yield from layout(f, of)
+        yield layout(f, of)
 
 
-def layout(f: m.Field, of: m.Model) -> Iterator[Proof]:
+def layout(f: m.Field, of: m.Model) -> Proof:
     numbers = bytecode.is_numbers(f, of.layouts(f))
     module = names.module(f.family) if f.family in {x.name for x in of.families} else "protocol"
     structure = names.field_name(f)
@@ -161,12 +161,11 @@ def layout(f: m.Field, of: m.Model) -> Iterator[Proof]:
     ]  # fmt: skip
     if not numbers:
         given += ["--unwindset", "run:3", "--slice-formula"]
-        given += [f"-DWIRE={joined(wire(f))}", f"-DMEMORY={joined(memory(f))}"]
+        given += [f"-DWIRE={joined(wire(f))}"]
     harness = "numbers.c" if numbers else "program.c"
     interpreter = [] if numbers else ["program.c"]
     sources = ("core.c", "codec.c", *interpreter, "double.c", f"{module}.c", "core.h", "program.h", f"{module}.h")
-    for function in ("decode", "encode"):
-        yield Proof(f"{f.full_name}, {function}", bounds, harness, function, tuple(given), sources)
+    return Proof(f.full_name, bounds, harness, "decode", tuple(given), sources)
 
 
 def deciding(f: m.Field) -> Iterator[tuple[m.Parameter, list[int]]]:
@@ -190,16 +189,6 @@ def wire(f: m.Field) -> Iterator[tuple[str, list[int]]]:
         if p.open or p.union or p.struct:
             break  # what follows has no fixed place
         at += p.size if p.count is None else p.count * p.item.size
-
-
-def memory(f: m.Field) -> Iterator[tuple[str, list[int]]]:
-    if f.optional:
-        yield "0", [*range(f.groups[-1].last + 1), 255]
-    for p, values in deciding(f):
-        yield f"offsetof(TYPE, {names.member(p.name)})", values
-    for p in f.parameters:
-        if p.fills:
-            yield f"offsetof(TYPE, {names.member(p.name)}_count)", [*range(ITEMS + 1), 255]
 
 
 def joined(splits: Iterable[tuple[str, list[int]]]) -> str:
@@ -357,21 +346,21 @@ PLANTS = [
     ("codec.c", "step >> 5, step & 31, writing", "step >> 5, 31, writing", "encode, for size"),
     ("codec.c", "memory += bits / 8;", "memory += bits / 4;", "moves"),
     ("codec.c", "memory + (i ^ flip)", "memory + (i + flip)", "moves, for size"),
-    ("codec.c", "codec->numbers > field->size", "codec->numbers > field->size + 1", "sensor.scaled_accel, decode"),
-    ("codec.c", "left -= codec->numbers;", "left -= 1;", "sensor.scaled_accel, decode"),
+    ("codec.c", "codec->numbers > field->size", "codec->numbers > field->size + 1", "sensor.scaled_accel"),
+    ("codec.c", "left -= codec->numbers;", "left -= 1;", "sensor.scaled_accel"),
     ("codec.c", "start + size + MIP_CHECKSUM_SIZE > builder->capacity", "start + size > builder->capacity + 1",
-     "sensor.scaled_accel, encode"),
+     "encode, for size"),
     ("core.h", "(uint32_t)from[0] << 24 | (uint32_t)from[1] << 16", "(uint32_t)from[1] << 24 | (uint32_t)from[0] << 16",
-     "sensor.scaled_accel, decode"),
+     "sensor.scaled_accel"),
     ("sensor.c", "32_BITS(3, MIP_AT(struct mip_sensor_scaled_accel", "32_BITS(4, MIP_AT(struct mip_sensor_scaled_accel",
-     "sensor.scaled_accel, decode"),
-    ("program.c", "s->at = bytes + size;", "s->at = bytes;", "filter.heading_source, decode"),
+     "sensor.scaled_accel"),
+    ("program.c", "s->at = bytes + size;", "s->at = bytes;", "filter.heading_source"),
     ("program.c", "*counter = (uint8_t)number;", "*counter = (uint8_t)(number + 1);",
-     "base.get_device_descriptors_response, decode"),
-    ("program.c", "s->last = last;", "s->last = before;", "filter.heading_source, decode"),
-    ("program.c", "s->optional = last > s->required;", "s->optional = true;", "filter.heading_source, decode"),
+     "base.get_device_descriptors_response"),
+    ("program.c", "s->last = last;", "s->last = before;", "filter.heading_source"),
+    ("program.c", "s->optional = last > s->required;", "s->optional = true;", "filter.heading_source"),
     ("program.c", "s->stopped = s->optional && s->at == s->end;", "s->stopped = s->at == s->end;",
-     "filter.heading_source, decode"),
+     "filter.heading_source"),
 ]  # fmt: skip
 
 
@@ -418,23 +407,17 @@ def write_core(results: list[tuple[Proof, Result]]) -> None:
 
 
 def write_layouts(results: list[tuple[Proof, Result]]) -> None:
-    groups: dict[tuple[str, str], list[str]] = {}
-    late: dict[str, list[str]] = {}
+    groups: dict[str, list[str]] = {}
     for p, r in results:
         kind = "numbers only" if p.bounds == "any size" else "arrays" if "items" in p.bounds else "others"
-        groups.setdefault((kind, p.function), []).append(r.outcome)
-        if r.outcome == "not proved":
-            late.setdefault(p.name.split(", ")[0], []).append(p.function)
+        groups.setdefault(kind, []).append(r.outcome)
     bounds = {"numbers only": "fields of any size", "others": "all sizes up to one more than the longest",
               "arrays": f"all sizes up to {ITEMS} items"}  # fmt: skip
     rows = ["| Layouts | Looked at | Proved | Not in the time |", "|---|---|---|---|"]
-    for (kind, function), outcomes in sorted(groups.items(), reverse=True):
-        rows.append(
-            f"| {kind}, {function} | {bounds[kind]} | {outcomes.count('proved')} | {outcomes.count('not proved')} |"
-        )
-    if late:
-        listed = ", ".join(f"`{name}` ({', '.join(functions)})" for name, functions in late.items())
-        rows += ["", f"Not proved in the time: {listed}."]
+    for kind, outcomes in sorted(groups.items(), reverse=True):
+        rows.append(f"| {kind} | {bounds[kind]} | {outcomes.count('proved')} | {outcomes.count('not proved')} |")
+    if late := [f"`{p.name}`" for p, r in results if r.outcome == "not proved"]:
+        rows += ["", f"Not proved in the time: {', '.join(late)}."]
     write("layouts", rows)
 
 
