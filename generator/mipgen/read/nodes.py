@@ -93,7 +93,7 @@ class Node:
             if isinstance(node.value, dict) and step in node.value:
                 position = node.keys[str(step)]
                 node = node.value[step]
-            elif isinstance(node.value, list) and isinstance(step, int) and step < len(node.value):
+            elif isinstance(node.value, list) and isinstance(step, int):
                 node = node.value[step]
                 position = node.position
             else:

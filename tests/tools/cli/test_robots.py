@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from mip_protocol import PacketBuilder, Parser, filter_data, registry
+from mip_protocol import PacketBuilder, Parser, filter_data, registry, shared
 from mip_tools.binding import info
 from mip_tools.cli import messages
 from mip_tools.cli.export_mcap import message, schema
@@ -183,6 +183,21 @@ def test_messages_are_encoded_as_rosbags_does() -> None:
 
 def rotated(q: axes.Quaternion, v: axes.Vector) -> list[float]:
     return [sum(row[i] * v[i] for i in range(3)) for row in axes.matrix(q)]
+
+
+@heavy("rosbags")
+@pytest.mark.parametrize("week", [3029, 6000])
+def test_a_time_that_messages_cannot_have(week: int, tmp_path: Path) -> None:
+    path = tmp_path / "log.bin"
+    packets = []
+    for number in (2296, week):
+        stamped = PacketBuilder(0x80).add(0xD3, shared.GpsTimestamp(5.0, number, shared.GpsTimestampFlags(3)).encode())
+        packets.append(bytes(stamped.add(0x04, bytes(12)).build()))
+    path.write_bytes(b"".join(packets))
+    status, out, said = mip("export", path, "--format", "ros2", "-o", tmp_path / "bag")
+    assert (status, out) == (1, "") and not (tmp_path / "bag").exists()
+    assert said.startswith(f"mip export: {path}: packet 1 has the time ") and "2038-01-19T03:14:07.000Z" in said
+    assert mip("export", path, "--format", "mcap", "-o", tmp_path / "log.mcap") == (0, "", "")
 
 
 @heavy("rosbags")

@@ -26,6 +26,8 @@ from .selection import Selection
 #: Of messages in the axes of the device.
 FRAME = "imu_link"
 REFERENCE = "sensor_msgs/msg/TimeReference"
+#: The first time that messages cannot have: their seconds are signed numbers of 32 bits.
+END = SECOND << 31
 
 
 def require(form: str) -> None:
@@ -99,6 +101,7 @@ class Job:
 
             for packet, group in groupby(timed(messages(), False), lambda one: one[0].packet):
                 for one, moment in group:
+                    self._check(packet, moment)
                     if one.data is not None:
                         write(*own[one.kind], moment, one.data)
                 for topic, kind, message in waiting.pop(packet, ()):
@@ -107,6 +110,15 @@ class Job:
                     write("/time_reference", REFERENCE, moment, self._reference(known, one.time))
         if not topics:
             raise Failure(f"{self._options.file} has nothing of which there are messages; name the folder of mip_msgs")
+
+    def _check(self, packet: int, moment: int) -> None:
+        """Raises Failure if a message cannot have this time."""
+        if moment >= END:
+            of, last = (clocks.stamp(self._clock or "", each, 3) for each in (moment, END - SECOND))
+            raise Failure(
+                f"{self._name}: packet {packet} has the time {of}; ROS 2 ends at {last}; use --format mcap, which has "
+                "times of 64 bits"
+            )
 
     def _reference(self, known: Types, time: int) -> bytes:
         """The message with the device's own time of a packet."""
