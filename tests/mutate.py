@@ -54,11 +54,12 @@ PARTS = {
         ),
     ),
     "c": Part(
-        ("templates/c/**/*.j2", "runtime/c/**/*.[ch]", "generator/mipgen/targets/c/*.py"),
+        ("templates/c/**/*.j2", "runtime/c/**/*.[ch]", "runtime/c/**/*.hpp", "generator/mipgen/targets/c/*.py"),
         ("c",),
         (
             ("tests/c", "-k", "test_unit or every_ or small_program"),
-            ("tests/conformance", "-k", "c-invented or c]"),
+            ("tests/conformance", "-k", "c-invented or c] or cpp-invented"),
+            ("tests/cpp",),
             ("tests/conformance", "-k", "c-real"),
         ),
     ),
