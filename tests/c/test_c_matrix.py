@@ -56,10 +56,13 @@ def test_garbage_in_all_real_fields(compiler: str, tmp_path: Path) -> None:
     run(compiled(tmp_path / "garbage", "real", compiler, HERE / "unit/garbage.c", "-std=c99", "-O1", *SANITIZE))
 
 
+ALL = nightly("all builds of C")
+
+
 def rows() -> Iterator[object]:
     """Every language with every level; the flags change from row to row, so that all pairs occur.
 
-    `make test-all` builds each language at one level, which is another one with the next seed.
+    `make test-all` builds each language at one level with one compiler; the next seed draws others.
     """
     for n, compiler in enumerate(("cc", "clang")):
         for i, language in enumerate(C):
@@ -67,9 +70,16 @@ def rows() -> Iterator[object]:
                 flags = [CHARS[(i + k) % 2], *(["-fshort-enums"] if k != i % 3 else [])]
                 row = (compiler, language, level)
                 marks = heavy("clang" if compiler == "clang" else "many builds of C")
-                if (n + i + k + SEED) % len(LEVELS):
-                    marks = nightly("all builds of C")
+                if (i + k + SEED) % len(LEVELS) or (n + i + SEED) % 2:
+                    marks = ALL
                 yield pytest.param(*row, flags, marks=marks, id="-".join((*row, *flags)).replace(" ", "_"))
+
+
+def cpp_rows() -> Iterator[object]:
+    """Every language with both compilers; `make test-all` builds each with one of them."""
+    for i, language in enumerate(CPP):
+        for n, (pair, marks) in enumerate({"cc g++": heavy("g++"), "clang clang++": heavy("clang")}.items()):
+            yield pytest.param(pair, language, marks=ALL if (i + n + SEED) % 2 else marks)
 
 
 @pytest.mark.parametrize("compiler,language,level,flags", list(rows()))
@@ -77,17 +87,21 @@ def test_c(compiler: str, language: str, level: str, flags: list[str], tmp_path:
     units(tmp_path, "invented", compiler, standard(compiler, language), level, *flags)
 
 
-@pytest.mark.parametrize("level", LEVELS)
-@pytest.mark.parametrize("compiler", [pytest.param(c, marks=heavy("many builds of C")) for c in ("cc", "clang")])
+@pytest.mark.parametrize(
+    "compiler,level",
+    [
+        pytest.param(c, level, marks=ALL if (n + k + SEED) % len(LEVELS) else heavy("many builds of C"))
+        for n, c in enumerate(("cc", "clang"))
+        for k, level in enumerate(LEVELS)
+    ],
+)
 def test_the_real_library(compiler: str, level: str, tmp_path: Path) -> None:
     chars = CHARS[LEVELS.index(level) % 2]
     units(tmp_path, "real", compiler, standard(compiler, "newest C"), level, chars, "-fshort-enums")
 
 
-@pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=nightly("all builds of C"))])
-@pytest.mark.parametrize("language", CPP)
-@pytest.mark.parametrize("pair", [pytest.param("cc g++", marks=heavy("g++")),
-                                  pytest.param("clang clang++", marks=heavy("clang"))])  # fmt: skip
+@pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=ALL)])
+@pytest.mark.parametrize("pair,language", list(cpp_rows()))
 def test_the_sources_are_cpp_too(pair: str, language: str, spec: str, tmp_path: Path) -> None:
     """The programs stay C, and so does what they link with."""
     c, cpp = pair.split()
@@ -101,7 +115,7 @@ def test_the_sources_are_cpp_too(pair: str, language: str, spec: str, tmp_path: 
 
 @small("many builds of C")
 @compilers
-@pytest.mark.parametrize("level", [pytest.param("-O0", marks=heavy("many builds of C")), "-O2"])  # -O2 finds more
+@pytest.mark.parametrize("level", [pytest.param("-O0", marks=ALL), "-O2"])  # -O2 finds more
 def test_c99_without_a_warning(level: str, compiler: str, spec: str) -> None:
     archive(spec, compiler, "-std=c99", level)
 
@@ -145,7 +159,7 @@ def test_every_form_of_the_checksum(compiler: str, form: str, tmp_path: Path) ->
 # --------------------------------------------------------------------------- bare machines, as far as clang goes
 
 
-@both
+@pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=ALL)])
 @heavy("bare-metal machines with clang")
 @pytest.mark.parametrize("machine", ["thumbv7m-none-eabi", "powerpc-none-eabi", "msp430-none-elf", "avr"])
 def test_freestanding_on_small_machines(machine: str, spec: str, tmp_path: Path) -> None:

@@ -89,7 +89,7 @@ def test_after_any_edit_the_output_is_that_of_a_complete_run(spec: str, tmp_path
     """For the real specification after the last edit only, as a complete run takes long."""
     runs = Runs(SPECS[spec][0], tmp_path)
     runs.run()
-    wanted = rounds(4, 20) if spec == "real" else rounds(4, 200)
+    wanted = rounds(2, 20) if spec == "real" else rounds(4, 200)
     for path, text, edited in edits(runs.spec):
         path.write_text(edited, "utf-8")
         try:

@@ -183,7 +183,7 @@ def test_streams(spec: str) -> None:
         assert not any(p.is_packet for p in compiled_python(spec).from_bytes(packets[0][:end]).parts)
 
 
-@specs
+@pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=nightly("all languages of Kaitai"))])
 def test_cpp_counts_the_same(spec: str, tmp_path: Path) -> None:
     """What the compiler makes for C++ compiles, with a run-time library of ours, and finds the same in a stream."""
     compiled(file(spec).parent, spec, "python")

@@ -124,7 +124,7 @@ def test_all_devices_and_faults(seed: int) -> None:
     """Nightly all devices; else the seed draws some."""
     rates = {kind: RATES[known.of] / 6 for kind, known in KINDS.items()}
     devices = [of for of in model("real").devices if commands(of)]
-    for of in chance("devices", seed).sample(devices, rounds(6, len(devices))):
+    for of in chance("devices", seed).sample(devices, rounds(3, len(devices))):
         sessions = [faulty(of, seed, **rates), *([everything(of)] if seed == 0 else [])]
         for session in sessions:
             check(session)
