@@ -3,10 +3,14 @@
  * arguments and leaves such a state again: a list of requests that wait, in their order, less those that left it.
  * Each set of waiting requests is a branch of its own, so that the prover knows the list before the event.
  *
- * The functions of the parser that it calls may do anything that their contracts allow.
+ * The functions of the parser, the walk and the codec that it calls may do anything that has been proved of them.
  */
 #include "any.h"
 
+#include "mip/client.h"
+
+static bool any_walk_next(struct mip_walk *walk, struct mip_field *field);
+#define mip_walk_next any_walk_next
 #include "mip/client.c"
 
 #define REQUESTS 3
@@ -17,6 +21,7 @@ struct mip_response nondet_response(void);
 struct mip_exchange nondet_exchange(void);
 
 static struct mip_codec codec;
+static uint8_t response; /* where all responses are stored */
 static struct mip_response responses[REQUESTS][RESPONSES];
 static struct mip_exchange exchanges[REQUESTS];
 /* Separate objects: the prover would treat an array as a whole. */
@@ -32,6 +37,29 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
 size_t mip_packet_seal(uint8_t *bytes, uint8_t set, size_t size) {
     assert(set != 0 && __CPROVER_w_ok(bytes, size + 6));
     return size + 6;
+}
+
+/* Goes to a field of any bytes, or to none, which changes nothing. */
+static bool any_walk_next(struct mip_walk *walk, struct mip_field *field) {
+    assert(__CPROVER_w_ok(walk, sizeof(*walk)) && __CPROVER_w_ok(field, sizeof(*field)));
+    if (nondet_bool()) {
+        return false;
+    }
+    field->size = (uint8_t)up_to(253);
+    field->data = any_bytes(field->size);
+    field->descriptor = nondet_byte();
+    field->descriptor_set = nondet_byte();
+    return true;
+}
+
+bool mip_codec_matches(const struct mip_codec *of, const struct mip_field *field) {
+    assert(of == &codec && __CPROVER_r_ok(field->data, field->size));
+    return nondet_bool();
+}
+
+mip_error mip_decode(const struct mip_codec *of, void *value, const struct mip_field *field, size_t *trailing) {
+    assert(of == &codec && value == &response && trailing == NULL && __CPROVER_r_ok(field->data, field->size));
+    return (mip_error)up_to(MIP_ERROR_LAYOUT);
 }
 
 /* A barrier is represented by the payload size of its reply: none, or at least two commands. */
@@ -63,6 +91,8 @@ static void any_state(unsigned waiting) {
         const size_t asked = up_to(exchanges[i].response_count);
         requests[i]->asked = asked < exchanges[i].response_count ? &responses[i][asked] : NULL;
         requests[i]->codec = &codec;
+        requests[i]->response = nondet_bool() ? &response : NULL;
+        requests[i]->error = MIP_OK;
         requests[i]->next = client.waiting;
         if ((waiting >> i & 1U) != 0) {
             requests[i]->state = MIP_REQUEST_WAITING;
@@ -133,6 +163,35 @@ static void passes(void) {
     }
 }
 
+/* Is a field an acknowledge of the command of this request, which waits for no barrier? */
+static bool is_about(const struct mip_request *request, const struct mip_field *field) {
+    return request->behind == 0 && request->exchange->descriptor == field->data[0] &&
+           request->exchange->descriptor_set == field->descriptor_set;
+}
+
+/* A field arrives, and perhaps one behind it. */
+static void next(void) {
+    struct mip_walk walk;
+    struct mip_field field;
+    struct mip_request *answered = &first;
+    const bool found = mip_client_next(&client, &walk, &answered, &field);
+    assert(found || answered == NULL);
+    if (answered == NULL) {
+        return;
+    }
+    assert(answered->state == MIP_REQUEST_ACKNOWLEDGED || answered->state == MIP_REQUEST_REFUSED ||
+           answered->state == MIP_REQUEST_MISSING_RESPONSE || answered->state == MIP_REQUEST_UNDECODABLE);
+    assert((answered->state == MIP_REQUEST_REFUSED) == (answered->code != 0));
+    assert(answered->state != MIP_REQUEST_REFUSED || is_about(answered, &field));
+    const struct mip_request *r = client.waiting;
+    for (size_t i = 0; requests[i] != answered; i++) {
+        if (r == requests[i]) {
+            assert(answered->state != MIP_REQUEST_REFUSED || !is_about(r, &field)); /* the oldest is refused */
+            r = r->next;
+        }
+    }
+}
+
 #define IN_ANY_STATE(event)                                               \
     void client_##event(void) {                                           \
         for (unsigned waiting = 0; waiting < 1U << REQUESTS; waiting++) { \
@@ -147,6 +206,7 @@ static void passes(void) {
 
 IN_ANY_STATE(poll)
 IN_ANY_STATE(passes)
+IN_ANY_STATE(next)
 IN_ANY_STATE(cancel)
 IN_ANY_STATE(wait)
 IN_ANY_STATE(barrier)
