@@ -10,7 +10,9 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from support import BUILD, ROOT, SPECS, heavy, need, simulated
+from mipgen import model as m
+from mipgen.targets.javascript import names
+from support import BUILD, ROOT, SPECS, heavy, model, need, simulated
 
 pytestmark = [] if shutil.which("node") else heavy("node")
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -99,6 +101,28 @@ def test_the_package_is_complete() -> None:
         for path in paths.values() if isinstance(paths, dict) else (paths,):
             assert (GENERATED / path).is_file(), name
     assert (GENERATED / about["types"]).is_file()
+
+
+@specs
+def test_bits_have_their_masks(spec: str) -> None:
+    """Of every bitfield, also of those with numbers of 64 bits, which are BigInts."""
+    wanted: dict[str, dict[str, str]] = {}
+    for t in model(spec).types:
+        if isinstance(t, m.Bitfield):
+            of = wanted.setdefault(f"{names.home(t)}.{names.class_name(t)}", {})
+            of |= {names.constant(b.name): str(b.mask) for b in t.bits}
+    code = """
+        const wanted = JSON.parse(process.env.NAMES);
+        const found = {};
+        for (const name of wanted) {
+            const [home, kind] = name.split(".");
+            const of = (await import(`${process.env.FOLDER}/${home}.mjs`))[kind];
+            found[name] = Object.fromEntries(Object.entries(of).map(([bit, mask]) => [bit, String(mask)]));
+        }
+        console.log(JSON.stringify(found));
+    """
+    folder = str(SPECS[spec][1] / "javascript")
+    assert json.loads(node("--input-type=module", "-e", code, FOLDER=folder, NAMES=json.dumps([*wanted]))) == wanted
 
 
 @specs

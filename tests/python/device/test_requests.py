@@ -649,6 +649,17 @@ def test_nothing_is_kept_of_commands_that_are_answered() -> None:
         assert ticket.done and not talk._tickets
 
 
+def test_nobody_waits_for_what_is_forgotten() -> None:
+    """A call that was interrupted leaves nothing that times out later, and its answer is nobody's."""
+    talk = conversation.Conversation()
+    _, (ticket,) = talk.send([PING], 0.0, None)
+    assert talk.deadline is not None
+    talk.forget([ticket])
+    assert talk.deadline is None and not talk._tickets
+    talk.receive(acknowledge(1, 1), 0.1, 0.1)
+    assert not ticket.done
+
+
 def test_a_port_that_does_not_come_back(kind: Kind) -> None:
     with (
         socket.create_server(("localhost", 0)) as server,

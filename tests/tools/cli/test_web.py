@@ -33,16 +33,20 @@ def masked(kind: int, data: bytes = b"", final: bool = True, mask: bytes = b"\1\
 class Page:
     """The connection of a page in a browser."""
 
-    def __init__(self, server: Any, path: str, host: str = "", key: str = "dGhlIHNhbXBsZSBub25jZQ==") -> None:
+    def __init__(
+        self,
+        server: Any,
+        path: str,
+        host: str = "",
+        key: str = "dGhlIHNhbXBsZSBub25jZQ==",
+        method: str = "GET",
+        protocol: str = "websocket",
+    ) -> None:
         self.socket = socket.create_connection(("127.0.0.1", server.number), PATIENCE)
-        lines = [f"GET {path} HTTP/1.1", f"Host: {host or f'127.0.0.1:{server.number}'}", "Origin: https://else.where"]
-        if key:
-            lines += [
-                "Upgrade: websocket",
-                "Connection: Upgrade",
-                f"Sec-WebSocket-Key: {key}",
-                "Sec-WebSocket-Version: 13",
-            ]
+        own = host or f"127.0.0.1:{server.number}"
+        lines = [f"{method} {path} HTTP/1.1", f"Host: {own}", "Origin: https://else.where"]
+        lines += [f"Upgrade: {protocol}", "Connection: Upgrade", "Sec-WebSocket-Version: 13"]
+        lines += [f"Sec-WebSocket-Key: {key}"] if key else []
         self.socket.sendall("\r\n".join([*lines, "", ""]).encode())
         self.held = b""
         head = b""
@@ -114,7 +118,6 @@ def test_a_page_that_knows_the_token_uses_the_device() -> None:
         ("/{token}x", "", "x", "403"),
         ("/{token}", "evil.example:{number}", "x", "403"),  # a name that was made to lead here
         ("/{token}", "evil.example", "x", "403"),
-        ("/{token}", "", "", "426"),
         ("/{token}", "localhost:{number}", "dGhlIHNhbXBsZSBub25jZQ==", "101"),
     ],
 )
@@ -136,6 +139,16 @@ def test_nobody_else_does(path: str, host: str, key: str, status: str) -> None:
         else:
             assert page.socket.recv(1) == b"" and opened == []
             assert server.token not in "".join(server.said)
+        page.close()
+
+
+@pytest.mark.parametrize(
+    ("method", "protocol", "key"), [("POST", "websocket", "x"), ("GET", "h2c", "x"), ("GET", "websocket", "")]
+)
+def test_only_a_web_socket_is_opened(method: str, protocol: str, key: str) -> None:
+    with serving() as server:
+        page = Page(server, f"/{server.token}", "", key, method, protocol)
+        assert page.status == "426" and page.socket.recv(1) == b""
         page.close()
 
 
