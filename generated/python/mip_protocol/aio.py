@@ -70,23 +70,24 @@ from .streaming import steps
 #: Turns of the event loop before a command is sent, so that bytes that have arrived are processed
 #: even if the program has kept the loop busy. Streams take about five of them.
 TURNS = 10
-#: Seconds until unsent bytes are given up when a connection is closed.
+#: Seconds to wait for unsent bytes when a connection is closed; then they are discarded.
 CLOSE_TIMEOUT = 1.0
 
 OnData = Callable[[bytes, float, float], object]
 OnEnd = Callable[[BaseException], object]
-#: Opens a port at this baud rate.
+#: A function that opens a port at a baud rate.
 Opening = Callable[[int], Coroutine[Any, Any, Any]]
 
-# Nothing here waits by `asyncio.wait_for` in the task of a caller: until Python 3.12, it drops a cancellation that
-# arrives in the same turn of the event loop as the result.
+# Nothing here uses `asyncio.wait_for` in a caller's task: until Python 3.12, it loses a
+# cancellation that arrives in the same turn of the event loop as the result.
 
 
 class Device(AtPort):
     """A device on an open port. An `async with` statement closes it at the end.
 
-    One that is dropped without being closed is closed, with a ResourceWarning. A task that waits for
-    it can be cancelled at any time; a command that is being written is then written whole.
+    A device that is garbage-collected while open is closed, with a ResourceWarning. A task that
+    waits for the device can be cancelled at any time; a command that is being written at that
+    moment is still written in full.
     """
 
     def __init__(
@@ -98,13 +99,13 @@ class Device(AtPort):
         on_bytes: Callback | None = None,
         on_skipped: Callback | None = None,
     ) -> None:
-        """The arguments are those of `device.Device`; `port` may also be a pair of a StreamReader and
-        a StreamWriter. `on_bytes` and `on_skipped` are called in the event loop.
+        """The arguments are those of `device.Device`; `port` may also be a pair of a StreamReader
+        and a StreamWriter. `on_bytes` and `on_skipped` are called in the event loop.
         """
         self._talk = Conversation(timeout, capacity, on_skipped)
         self._on_bytes = on_bytes
         self._loop = asyncio.get_running_loop()
-        self._answered = self._loop.create_future()  # done when there is something new
+        self._answered = self._loop.create_future()  # done at the next news
         self._arrived = self._loop.create_future()
         self._writing = asyncio.Lock()
         self._written: asyncio.Future[None] | None = None  # the latest packet
@@ -145,7 +146,7 @@ class Device(AtPort):
             raise ValueError("only a port that `open_port` has opened can be opened again")
         link, closes = self._link, self._closes
         async with self._opening:
-            if self._link is link:  # else another task has done it meanwhile
+            if self._link is link:  # otherwise another task has already reopened it
                 await self._open_again(self._again, within, closes)
 
     async def _open_again(self, again: Opening, within: float, closes: int) -> None:
@@ -178,7 +179,7 @@ class Device(AtPort):
     # ----------------------------------------------------------------- commands
 
     async def request(self, command: Command[R], timeout: float | None = None) -> R:
-        """Sends a command, waits for the answer and returns the response, or None if it has none.
+        """Sends a command, waits for the reply and returns the response, or None if it has none.
 
         Raises what `device.Device.request` raises.
         """
@@ -226,14 +227,15 @@ class Device(AtPort):
     ) -> list[Outcome | None]:
         """Sends commands of one set in one packet and returns the outcome of each.
 
-        None: the device does not acknowledge it. Raises only PortClosed and EncodeError.
+        The outcome is None for a command that the device never acknowledges. Raises only PortClosed
+        and EncodeError.
         """
         return [ticket.outcome for ticket in await self._exchange(commands, timeout)]
 
     async def send(self, *commands: Command) -> None:
-        """Sends commands of one set in one packet, and does not wait for answers.
+        """Sends commands of one set in one packet, and does not wait for replies.
 
-        Answers, if any arrive, are treated as data. Raises PortClosed and EncodeError.
+        Replies, if any arrive, are treated as data. Raises PortClosed and EncodeError.
         """
         await self._send(commands, None, wait=False)
 
@@ -253,16 +255,16 @@ class Device(AtPort):
     async def _send(
         self, commands: Sequence[Command], timeout: float | None, wait: bool = True
     ) -> list[Ticket]:
-        async with self._writing:  # so that answers come in the order of the commands
+        async with self._writing:  # replies must arrive in the order of the commands
             if self._written is not None and not self._written.done():
-                await asyncio.wait((self._written,))  # its task has been cancelled
-            for _ in range(TURNS):  # a late answer is not that of this command
+                await asyncio.wait((self._written,))  # the task that was writing it was cancelled
+            for _ in range(TURNS):  # a late reply must not be matched to this command
                 await asyncio.sleep(0)
             self._must_be_open()
             packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
             try:
                 self._written = self._link.write(packet)
-                await asyncio.shield(self._written)  # part of a packet would be noise
+                await asyncio.shield(self._written)  # a partial packet would be noise
             except Exception as error:
                 self._talk.forget(tickets)
                 self._must_be_open()
@@ -315,18 +317,18 @@ class Device(AtPort):
     # ----------------------------------------------------------------- data
 
     async def __aiter__(self) -> AsyncIterator[Arrival]:
-        """The data packets as they arrive. Ends when `close` closes the device.
+        """Yields data packets as they arrive, until `close` closes the device.
 
-        Raises PortClosed when the port is lost, after all data received before.
+        Raises PortClosed when the port is lost, after yielding all data received before.
         """
         while (arrival := await self._next(None)) is not None:
             yield arrival
 
     async def next(self, timeout: float | None = None) -> Arrival | None:
-        """The next data packet; None if none arrives within `timeout` seconds, or if the device is
-        closed.
+        """Returns the next data packet, or None if none arrives within `timeout` seconds or the
+        device is closed.
 
-        Raises PortClosed when the port is lost, after all data received before.
+        Raises PortClosed when the port is lost, once all data received before has been returned.
         """
         return await self._next(deadline_of(timeout))
 
@@ -386,7 +388,7 @@ class Device(AtPort):
         self._wake(News(True, True))
 
     def _wake(self, news: News) -> None:
-        # The current waiters have the future; later ones wait for the next one.
+        # Current waiters hold the old future; later ones wait for the new one.
         if news.answers:
             self._answered.set_result(None)
             self._answered = self._loop.create_future()
@@ -395,7 +397,7 @@ class Device(AtPort):
             self._arrived = self._loop.create_future()
 
 
-# --------------------------------------------------------------------------- how bytes are moved
+# --------------------------------------------------------------------------- transfer of bytes
 
 
 class Threaded:
@@ -449,7 +451,7 @@ class Threaded:
 
 
 class Streams:
-    """A connection of asyncio: its StreamReader and its StreamWriter."""
+    """An asyncio connection: a StreamReader and a StreamWriter."""
 
     port: Any = None  # it has no baud rate
 
@@ -460,7 +462,7 @@ class Streams:
     ) -> None:
         self._reader, self._writer = port
         self._loop = loop
-        # So that a write ends when the system has the bytes, as at other ports.
+        # A write ends when the system has accepted the bytes, as with other ports.
         self._writer.transport.set_write_buffer_limits(0)
 
     def start(self, on_data: OnData, on_end: OnEnd) -> None:
@@ -492,7 +494,7 @@ class Streams:
         try:
             await asyncio.wait_for(self._writer.drain(), WRITE_TIMEOUT)
         except asyncio.TimeoutError:
-            self._writer.transport.abort()  # else the command would go out later, although it failed
+            self._writer.transport.abort()  # else the failed command could still be sent
             raise TimeoutError("the other end accepts no data") from None
 
     async def stop(self) -> None:
@@ -501,7 +503,7 @@ class Streams:
         try:
             await asyncio.wait((ends,), timeout=CLOSE_TIMEOUT)
         finally:
-            if not ends.done():  # what was written cannot go out
+            if not ends.done():  # unsent bytes cannot be sent
                 self._writer.transport.abort()
 
     def abandon(self) -> None:
@@ -569,11 +571,11 @@ async def _connect(url: str | os.PathLike[str], baud: int | None) -> Any:
     try:
         done, _ = await asyncio.wait((opening,), timeout=seconds)
         if not done:
-            raise cannot_open(url, TimeoutError("nobody answers"))
+            raise cannot_open(url, TimeoutError("no answer"))
     except BaseException:
         stop()
         opening.add_done_callback(_discard)
-        await asyncio.wait((opening,), timeout=CLOSE_TIMEOUT)  # the port can be opened again then
+        await asyncio.wait((opening,), timeout=CLOSE_TIMEOUT)  # then the port is free again
         raise
     error = opening.exception()
     if host is not None and isinstance(error, OSError):
@@ -587,5 +589,5 @@ def _discard(opening: asyncio.Future[Any]) -> None:
 
 
 def _close(port: Any) -> None:
-    """Closes a port that no device has."""
+    """Closes a port that no device uses."""
     (port[1] if isinstance(port, tuple) else port).close()

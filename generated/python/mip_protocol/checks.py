@@ -1,7 +1,8 @@
 """Fast checks of checksums.
 
-A checksum is two 8-bit sums. `zlib.adler32` makes the same sums modulo 65521: over at most 22 bytes, which cannot
-reach that, they are exact. The sums of such pieces are joined with weights that depend on the length only.
+A checksum is two 8-bit sums. `zlib.adler32` computes the same sums modulo 65521. Over at most 22
+bytes they cannot reach that, so they are exact. The sums of such pieces are combined with weights
+that depend only on the length.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ Check = Callable[[bytes, int], bool]
 
 
 def checksum(data: bytes) -> bytes:
-    """The two checksum bytes of a header and its payload.
+    """Computes the two checksum bytes of a header and its payload.
 
     >>> checksum(bytes.fromhex("756501020201")).hex()
     'e0c6'
@@ -40,7 +41,8 @@ def checksum(data: bytes) -> bytes:
 
 
 def is_correct(data: bytes) -> bool:
-    """Does a packet have the correct checksum? Most wrong ones fail at the first sum, which is cheap."""
+    """Does a packet have the correct checksum? Most wrong ones fail at the first sum, which is
+    cheap."""
     body = data[:-2]
     first = adler32(body, 0) & 0xFFFF
     if first > WRAPPED and first & 0xFF != data[-2]:
@@ -49,9 +51,10 @@ def is_correct(data: bytes) -> bool:
 
 
 def check_source(header: bytes, names: dict[str, Any]) -> tuple[list[str], str]:
-    """The text of a check of packets that begin with these four bytes: lines, and a condition.
+    """Returns source code that checks packets beginning with these four bytes: lines and a
+    condition.
 
-    They use `buffer` and `at`, and what is added to `names`.
+    The code uses `buffer`, `at` and what is added to `names`.
     """
     size = header[3]
     first, second = sum(header), sum(n * byte for n, byte in zip(range(size + 4, size, -1), header))
@@ -73,7 +76,7 @@ def check_source(header: bytes, names: dict[str, Any]) -> tuple[list[str], str]:
 
 
 def make_check(header: bytes) -> Check:
-    """The check of packets that begin with these four bytes."""
+    """Compiles the check for packets that begin with these four bytes."""
     names: dict[str, Any] = {}
     lines, condition = check_source(header, names)
     made: Check = function("check", [*lines, f"return {condition}"], names)
@@ -81,13 +84,13 @@ def make_check(header: bytes) -> Check:
 
 
 def function(name: str, lines: Sequence[str], names: dict[str, Any]) -> Any:
-    """The function of `buffer` and `at` that has these lines and uses these names."""
+    """Compiles a function of `buffer` and `at` from these lines, which may use these names."""
     exec(f"def {name}(buffer, at):\n " + "\n ".join(lines), names)
     return names[name]
 
 
 class Often(Generic[T]):
-    """Objects that are worth creating only for frequent keys. Keeps no more than `most` of them."""
+    """A cache of objects that are only made for frequent keys; at most `most` of them."""
 
     def __init__(self, make: Callable[[bytes], T], most: int) -> None:
         self.made: dict[bytes, T] = {}
@@ -96,7 +99,7 @@ class Often(Generic[T]):
         self._counts: dict[bytes, int] = {}
 
     def count(self, key: bytes) -> None:
-        """Counts an occurrence of a key."""
+        """Counts an occurrence of a key, and makes its object when there have been enough."""
         seen = self._counts.get(key, 0) + 1
         if seen < TIMES:
             if len(self._counts) >= 4 * self._most:

@@ -15,9 +15,9 @@ T = TypeVar("T", bound=IntFlag)
 S = TypeVar("S", bound="_Structure")
 Groups = tuple[tuple[int, tuple[str, ...], bool], ...]
 
-#: What a vector can be created from: a sequence or an array of numbers, but not bytes or text.
+#: A vector, or what can be converted to one: a sequence or array of numbers, but not bytes or text.
 Numbers: TypeAlias = Collection[float]
-#: And a matrix: the same row by row, or its rows.
+#: A matrix, or what can be converted to one: all elements row by row, or a sequence of rows.
 Rows: TypeAlias = "Collection[float] | Collection[Collection[float]]"
 
 
@@ -47,7 +47,7 @@ def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
     """Makes `~` invert all bits of a bitfield, so that `flags & ~Flags.X` clears only X.
 
     Python itself inverts only the named bits or, in older versions, returns a negative number. It
-    also keeps an object for every combination of bits that it ever sees; here they are not kept.
+    also caches an object for every combination of bits ever seen; this class does not.
     """
 
     def opened(kind: type[T]) -> type[T]:
@@ -70,7 +70,8 @@ def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
 
 
 class Known(dict[int, Any]):
-    """Numbers as members of an enumeration or a bitfield: faster than looking up each, and bounded."""
+    """A bounded cache: number -> member of an enumeration or a bitfield; faster than a call of the
+    type."""
 
     SIZE = 1024
 
@@ -87,22 +88,22 @@ class Known(dict[int, Any]):
 
 @cache
 def known(kind: Callable[[int], Any]) -> Known:
-    """The one of a type."""
+    """Returns the cache of a type."""
     return Known(kind)
 
 
 def fits(name: str, value: int, bits: int) -> int:
-    """A number for some bits of a bitfield, if they can hold it."""
+    """Returns a number if it fits into some bits of a bitfield; otherwise raises EncodeError."""
     if not 0 <= value < 1 << bits:
         raise EncodeError("range", f"{name}: {value} does not fit into {bits} bits")
     return value
 
 
 class Block:
-    """A run of numbers with a fixed layout, read and written at once.
+    """Numbers in a fixed layout, which are read and written together.
 
-    Floats keep their bits, even those of signalling NaNs, which Python's conversion between four
-    and eight bytes would change.
+    Floats keep their bits. Python's conversion between four and eight bytes would change the bits
+    of signalling NaNs.
     """
 
     __slots__ = ("_codec", "_names", "_singles", "size")
@@ -155,7 +156,7 @@ class Block:
         return EncodeError("range", f"{', '.join(dict.fromkeys(self._names))}: {error}")
 
     def _path(self, number: int) -> str:
-        """The name of a value, with its index if it is one of several."""
+        """Returns the name of a value, with its index if there are several."""
         name = self._names[min(number, len(self._names) - 1)]
         if name.endswith("[]"):
             return f"{name[:-1]}{number}]"
@@ -164,7 +165,7 @@ class Block:
 
 
 def _needs(letter: str, value: Any) -> str:
-    """The requirement of `struct` that a value violates; empty if there is none."""
+    """Returns the requirement of `struct` that a value violates, or an empty text."""
     try:
         struct.pack(">" + letter, value)
         return ""
@@ -179,12 +180,13 @@ def _needs(letter: str, value: Any) -> str:
     return f"{'' if isinstance(value, int) else WHOLE}{least} to {most}"
 
 
-#: The requirement for what is not a number; `typed` is more exact if it knows the type.
+#: Begins the requirement for a value that is not a number; `typed` replaces it if it knows the
+#: type.
 WHOLE = "a whole number from "
 
 
 def typed(record: Any, error: EncodeError) -> EncodeError:
-    """An error of a value of a field or structure, with the type that the value should have."""
+    """Returns the error with the type that the value should have, if it is of the wrong type."""
     from .reflection import info
 
     for p in info(type(record)).members:
@@ -198,18 +200,18 @@ def typed(record: Any, error: EncodeError) -> EncodeError:
 
 
 def within(path: str, error: EncodeError) -> EncodeError:
-    """An error of a part, with the path to the part before its own."""
+    """Returns an error of a part with the path to that part in front of its own."""
     joint = "." if path and error.detail[:1] not in ("[", " ") else ""
     return EncodeError(error.kind, f"{path}{joint}{error.detail}")
 
 
 def with_article(kind: type) -> str:
-    """A type with its article: "an AckCode"."""
+    """Returns a type's name with its article: "an AckCode"."""
     return f"a{'n' * (kind.__name__[0] in 'AEIOU')} {kind.__name__}"
 
 
 def _singles(layout: str) -> tuple[tuple[int, int], ...]:
-    """Index and offset of each four-byte float."""
+    """Returns index and offset of each four-byte float."""
     singles, offset = [], 0
     for index, letter in enumerate(layout):
         if letter == "f":
@@ -219,7 +221,7 @@ def _singles(layout: str) -> tuple[tuple[int, int], ...]:
 
 
 def single_from_bits(bits: int) -> float:
-    """The float of a four-byte pattern; a NaN keeps its payload."""
+    """Converts a four-byte pattern to a float; a NaN keeps its payload."""
     if bits & 0x7F800000 == 0x7F800000 and bits & 0x007FFFFF:
         wide = (bits >> 31) << 63 | 0x7FF << 52 | (bits & 0x007FFFFF) << 29
         value: float = struct.unpack(">d", wide.to_bytes(8, "big"))[0]
@@ -229,7 +231,7 @@ def single_from_bits(bits: int) -> float:
 
 
 def single_to_bits(value: float) -> int:
-    """The four-byte pattern of a float."""
+    """Converts a float to its four-byte pattern."""
     if value != value:
         wide = int.from_bytes(struct.pack(">d", value), "big")
         return (wide >> 63) << 31 | 0xFF << 23 | ((wide >> 29) & 0x007FFFFF or 0x00400000)
@@ -237,7 +239,7 @@ def single_to_bits(value: float) -> int:
 
 
 def truth(value: int) -> bool:
-    """A byte as a bool. Bytes other than 0 and 1 remain numbers."""
+    """Converts a byte to a bool. Bytes other than 0 and 1 remain numbers."""
     return bool(value) if value < 2 else value  # type: ignore[return-value]
 
 
@@ -248,7 +250,8 @@ def take(data: bytes, at: int, size: int) -> bytes:
 
 
 def counted(data: bytes, at: int, count: int, size: int, capacity: int) -> int:
-    """`count`, if as many elements of `size` bytes follow, and a field can hold them."""
+    """Returns `count` if that many elements of `size` bytes follow and a field can contain them;
+    otherwise raises DecodeError."""
     if count * size > len(data) - at:
         raise DecodeError("count", f"{count} elements counted, {len(data) - at} bytes follow")
     if count > capacity:
@@ -257,7 +260,7 @@ def counted(data: bytes, at: int, count: int, size: int, capacity: int) -> int:
 
 
 def remaining(data: bytes, at: int, size: int) -> int:
-    """The number of elements of `size` bytes that follow."""
+    """Returns the number of elements of `size` bytes that follow."""
     return (len(data) - at) // size
 
 
@@ -294,7 +297,7 @@ def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tu
 
 
 def structure(name: str, value: _Structure | None, kind: type[_Structure]) -> bytes:
-    """The bytes of a structure, if it is one of the right kind."""
+    """Encodes a structure; raises EncodeError if it is not of the right kind."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
     if not isinstance(value, kind):
@@ -320,7 +323,7 @@ def _each(name: str, values: Sequence[Any], write: Callable[[Any], bytes]) -> by
 
 
 def little(name: str, value: int, size: int) -> bytes:
-    """A bitfield in bytes, least significant byte first."""
+    """Encodes a bitfield in bytes, least significant byte first."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
     limits = f"0 to {256**size - 1}"
@@ -338,26 +341,28 @@ def constant(number: int, wanted: int) -> None:
 
 
 def exactly(name: str, value: Any, count: int) -> Sequence[Any]:
-    """`value`, if it has as many elements as it must have."""
+    """Returns `value` as a sequence; raises EncodeError if it does not have `count` elements."""
     if len(sized(name, value)) != count:
         raise EncodeError("count", f"{name} has {len(value)} elements, needs {count}")
     return sized(name, value)
 
 
 def at_most(name: str, value: Any, capacity: int) -> Sequence[Any]:
-    """`value`, if it has no more elements than a field can hold."""
+    """Returns `value` as a sequence; raises EncodeError if a field cannot contain that many
+    elements."""
     if len(sized(name, value)) > capacity:
         raise EncodeError("count", f"{name} has {len(value)} elements, a field holds {capacity}")
     return sized(name, value)
 
 
 def count(name: str, value: Any, capacity: int) -> int:
-    """The number of elements, if a field can hold them."""
+    """Returns the number of elements; raises EncodeError if a field cannot contain that many."""
     return len(at_most(name, value, capacity))
 
 
 def sized(name: str, value: Any) -> Sequence[Any]:
-    """`value`, if it is a sequence, or its elements, if it is an array."""
+    """Returns a sequence unchanged, and an array as a list; raises EncodeError for anything
+    else."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
     items = value if isinstance(value, Sequence) else _listed(value)
@@ -367,7 +372,7 @@ def sized(name: str, value: Any) -> Sequence[Any]:
 
 
 def elements(name: str, value: Any, count: int) -> Sequence[Any]:
-    """The elements of a vector, if they are as many as they must be."""
+    """Returns the elements of a vector; raises EncodeError if there are not `count` of them."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
     numbers = _numbers(value)
@@ -377,9 +382,9 @@ def elements(name: str, value: Any, count: int) -> Sequence[Any]:
 
 
 def vector(value: Any, *kinds: type[Any]) -> Any:
-    """`value` as a vector of the first kind that has as many elements.
+    """Converts `value` to the first kind of vector with the same number of elements.
 
-    Anything else is returned unchanged; it is rejected when it is sent.
+    Anything else is returned unchanged; it is rejected when it is encoded.
     """
     if type(value) in kinds or (numbers := _numbers(value)) is None:
         return value
@@ -390,13 +395,14 @@ def vector(value: Any, *kinds: type[Any]) -> Any:
 
 
 def vectors(value: Any, *kinds: type[Any]) -> Any:
-    """Several vectors, as `vector` makes each of them."""
+    """Converts each item of `value` as `vector` does."""
     items = _listed(value)
     return tuple([vector(v, *kinds) for v in items]) if isinstance(items, Sequence) else value
 
 
 def several(value: Any) -> Any:
-    """An array as the tuple that a decoder makes; anything else is returned unchanged, as by `vector`."""
+    """Converts an array to a tuple, which decoders use, too. Anything else is returned
+    unchanged."""
     if type(value) is tuple:
         return value
     items = value if isinstance(value, (bytes, bytearray)) else _listed(value)
@@ -404,7 +410,8 @@ def several(value: Any) -> Any:
 
 
 def element(matrix: tuple[float, ...], at: Any, columns: int) -> Any:
-    """An element of a matrix by row and column, counted from 0; else as of any tuple."""
+    """Returns an element of a matrix by row and column, counted from 0, or by index as in any
+    tuple."""
     if isinstance(at, tuple):
         rows = len(matrix) // columns
         try:
@@ -413,12 +420,12 @@ def element(matrix: tuple[float, ...], at: Any, columns: int) -> Any:
         except (IndexError, TypeError, ValueError) as error:
             kind = IndexError if isinstance(error, IndexError) else TypeError
             needs = f"needs one of {rows} rows and one of {columns} columns, from 0"
-            raise kind(f"a matrix {needs}, not {at}; `rows` has whole rows") from None
+            raise kind(f"a matrix {needs}, not {at}; for whole rows, use `rows`") from None
     return tuple.__getitem__(matrix, at)
 
 
 def _numbers(value: Any) -> Sequence[Any] | None:
-    """The numbers that a vector is made of, or those of a matrix, row by row."""
+    """Returns the numbers in a vector, or in a matrix row by row; None for anything else."""
     numbers = _listed(value)
     if not isinstance(numbers, Sequence):
         return None
@@ -431,7 +438,8 @@ def _numbers(value: Any) -> Sequence[Any] | None:
 
 
 def _listed(value: Any) -> Any:
-    """The elements of a sequence, or of an array of numbers of another library; bytes and text have none."""
+    """Returns a sequence unchanged, and another library's array as a list; None for bytes and
+    text."""
     if isinstance(value, (str, bytes, bytearray, memoryview, Mapping, Set)):
         return None
     if isinstance(value, Sequence) or not hasattr(value, "__len__"):
@@ -440,7 +448,7 @@ def _listed(value: Any) -> Any:
 
 
 def text(name: str, value: Any) -> bytes:
-    """Characters, one byte each."""
+    """Encodes characters, one byte each."""
     if not isinstance(value, str):
         raise EncodeError("range", f"{name} is {value!r}, needs a str")
     try:
@@ -450,7 +458,7 @@ def text(name: str, value: Any) -> bytes:
 
 
 def padded(name: str, value: Any, count: int) -> bytes:
-    """The characters of a text of fixed length; a shorter one ends with spaces, as those of devices do."""
+    """Encodes a text of fixed length; a shorter one is padded with spaces, as devices do."""
     return text(name, exactly(name, value.ljust(count) if isinstance(value, str) else value, count))
 
 
@@ -459,10 +467,10 @@ def mismatch(name: str, tag: object) -> EncodeError:
 
 
 def present(value: object, required: int, groups: Groups) -> int:
-    """The number of parameters that are present: those up to the first group with a None.
+    """Returns the number of parameters that are present, up to the first group with a None.
 
-    A group is the number of its last parameter, its names, and whether it is a union, which
-    may be None where it is required: then it is empty.
+    A group is the number of its last parameter, its names, and whether it is a union. A required
+    union may be None, which means that it is empty.
     """
     last, ended = 0, ""
     for number, names, union in groups:

@@ -1,12 +1,12 @@
-"""A device at a port: requests with typed answers, and the data that it sends.
+"""A device at a port: requests with typed responses, and the data that it sends.
 
     with open_port("/dev/ttyACM0", 115200) as device:
         info = device.request(base.GetDeviceInfo())
         for arrival in device:
             ...
 
-A thread reads all data as soon as it arrives. Any thread may send requests, also while another one
-reads the data; each data packet goes to only one of the readers.
+A thread reads all data as soon as it arrives. Any thread may send requests, even while another
+thread iterates over the data; each data packet goes to only one of the threads that iterate.
 """
 
 from __future__ import annotations
@@ -50,14 +50,14 @@ R3 = TypeVar("R3", bound="Response | None")
 R4 = TypeVar("R4", bound="Response | None")
 Callback = Callable[[bytes], object]
 
-#: Why a port is not open although it has been reopened.
-CLOSED_MEANWHILE = "the device has been closed while it was opened again"
+#: Why a port is closed although it was reopened.
+CLOSED_MEANWHILE = "the device was closed while it was being opened again"
 
 
 class Device(AtPort):
     """A device on an open port. A `with` statement closes it at the end.
 
-    One that is dropped without being closed is closed, with a ResourceWarning.
+    A device that is garbage-collected while open is closed, with a ResourceWarning.
     """
 
     def __init__(
@@ -72,14 +72,13 @@ class Device(AtPort):
         """`port`: a serial port of pyserial with any time-outs, a socket, or your own object with
         `read(size)` and `write(data)`; see `port.Port`. It is closed with the device.
 
-        `timeout`: seconds that the device has for an answer; longer for commands that take longer.
-        An answer that arrives later is data: after a command without an answer, the next one is sent
-        after a barrier (see `Client`), so that it is not taken for the answer to that one.
+        `timeout`: seconds to wait for a reply, unless the specification states more for a command.
+        A reply that arrives later is data: after a command without a reply, a barrier precedes the
+        next command (see `Client`), so that the late reply is not matched to that.
         `capacity`: the number of packets that can wait to be read; beyond that, the oldest are
-        dropped and counted. `on_bytes` gets all received bytes, `on_skipped` the bytes between
-        packets, such as NMEA sentences, in order and in pieces of any size. The reading thread
-        calls them: they must not wait or use the device. If they raise an exception, the device is
-        closed.
+        dropped and counted. `on_bytes` receives all bytes, `on_skipped` the bytes between packets,
+        such as NMEA sentences, in order and in pieces of any size. The reading thread calls both:
+        they must not block or use the device. If they raise an exception, the device is closed.
         """
         self._talk = Conversation(timeout, capacity, on_skipped)
         self._on_bytes = on_bytes
@@ -98,7 +97,7 @@ class Device(AtPort):
         self._closed = False  # by `close`
 
     def __del__(self) -> None:
-        # When Python ends, the thread does not run any more and cannot be waited for.
+        # When Python exits, the thread no longer runs and cannot be waited for.
         if not self._closed and not sys.is_finalizing():
             warn_unclosed(self)
             self._reader.stop()
@@ -121,16 +120,17 @@ class Device(AtPort):
     def reopen(self, within: float = 30.0) -> None:
         """Opens the port again after it was lost or closed, trying for `within` seconds.
 
-        Waiting commands end without an answer; data already received is kept, and iterations of
-        other threads that have not ended continue. Raises OSError if it is not available in time,
-        PortClosed if the device is closed meanwhile, ValueError if `open_port` has not opened it.
+        Waiting commands end without a reply. Data already received is kept, and iterations of other
+        threads that have not ended continue. Raises OSError if the port is not available in time,
+        PortClosed if the device is closed meanwhile, and ValueError if the port was not opened by
+        `open_port`.
         """
         check_seconds(within, "within")
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
         reader, closes = self._reader, self._closes
         with self._opening:
-            if self._reader is reader:  # else another thread has done it meanwhile
+            if self._reader is reader:  # otherwise another thread has already reopened it
                 self._open_again(self._again, within, closes)
 
     def _open_again(self, again: Callable[[int], Any], within: float, closes: int) -> None:
@@ -166,11 +166,12 @@ class Device(AtPort):
     # ----------------------------------------------------------------- commands
 
     def request(self, command: Command[R], timeout: float | None = None) -> R:
-        """Sends a command, waits for the answer and returns the response, or None if it has none.
+        """Sends a command, waits for the reply and returns the response, or None if it has none.
 
-        `timeout`: seconds for this one. Raises Refused; NoAnswer; MissingResponse if the device has
-        acknowledged without a response; DecodeError if the response cannot be decoded; PortClosed;
-        and EncodeError, before anything is sent, if it does not fit into a packet.
+        `timeout`: seconds to wait for this command. Raises Refused; NoAnswer; MissingResponse if
+        the device acknowledges the command without its response; DecodeError if the response cannot
+        be decoded; PortClosed; and EncodeError, before anything is sent, if the command cannot be
+        encoded.
         """
         (result,) = responses(self._exchange((command,), timeout))
         return cast(R, result)
@@ -201,22 +202,23 @@ class Device(AtPort):
     def request_all(self, *commands: Command, timeout: float | None = None) -> tuple[Any, ...]:
         """Sends commands of one set in one packet and returns the response of each.
 
-        Raises the error of the first command that has failed, once each has been answered or has
-        timed out; `outcomes` of Refused and NoAnswer has the outcomes of the others.
+        If a command fails, raises the error of the first that did, once each has been answered or
+        has timed out. `outcomes` of Refused and NoAnswer contains the outcomes of all.
         """
         return responses(self._exchange(commands, timeout))
 
     def exchange(self, *commands: Command, timeout: float | None = None) -> list[Outcome | None]:
         """Sends commands of one set in one packet and returns the outcome of each.
 
-        None: the device does not acknowledge it. Raises only PortClosed and EncodeError.
+        The outcome is None for a command that the device never acknowledges. Raises only PortClosed
+        and EncodeError.
         """
         return [ticket.outcome for ticket in self._exchange(commands, timeout)]
 
     def send(self, *commands: Command) -> None:
-        """Sends commands of one set in one packet, and does not wait for answers.
+        """Sends commands of one set in one packet, and does not wait for replies.
 
-        Answers, if any arrive, are treated as data. Raises PortClosed and EncodeError.
+        Replies, if any arrive, are treated as data. Raises PortClosed and EncodeError.
         """
         self._send(commands, None, wait=False)
 
@@ -232,7 +234,7 @@ class Device(AtPort):
         return tickets
 
     def _ask_for_settings(self, commands: Sequence[Command]) -> None:
-        """Whether some commands are acknowledged depends on a setting of the device."""
+        """Reads the device settings that decide whether these commands are acknowledged."""
         for command in commands:
             question = self._talk.question(command)
             if question is not None:
@@ -244,7 +246,7 @@ class Device(AtPort):
     ) -> list[Ticket]:
         if threading.current_thread() is self._reader:
             raise RuntimeError("called from on_bytes or on_skipped, which must not use the device")
-        with self._writing:  # so that answers come in the order of the commands
+        with self._writing:  # replies must arrive in the order of the commands
             with self._lock:
                 self._must_be_open()
                 packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
@@ -275,25 +277,27 @@ class Device(AtPort):
     def stream(
         self, rates: Mapping[type[Field], float], *, set: int | None = None
     ) -> dict[type[Field], float]:
-        """Starts data: `stream({sensor.ScaledAccel: 100, sensor.ScaledGyro: 100})`, in Hz; 0: as often as
-        the device can. Replaces the message format of the set, switches it on and resumes.
+        """Starts streaming: `stream({sensor.ScaledAccel: 100, sensor.ScaledGyro: 100})`. Rates are
+        in Hz; 0 is the highest that the device supports. Replaces the message format of the set,
+        enables its stream and resumes.
 
-        `set`: the descriptor set, if the fields occur in several. Returns the rates. Raises NoSuchRate,
-        before anything is changed, if a rate is not the base rate divided by a whole number;
-        ValueError and EncodeError if the fields have no set in common; and what `request` raises.
+        `set`: the descriptor set, if the fields occur in several. Returns the rates. Raises
+        NoSuchRate, before anything is changed, if a rate is not the base rate divided by a whole
+        number; ValueError and EncodeError if the fields have no set in common; and whatever
+        `request` raises.
         """
         return self._follow(steps(session(), rates, set))
 
     # needs: baud rates
     def change_baud(self, command: Command, attempts: int = 3) -> int:
-        """Sends a command that changes the baud rate (it has `baud`), and changes the rate of the
-        port.
+        """Sends a command that changes the device's baud rate (one with `baud`), and sets the port
+        to the new rate.
 
-        The device answers at the old rate and changes 250 ms later; some answer at either. Set it
-        to idle first. Returns the rate of the port, at which the device has answered a ping: the
-        old one if the command is for another port of the device. Raises ValueError if the command
-        or the port has no rate; Refused; and NoAnswer if the device answers at neither rate, in
-        which case the port keeps the old one.
+        The device replies at the old rate and changes 250 ms later; some reply at either. Set it to
+        idle first. Returns the rate at which the device then replies to a ping, and to which the
+        port is set: the old one if the command is for another port of the device. Raises
+        ValueError if the command or the port has no rate; Refused; and NoAnswer if the device
+        replies at neither rate, in which case the port keeps the old one.
         """
         return self._follow(changing(self, command, attempts))
 
@@ -318,18 +322,18 @@ class Device(AtPort):
     # ----------------------------------------------------------------- data
 
     def __iter__(self) -> Iterator[Arrival]:
-        """The data packets as they arrive. Ends when `close` closes the device.
+        """Yields data packets as they arrive, until `close` closes the device.
 
-        Raises PortClosed when the port is lost, after all data received before.
+        Raises PortClosed when the port is lost, after yielding all data received before.
         """
         while (arrival := self._next(None)) is not None:
             yield arrival
 
     def next(self, timeout: float | None = None) -> Arrival | None:
-        """The next data packet; None if none arrives within `timeout` seconds, or if the device is
-        closed.
+        """Returns the next data packet, or None if none arrives within `timeout` seconds or the
+        device is closed.
 
-        Raises PortClosed when the port is lost, after all data received before.
+        Raises PortClosed when the port is lost, once all data received before has been returned.
         """
         return self._next(deadline_of(timeout))
 
@@ -363,10 +367,11 @@ class Device(AtPort):
     @overload
     def fields(self, *kinds: type[F]) -> Iterator[tuple[float, F]]: ...
     def fields(self, *kinds: type[Any]) -> Iterator[tuple[float, Any]]:
-        """The fields of these types as they arrive, each with its time of arrival (`Arrival.time`).
+        """Yields the fields of these types as they arrive, each with its time of arrival
+        (`Arrival.time`).
 
-        Those of one packet are in the order of `kinds`, and those of one type in the order of the
-        packet. Fields that cannot be decoded raise DecodeError.
+        The fields of one packet are in the order of `kinds`, and several of one type in the order
+        of the packet. Raises DecodeError at a field that cannot be decoded.
         """
         for arrival in self:
             for kind in kinds:
@@ -388,9 +393,9 @@ class Device(AtPort):
 
     def _lose(self, error: BaseException | None) -> None:
         with self._lock:
-            if threading.current_thread() is not self._reader:  # of a port that was opened again
+            if threading.current_thread() is not self._reader:  # of an earlier port
                 return
-            if error is not None:  # else it was stopped, by `close` or to open the port again
+            if error is not None:  # otherwise it was stopped, to close or to reopen the port
                 self._give_up(error)
             try:
                 self._talk.end(time.monotonic(), time.time())
@@ -410,7 +415,7 @@ class Device(AtPort):
 
 
 def deadline_of(timeout: float | None) -> float | None:
-    """The end of a time that begins now."""
+    """Returns the time at which a time-out that begins now ends; None for None."""
     if timeout is None:
         return None
     check_seconds(timeout)
@@ -418,7 +423,7 @@ def deadline_of(timeout: float | None) -> float | None:
 
 
 def lost(error: BaseException) -> PortClosed:
-    """The reason why no more data arrives."""
+    """Returns the error for a lost port."""
     closed = PortClosed(f"the port is gone: {str(error) or type(error).__name__}")
     closed.__cause__ = error
     return closed
@@ -435,10 +440,10 @@ def open_port(
 ) -> Device:
     """Opens the port of a device: /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT, …
 
-    `baud`: the baud rate; None finds it, if the specification names rates. The other arguments are
-    those of `Device`. All except TCP connections need pyserial, which the extra `serial` installs.
-    A serial port is opened for this device alone. Raises PortError, an OSError, if the port cannot be opened or is in use, NoDevice if
-    no baud rate is found, and MissingExtra.
+    `baud`: the baud rate; None detects it, if the specification lists rates. The other arguments
+    are those of `Device`. All except TCP connections need pyserial, which the extra `serial`
+    installs. A serial port is opened exclusively. Raises PortError, an OSError, if the port cannot
+    be opened or is in use; NoDevice if no baud rate is found; and MissingExtra without pyserial.
     """
     port = connect(url, baud)
     device = Device(
@@ -451,8 +456,8 @@ def open_port(
 def connect(
     url: str | os.PathLike[str], baud: int | None, wanted: Callable[[], bool] = lambda: True
 ) -> Any:
-    """The port of this URL, at the baud rate of the device. The search for the rate ends when it is no
-    longer `wanted`."""
+    """Opens a URL at the device's baud rate. The search for the rate ends when `wanted` returns
+    False."""
     port = open_url(url, USUAL if baud is None else baud)
     # needs: baud rates
     try:

@@ -1,4 +1,4 @@
-"""Exceptions. All but `MissingExtra` are `MipError`, which is a `ValueError`."""
+"""Exceptions. All except `MissingExtra` derive from `MipError`, which is a `ValueError`."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ if TYPE_CHECKING:
 
 
 class MipError(ValueError):
-    """`kind` names the error in one word."""
+    """An error of this package; `kind` names it in one word."""
 
     def __init__(self, kind: str, detail: str) -> None:
-        # `args` keeps the arguments of the class, so that errors can be pickled.
+        # `args` keeps the arguments of the class's constructor, so that errors can be pickled.
         self.kind = kind
         self.detail = detail
 
@@ -35,7 +35,8 @@ class Truncated(DecodeError):
 
 
 class PacketError(DecodeError):
-    """Not a packet (`sync`, `length`, `checksum`), or a malformed field in it (`field_length`)."""
+    """Bytes that are not a packet (`sync`, `length`, `checksum`), or a packet with a malformed
+    field (`field_length`)."""
 
 
 class MissingResponse(MipError):
@@ -48,15 +49,15 @@ class MissingResponse(MipError):
 class EncodeError(MipError):
     """A value that cannot be sent.
 
-    `missing`: a required value is None. `range`: a number does not fit. `count`: a wrong number of
-    elements. `tag`: a union's member is not the one that its tag selects. `length`: too long.
-    `set`: not of the descriptor set of the packet, or no packet has this set.
+    Kinds: `missing`: a required value is None. `range`: a number does not fit. `count`: the number
+    of elements is wrong. `tag`: a union's member is not the one that its tag selects. `length`: the
+    field or packet is too long. `set`: the descriptor set is not the packet's, or does not exist.
     """
 
 
 class UnknownName(MipError, LookupError):
-    """A name that is unknown (`unknown_name`) or has several meanings (`ambiguous`); `near` has the
-    names that may be meant."""
+    """A name that is unknown (`unknown_name`) or has several meanings (`ambiguous`); `near` lists
+    the names that may be meant."""
 
     def __init__(self, kind: str, detail: str, near: tuple[str, ...] = ()) -> None:
         super().__init__(kind, detail)
@@ -67,7 +68,8 @@ class UnknownName(MipError, LookupError):
 
 
 class PortError(OSError, MipError):
-    """A port that cannot be opened: `errno` is the reason, `kind` is `port`; or `url` if its name is wrong."""
+    """A port that cannot be opened. `kind` is `port`, and `errno` the reason, or `kind` is `url` if
+    the name is wrong."""
 
     def __init__(self, kind: str, detail: str, errno: int | None = None) -> None:
         MipError.__init__(self, kind, detail)
@@ -81,7 +83,7 @@ class PortError(OSError, MipError):
 class Refused(MipError):
     """The device has rejected a command; `code` is the reason.
 
-    `outcomes`: the outcome of each command of the same packet, as `Device.exchange` returns it.
+    `outcomes`: the outcome of each command in the same packet, as `Device.exchange` returns them.
     """
 
     def __init__(
@@ -120,8 +122,8 @@ class NoDevice(MipError, ConnectionError):
 
 
 class NoSuchRate(MipError):
-    """Rates that a device does not have, because it divides its base rate by whole numbers; nothing
-    was changed. `nearest`: field -> the nearest rate, in Hz, of all that were asked for."""
+    """Rates that a device does not support, because it divides its base rate by whole numbers;
+    nothing was changed. `nearest`: each requested field -> the nearest rate, in Hz."""
 
     def __init__(
         self, base: int, wanted: Mapping[type[Field], float], nearest: Mapping[type[Field], float]
@@ -133,7 +135,7 @@ class NoSuchRate(MipError):
 
 
 class MissingExtra(ImportError):
-    """A package that belongs to an extra of this package is not installed."""
+    """A package that this one needs only for an extra is not installed."""
 
     def __init__(self, package: str, extra: str) -> None:
         super().__init__(f"{package} is missing; pip install {package}", name=package)

@@ -14,7 +14,7 @@ from .packet import Packet, PacketBuilder, RawField, as_bytes
 if TYPE_CHECKING:
     import dataclasses
 
-    # Checkers know defaults of type variables in every version of Python.
+    # Type checkers know type variables with defaults for every Python version.
     from typing_extensions import TypeVar as TypeVarWithDefault
 
 
@@ -24,7 +24,7 @@ H = TypeVar("H", bound="Shared")
 
 
 class _OfDataclass:
-    """What `dataclasses` requires of a class, created on demand."""
+    """The attributes that `dataclasses` requires of a class, created on demand."""
 
     def __set_name__(self, owner: type, name: str) -> None:
         self._name = name
@@ -35,7 +35,7 @@ class _OfDataclass:
 
 @cache
 def _as_dataclass(kind: Any) -> type:
-    """A data class with the same members."""
+    """Creates a data class with the same members."""
     import dataclasses
     import inspect
 
@@ -49,8 +49,7 @@ def _as_dataclass(kind: Any) -> type:
     return dataclasses.make_dataclass(kind.__name__, members)
 
 
-# An attribute that holds a vector. Decoders store the numbers; the vector is created when it is
-# first read.
+# A vector attribute. Decoders store the numbers; the vector is created when it is first read.
 class VectorMember:
     __slots__ = ("_get", "_kinds", "_set", "_slot")
 
@@ -84,14 +83,14 @@ class VectorMember:
 
 
 class Structure(Described):
-    """A group of named values: a field, or a part of one.
+    """A group of named values: a field or part of a field.
 
     It also works as a data class, with `dataclasses.replace`, `fields` and `asdict`.
     """
 
     __slots__ = ()
 
-    #: The names of its values, in order on the wire.
+    #: The names of its values, in wire order.
     _MEMBERS: ClassVar[tuple[str, ...]] = ()
 
     #: Members that are vectors, and their kinds.
@@ -100,7 +99,7 @@ class Structure(Described):
     #: Its parameters as they are on the wire; see `wire`.
     _LAYOUT: ClassVar[tuple[tuple[str, str, Any], ...]] = ()
 
-    #: The number of parameters that are always present; None for all.
+    #: The number of parameters that are always present; None if all are.
     _ALWAYS: ClassVar[int | None] = None
 
     if TYPE_CHECKING:
@@ -133,10 +132,10 @@ class Structure(Described):
     def __replace__(self: S, **changes: Any) -> S:
         return type(self)(**(dict(zip(self._MEMBERS, self._values())) | changes))
 
-    # The functions that read and write a class are made when they are first needed, and replace these.
+    # A class's own functions to read and write are made on first use, and replace these.
     @classmethod
     def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
-        """The values at an offset, and where they end."""
+        """Reads the values at an offset. Returns them, and the offset at which they end."""
         if "_read" not in cls.__dict__:
             from .wire import make_reader
 
@@ -167,12 +166,13 @@ class Field(Structure):
 
     @property
     def packet_set(self) -> int | None:
-        """The descriptor set of the packet that contained it; None if that is not known."""
+        """The descriptor set of the packet that contained it; None if that is unknown."""
         return self.SET
 
     @classmethod
     def name_in(cls, set: int) -> str:
-        """Its full name in a descriptor set: "gnss_2.dop". A field of every set has one name."""
+        """Returns its full name in a descriptor set: "gnss_2.dop". A field that occurs in every set
+        has only one name."""
         from ._index import SETS
 
         listed = set in cls.SETS and not isinstance(cls.SETS, range)
@@ -180,7 +180,7 @@ class Field(Structure):
         return f"{known[0]}.{cls.NAME.partition('.')[2]}" if known else cls.NAME
 
     def encode(self) -> bytes:
-        """The data of the field, without its length and descriptor. Raises EncodeError."""
+        """Encodes the field's data, without length and descriptor. Raises EncodeError."""
         try:
             return self._write()
         except EncodeError as error:
@@ -188,30 +188,33 @@ class Field(Structure):
 
     @classmethod
     def decode(cls: type[F], data: bytes | bytearray | memoryview) -> F:
-        """The values of a field's data. Raises DecodeError; bytes left over are not an error."""
+        """Decodes a field's data. Raises DecodeError; bytes left over are not an error."""
         return cls._read(data if type(data) is bytes else as_bytes(data), 0)[0]
 
     @classmethod
     def decode_with_trailing(cls: type[F], data: bytes | bytearray | memoryview) -> tuple[F, int]:
-        """The values, and how many bytes are left over (newer devices send more)."""
+        """Like `decode`, but also returns the number of bytes left over, which newer devices may
+        send."""
         raw = data if type(data) is bytes else as_bytes(data)
         value, end = cls._read(raw, 0)
         return value, len(raw) - end
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        """Can this be its data? Checks what distinguishes the layouts of one descriptor: constants and size."""
+        """Can this be its data? Checks what distinguishes a descriptor's layouts: constants and
+        size."""
         return True
 
     def _called(self, name: str) -> str:
         return name if self.packet_set is None else self.name_in(self.packet_set)
 
     def packet(self, set: int | None = None) -> Packet:
-        """A packet with only this field, of the set that contained it, or of the given one. Raises EncodeError."""
+        """Makes a packet with only this field, of the set that contained it or of `set`. Raises
+        EncodeError."""
         number = self.packet_set if set is None else set
         if number is None:
             raise EncodeError(
-                "set", f"{self.NAME} belongs to packets of several sets: name one, packet(set)"
+                "set", f"{self.NAME} belongs to packets of several sets; select one: packet(set)"
             )
         if number not in self.SETS:
             raise EncodeError(
@@ -221,7 +224,7 @@ class Field(Structure):
 
     @classmethod
     def find(cls: type[F], packet: Packet) -> F | None:
-        """The first field of this type in a packet, if there is one.
+        """Returns the first field of this type in a packet, or None.
 
         Raises DecodeError if it cannot be decoded, or if the packet ends within a field before it
         is found.
@@ -230,7 +233,7 @@ class Field(Structure):
 
     @classmethod
     def find_all(cls: type[F], packet: Packet) -> Iterator[F]:
-        """The fields of this type in a packet, in order. Raises DecodeError when it reaches one that
+        """Yields the fields of this type in a packet, in order. Raises DecodeError at one that
         cannot be decoded, or within which the packet ends."""
         if packet.set in cls.SETS:
             for raw in packet:
@@ -239,7 +242,7 @@ class Field(Structure):
 
     @classmethod
     def _received(cls: type[F], raw: RawField) -> F:
-        """The values of a field of a packet."""
+        """Decodes a field of a packet."""
         return cls._read(raw.data, 0)[0]
 
 
@@ -252,7 +255,7 @@ class Shared(Field):
 
     @property
     def packet_set(self) -> int | None:
-        """The descriptor set of the packet that contained it; None if there was none. It is not part of the value."""
+        """The descriptor set of the packet that contained it, or None. Comparisons ignore it."""
         return getattr(self, "_packet_set", None)
 
     @classmethod
@@ -269,19 +272,19 @@ class Shared(Field):
 
 
 class Response(Field):
-    """A field that follows the acknowledge of a command."""
+    """A field with which the device answers a command, after the acknowledge."""
 
     __slots__ = ()
 
     COMMANDS: ClassVar[tuple[type[Command], ...]] = ()
 
 
-#: For where a field's own member is called `type`.
+#: The built-in `type`, for use where a field has a member of that name.
 ResponseClasses: TypeAlias = "tuple[type[Response], ...]"
 ClassOf: TypeAlias = "type[F]"
 
 
-#: What a client gets for a command: its response, or None.
+#: The result of a command: its response, or None.
 if TYPE_CHECKING:
     R = TypeVarWithDefault("R", bound="Response | None", covariant=True, default="Response | None")
 else:
@@ -291,38 +294,39 @@ else:
 class Command(Field, Generic[R]):
     """A field that the device acknowledges, with or without a response.
 
-    `Command[R]` has a response of type R, or None.
+    A `Command[R]` has a response of type R; R is None if it has none.
     """
 
     __slots__ = ()
 
     RESPONSES: ClassVar[tuple[type[Response], ...]] = ()
     TIMEOUT: ClassVar[float | None] = None  # seconds, if the device may take longer than usual
-    #: Settings of the device with which it does not acknowledge the command: set and descriptor of
-    #: the command that sets it, the parameter and its value.
+    #: Device settings that suppress the acknowledge of this command: set and descriptor of the
+    #: command that makes the setting, the parameter and its value.
     SILENCED_BY: ClassVar[tuple[tuple[int, int, str, int], ...]] = ()
-    #: Function selector -> how many parameters it requires; others may be None.
+    #: Function selector -> the number of parameters that it requires; the others may be None.
     REQUIRED: ClassVar[dict[int, int]] = {}
 
     @property
     def answered(self) -> bool:
-        """Does the device acknowledge it, with these values?"""
+        """Does the device acknowledge the command with these values?"""
         return True
 
     @property
     def expected(self) -> ResponseClasses:
-        """The response that it requests with these values: devices may have different layouts of it."""
+        """The types of the response that it requests with these values; layouts may differ by
+        device."""
         return self.RESPONSES
 
 
 class Data(Field):
-    """A measurement."""
+    """A field that a device sends as data."""
 
     __slots__ = ()
 
 
 def chosen(types: tuple[type[Field], ...], raw: RawField) -> type[Field] | None:
-    """The layout of a field's data, if its descriptor has several."""
+    """Chooses the type whose layout fits a field's data, if the descriptor has several."""
     if len(types) == 1:
         return types[0]
     return next((t for t in types if t.matches(raw.data)), None)

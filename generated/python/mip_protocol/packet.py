@@ -12,19 +12,19 @@ from .errors import DecodeError, EncodeError, PacketError
 SYNC = b"\x75\x65"
 MAX_PAYLOAD = 255
 OVERHEAD = 6
-#: No packet has these sets: they stand for the fields of every command set and of every data set.
+#: Sets that no packet has: in the specification, they denote every command set and every data set.
 NO_SETS = b"\x00\xff"
 
 
 def as_bytes(data: Any) -> bytes:
-    """The bytes of any buffer. Raises TypeError for text and for lists of numbers, with the remedy."""
+    """Returns the bytes of any buffer. Raises TypeError, with the remedy, for text and lists."""
     try:
         return bytes(memoryview(data))
     except TypeError:
         is_text, is_list = isinstance(data, str), isinstance(data, (list, tuple))
         remedy = f"; write bytes{'.fromhex' * is_text}({data!r})" if is_text or is_list else ""
         kind = "text" if is_text else type(data).__name__
-        raise TypeError(f"needs bytes, not {kind}{remedy}") from None
+        raise TypeError(f"must be bytes, not {kind}{remedy}") from None
 
 
 class RawField(NamedTuple):
@@ -36,12 +36,13 @@ class RawField(NamedTuple):
 
     @property
     def error(self) -> DecodeError | None:
-        """The reason why it was not decoded; None if there was no error, or if its descriptor is unknown."""
+        """The reason why it was not decoded; None if there was no error, or if its descriptor is
+        unknown."""
         return None
 
 
 class Undecoded(RawField):
-    """A field that cannot be decoded. It is equal to a `RawField` of the same bytes."""
+    """A field that cannot be decoded. It equals a `RawField` with the same bytes."""
 
     _error: DecodeError | None = None
 
@@ -83,7 +84,7 @@ class Packet:
 
     @classmethod
     def _trusted(cls, data: bytes) -> Packet:
-        """For the parser, which has checked the data already."""
+        """Makes a packet without checks, for the parser, which has checked the data."""
         packet = cls.__new__(cls)
         packet._data = data
         return packet
@@ -95,7 +96,7 @@ class Packet:
 
     @property
     def payload(self) -> bytes:
-        """All fields."""
+        """The bytes of all fields."""
         return self._data[4:-2]
 
     def __bytes__(self) -> bytes:
@@ -120,7 +121,7 @@ class Packet:
 
     @property
     def malformed(self) -> PacketError | None:
-        """The error of the field after `fields`; None if these are all."""
+        """The error of the malformed field after `fields`; None if there is none."""
         return self._walk()[1]
 
     def _walk(self) -> tuple[tuple[RawField, ...], PacketError | None]:
@@ -132,7 +133,8 @@ class Packet:
         return tuple(fields), None
 
     def __iter__(self) -> Iterator[RawField]:
-        """The fields in order; raises PacketError of kind `field_length` at a malformed one."""
+        """Yields the fields in order; raises PacketError of kind `field_length` at a malformed
+        one."""
         data, at, end = self._data, 4, len(self._data) - 2
         number = data[2]
         while at < end:
@@ -160,7 +162,8 @@ class PacketBuilder:
         self._payload = bytearray()
 
     def add(self, descriptor: int, data: bytes | bytearray | memoryview = b"") -> PacketBuilder:
-        """Adds a field. Raises EncodeError of kind `length`, and changes nothing, if it does not fit."""
+        """Adds a field. Raises EncodeError of kind `length`, and changes nothing, if it does not
+        fit."""
         try:
             number = index(descriptor)
         except TypeError:
@@ -170,7 +173,7 @@ class PacketBuilder:
         data = data if type(data) is bytes else as_bytes(data)
         size = len(data) + 2
         if size > 255 or len(self._payload) + size > MAX_PAYLOAD:
-            raise EncodeError("length", f"{size} bytes more do not fit into a payload of 255")
+            raise EncodeError("length", f"another {size} bytes do not fit into the payload of 255")
         self._payload += bytes((size, number)) + data
         return self
 

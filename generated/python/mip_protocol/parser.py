@@ -13,18 +13,18 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-#: Other buffers than bytes are copied and searched in pieces of this size.
+#: Buffers other than bytes are copied and searched in pieces of this size.
 PIECE = 1 << 20
 
 
 class Scanner(Generic[T]):
-    """The common part of `Parser` and `Decoder`: they take bytes, and return packets or their fields."""
+    """The base of `Parser` and `Decoder`, which accept bytes and return packets or their fields."""
 
     def __init__(self) -> None:
         self._rest = b""  # less than one packet
         #: The number of bytes that are not part of a packet.
         self.skipped = 0
-        #: Candidates with a wrong checksum.
+        #: The number of packet candidates with a wrong checksum.
         self.bad_checksums = 0
 
     @property
@@ -33,22 +33,25 @@ class Scanner(Generic[T]):
         return len(self._rest)
 
     def feed(self, data: Buffer) -> list[T]:
-        """The packets that are complete with these bytes, in any buffer: bytes, a memoryview, a mapped file, an array."""
+        """Returns the packets that these bytes complete. Any buffer is accepted: bytes, a
+        memoryview, a mapped file, an array."""
         items: list[T] = []
         for piece in _pieces(data):
             self._scan(piece, items)
         return items
 
     def flush(self) -> list[T]:
-        """Discards an incomplete packet, for example at the end of a file, and searches its bytes."""
+        """Ends the stream, for example at the end of a file: returns the packets found within a
+        last, incomplete one."""
         items: list[T] = []
         self._scan(b"", items, final=True)
         return items
 
     def feed_all(self, data: Buffer) -> list[T | bytes]:
-        """Like `feed`, with the bytes between packets, in order: no byte of the stream is lost.
+        """Like `feed`, but also returns the bytes between packets, in order, so that no byte is
+        lost.
 
-        The bytes between two packets may be in several pieces.
+        The bytes between two packets may be returned in several pieces.
         """
         items: list[T | bytes] = []
         for piece in _pieces(data):
@@ -56,20 +59,20 @@ class Scanner(Generic[T]):
         return items
 
     def flush_all(self) -> list[T | bytes]:
-        """Like `flush`, with the bytes between packets."""
+        """Like `flush`, but also returns the bytes between packets."""
         items: list[T | bytes] = []
         self._scan(b"", items, between=True, final=True)
         return items
 
     def look_behind(self) -> list[T]:
-        """Discards the incomplete packet only if a whole packet follows its first bytes.
+        """Discards an incomplete packet if a whole packet begins within it, because it was noise.
 
-        The incomplete packet was noise. Otherwise nothing changes.
+        Otherwise nothing changes.
         """
         return [item for item in self.look_behind_all() if not isinstance(item, bytes)]
 
     def look_behind_all(self) -> list[T | bytes]:
-        """Like `look_behind`, with the bytes between packets."""
+        """Like `look_behind`, but also returns the bytes between packets."""
         items: list[T | bytes] = []
         rest, at = self._rest, 0
         while (at := rest.find(SYNC, at + 1)) >= 0 and len(rest) - at >= OVERHEAD:
@@ -85,11 +88,13 @@ class Scanner(Generic[T]):
     def _scan(
         self, data: bytes, items: list[Any], between: bool = False, final: bool = False
     ) -> None:
-        """Adds the packets in the waiting bytes and in these, and, if requested, the bytes between them."""
+        """Appends to `items` the packets in the waiting bytes and in these, and, if requested, the
+        bytes between them."""
         raise NotImplementedError
 
     def _find(self, buffer: bytes, at: int, final: bool) -> tuple[int, int]:
-        """The beginning and end of the next packet. Without an end, the bytes from the beginning on wait for more."""
+        """Returns the begin and end of the next packet; end 0 if the bytes from begin on are
+        incomplete."""
         length = len(buffer)
         while True:
             found = buffer.find(SYNC, at)
@@ -111,7 +116,8 @@ class Scanner(Generic[T]):
                 return at, 0
 
     def _behind_bad(self, buffer: bytes, at: int, size: int) -> int:
-        """Where to continue after a bad packet. Noise may repeat itself, and every repetition is equally bad."""
+        """Returns where to continue after a bad packet. Noise may repeat itself; the repetitions
+        are counted without checking each, because every one is equally bad."""
         self.bad_checksums += 1
         again = buffer.find(SYNC, at + 1)
         if again < 0 or buffer[again + 2 : again + 4] != buffer[at + 2 : at + 4]:
@@ -132,7 +138,7 @@ class Scanner(Generic[T]):
 
 
 class Parser(Scanner[Packet]):
-    """Takes bytes in pieces of any size and returns the packets in them.
+    """Accepts bytes in pieces of any size and returns the packets in them.
 
     Anything else in the stream (NMEA sentences, noise, packets with a bad checksum) is skipped and
     counted in `skipped`. The result does not depend on the sizes of the pieces.

@@ -47,12 +47,12 @@ class Limit:
     value: float
     unit: str | None
     description: str
-    firmware: str | None = None  # the versions that have it: ">= 1.0.04"
+    firmware: str | None = None  # the versions that it applies to: ">= 1.0.04"
 
 
 @dataclass(frozen=True)
 class Note:
-    """A note that is not a rate, a port or a limit, perhaps with a table."""
+    """A fact about a device that is not a rate, a port or a limit, perhaps with a table."""
 
     title: str
     description: str
@@ -78,14 +78,14 @@ class Device:
     model_number: int | None
     evidence: tuple[Evidence, ...]  # strongest first
     base_rates: dict[int, float]  # data set -> Hz; 0: sent as the data arrives
-    functions: dict[tuple[int, int], str] = field(default_factory=dict)  # where not as defined
+    functions: dict[tuple[int, int], str] = field(default_factory=dict)  # if not those of the set
     firmware: dict[tuple[int, int], str] = field(default_factory=dict)  # if not all: "> 1.0.07"
     ports: tuple[Port, ...] = ()
     limits: dict[str, Limit] = field(default_factory=dict)
     notes: dict[str, Note] = field(default_factory=dict)
     readings: dict[str, Any] = field(default_factory=dict)  # "set.field.parameter" -> its type
     ack_codes: frozenset[int] = field(default_factory=frozenset)
-    incomplete: tuple[str, ...] = ()  # what is not known: it may have more than is listed
+    incomplete: tuple[str, ...] = ()  # the gaps: it may support more than is listed
     also: tuple[str, ...] = ()  # other names
     generation: int | None = None
     manual: str | None = None
@@ -95,7 +95,7 @@ class Device:
 
     @cached_property
     def fields(self) -> frozenset[tuple[int, int]]:
-        """(set, descriptor) of the commands and data that it has for certain or probably."""
+        """(set, descriptor) of the commands and data that it certainly or probably supports."""
         return self.certain | {k for k, e in self._said.items() if e.answer is Support.PROBABLE}
 
     @cached_property
@@ -107,22 +107,26 @@ class Device:
         return {(s, d): e for e in self.evidence for s, ds in e.descriptors.items() for d in ds}
 
     def has(self, set: int, descriptor: int) -> bool:
-        """Does it have this command or data field, for certain or probably?"""
+        """Does it certainly or probably support this command or data field?"""
         return self.support(set, descriptor) in (Support.YES, Support.PROBABLE)
 
     def support(self, set: int, descriptor: int) -> Support:
-        """Does it have it? A shared field counts in every data set; a complete profile lists all."""
+        """Returns whether the device supports a command or data field.
+
+        A shared field is found in every data set. A field that a complete profile does not list is
+        not supported.
+        """
         found = self.why(set, descriptor)
         return found.answer if found else Support.UNKNOWN if self.incomplete else Support.NO
 
     def why(self, set: int, descriptor: int) -> Evidence | None:
-        """The evidence; None if there is none."""
+        """Returns the evidence for the answer of `support`; None if there is none."""
         shared = self._said.get((0xFF, descriptor)) if set >= 0x80 else None
         return self._said.get((set, descriptor), shared)
 
     def decimation(self, set: int, rate: float) -> int:
-        """The decimation that is closest to a desired rate in Hz; at least 1. If the device can
-        report its base rate, read it from the device."""
+        """Returns the decimation, at least 1, for the rate closest to a desired one in Hz. If the
+        device can report its base rate, read that from the device instead."""
         base = self.base_rates.get(set, 0.0)
         if not rate > 0:
             raise ValueError(f"a rate must be above 0 Hz, not {rate}")
@@ -132,9 +136,9 @@ class Device:
 
 
 def model_number(text: str) -> int | None:
-    """The number with which the model and serial numbers of the device information begin.
+    """Returns the number with which a model or serial number of the device information begins.
 
-    Spaces may precede it, and a dot, a dash, a space, a NUL or the end of the text follows it.
+    Spaces may precede it; a dot, dash, space, NUL or the end of the text must follow it.
     """
     match = re.match(r" *([0-9]+)(?=[-. \0]|\Z)", text)
     number = int(match[1]) if match else 0

@@ -1,7 +1,7 @@
-"""Documentation, read from the source of this package when it is first needed.
+"""Documentation, which is read from this package's source on first use.
 
-Texts exist once, in docstrings, where editors show them. Python keeps only those of classes, and
-with `-OO` none. A package without its sources has no texts.
+Texts exist once, in docstrings, where editors show them. Python itself keeps only the docstrings of
+classes, and none with `-OO`. A package without its source has no texts.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ _WIRE = re.compile(r"^    # On the wire only: (\w+)\. ?(.*(?:\n    # (?!On the w
 
 
 def text(kind: type, member: str = "") -> str:
-    """The text about a member of a class, or of the class itself: its docstring on one line, without
-    the title of a field and without sources."""
+    """Returns the text about a class or one of its members: its docstring on one line, without a
+    field's title and without sources."""
     if member:
         blocks = next((b for base in kind.__mro__ if (b := _blocks(base, member))), [])
     else:
@@ -27,14 +27,14 @@ def text(kind: type, member: str = "") -> str:
 
 
 def sources(kind: type) -> tuple[str, ...]:
-    """Manuals and sections that describe a class."""
+    """Returns the manuals and sections that describe a class."""
     blocks = _blocks(kind)
     return tuple(line[2:] for block in blocks for line in block.split("\n") if line[:2] == "- ")
 
 
 def of_set(module: str, name: str) -> str:
-    """The text of a module's docstring about a descriptor set: about one of several in an item of a list, else in its
-    paragraphs."""
+    """Returns a module docstring's text about a descriptor set: its list item if the module has
+    several sets, otherwise the paragraphs."""
     blocks = _documented(module).get("", [])[1:]
     for line in (line for block in blocks for line in block.split("\n")):
         if line.startswith(f"- {name} (0x"):
@@ -43,14 +43,15 @@ def of_set(module: str, name: str) -> str:
 
 
 def _blocks(kind: type, member: str = "") -> list[str]:
-    """The paragraphs of a docstring."""
+    """Returns the paragraphs of a docstring."""
     known = _documented(kind.__module__)
     return known.get(f"{kind.__name__}.{member}" if member else kind.__name__, [])
 
 
 @cache
 def _documented(module: str) -> dict[str, list[str]]:
-    """The docstrings of a module, which is "", of its classes and of what these hold: "Ping.port"."""
+    """Returns the docstrings of a module (key ""), of its classes and of their members
+    ("Ping.port")."""
     spec = find_spec(module)
     source = getattr(spec and spec.loader, "get_source", lambda _: None)(module)
     return {name: _lines(doc) for name, doc in _docstrings(source)} if source else {}
@@ -72,6 +73,6 @@ def _docstrings(source: str) -> Iterator[tuple[str, str]]:
 
 
 def _lines(doc: str) -> list[str]:
-    """The paragraphs of a docstring, each on one line, and each item of a list on a line."""
+    """Splits a docstring into paragraphs, each on one line; each list item is on its own line."""
     items = (re.split(r"\n\s*(?=- )", block.strip()) for block in re.split(r"\n\s*\n", doc))
     return ["\n".join(" ".join(item.split()) for item in block) for block in items if block != [""]]

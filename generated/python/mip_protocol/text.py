@@ -1,4 +1,4 @@
-"""Objects as dictionaries and as text."""
+"""Converts objects to dictionaries and to text."""
 
 from __future__ import annotations
 
@@ -32,9 +32,10 @@ class Item(NamedTuple):
 
 
 def meant(p: Parameter, value: Any) -> Any:
-    """A value as the enumeration or bitfield of its parameter, each item of an array; others unchanged.
+    """Converts a value to its parameter's enumeration or bitfield, an array item by item. Other
+    values are returned unchanged.
 
-    Raises EncodeError for what is not a number.
+    Raises EncodeError if the value is not a number.
     """
     kind = p.type
     if value is None or not isinstance(kind, type) or not issubclass(kind, (IntEnum, IntFlag)):
@@ -57,7 +58,7 @@ def _several(value: object) -> bool:
 
 @lru_cache(maxsize=256)
 def _values(kind: type[IntEnum]) -> dict[int, str]:
-    """Value -> its name."""
+    """Returns a table: value -> its name."""
     from .reflection import info
 
     return {v.value: v.name for v in info(kind).values}
@@ -65,7 +66,8 @@ def _values(kind: type[IntEnum]) -> dict[int, str]:
 
 @lru_cache(maxsize=256)
 def _bits(kind: type[IntFlag]) -> tuple[tuple[tuple[str, int, int, Any], ...], int]:
-    """Name, mask, first bit and enumeration of each number in a bitfield; the mask of them all."""
+    """Returns name, mask, first bit and enumeration of each number in a bitfield, and all masks as
+    one."""
     from .reflection import info
 
     rows = [(b.name, b.mask, b.first, b.type) for b in info(kind).bits if not b.alias]
@@ -74,7 +76,7 @@ def _bits(kind: type[IntFlag]) -> tuple[tuple[tuple[str, int, int, Any], ...], i
 
 @lru_cache(maxsize=1024)
 def _set_bits(kind: type[IntFlag], value: int) -> tuple[str, ...]:
-    """The names of the bits that are set, and all numbers of several bits, even if they are 0."""
+    """Returns the names of the bits that are set, and all numbers of several bits, even if 0."""
     named, known = _bits(kind)
     words = []
     for name, mask, first, type in named:
@@ -103,7 +105,7 @@ def as_dict(
 
 
 def _here(p: Parameter, holder: Described, device: str | None, inside: Inside | None) -> Parameter:
-    """A parameter in its form beside the other values, and inside their holder."""
+    """Returns a parameter as it is in an object with its other values."""
     if p.variants or p.flags_on:
         p = p.of(holder, device)
     return replace(p, **inside[p.attribute]) if inside and p.attribute in inside else p
@@ -112,7 +114,7 @@ def _here(p: Parameter, holder: Described, device: str | None, inside: Inside | 
 def _plain(
     p: Parameter, value: Any, holder: Described, names: bool, json: bool, device: str | None
 ) -> Any:
-    """A value of types of JSON: dicts, lists, numbers, text."""
+    """Converts a value to JSON's types: dicts, lists, numbers, text."""
     if p.tag:
         case = _case(p, holder)
         return _plain(case, value, holder, names, json, device) if case else _number(value, json)
@@ -135,7 +137,7 @@ def _plain(
 
 
 def _case(p: Parameter, holder: Described) -> Parameter | None:
-    """The alternative of a union that is present."""
+    """Returns the case of a union that is present."""
     tag = getattr(holder, p.tag)
     return p.cases.get(tag) if isinstance(tag, int) else None
 
@@ -156,7 +158,7 @@ def _one(value: Any, names: bool, json: bool) -> Any:
 
 
 def named(p: Parameter, value: Any) -> Any:
-    """A value of an enumeration, a bitfield or a Boolean as `to_dict` has it for JSON."""
+    """Converts a value of an enumeration, a bitfield or a Boolean as `to_dict` does for JSON."""
     return _one(meant(p, value), True, True)
 
 
@@ -173,16 +175,16 @@ def as_text(holder: Described, device: str | None) -> str:
     try:
         name = holder._called(holder.INFO.name)
     except AttributeError:
-        return repr(holder)  # a class of the user's own
+        return repr(holder)  # the user's own class
     try:
         known = items(holder, device)
     except EncodeError:
-        return repr(holder)  # with values that cannot be sent
+        return repr(holder)  # a value cannot be sent
     return f"{name}: {_words(known)}" if known else name
 
 
 def items(holder: Described, device: str | None = None) -> list[Item]:
-    """The values of an object that were sent, each with its text and whether its flags say that it is valid."""
+    """Returns an object's values, without absent ones, each with its text and its validity."""
     return _items(holder, device, None)
 
 
@@ -247,7 +249,7 @@ def _words(items: list[Item]) -> str:
 
 
 def _elements(p: Parameter, value: Any, many: bool) -> str:
-    """A vector; the names of the elements of a matrix are of no use."""
+    """Formats a vector, or a matrix without its elements' names, which would only add noise."""
     if not _several(value):
         return repr(value)
     shown = [_word(p, x) for x in value]
@@ -276,7 +278,7 @@ def _word(p: Parameter, value: Any) -> str:
 
 
 def shortest(value: float) -> str:
-    """The shortest text of a number of four bytes.
+    """Returns the shortest text that denotes a four-byte float.
 
     >>> shortest(0.10000000149011612)
     '0.1'

@@ -19,7 +19,7 @@ LISTEN = 0.3
 
 
 class Ping(Command[None]):
-    """The command that every device answers, whatever the specification of this package."""
+    """A ping, which every device answers, whether or not this package's specification has it."""
 
     __slots__ = ()
 
@@ -37,7 +37,7 @@ PING = bytes(Ping().packet())
 
 
 def rates() -> tuple[int, ...]:
-    """The rates of all known devices, the usual one first, then in descending order."""
+    """Returns the rates of all known devices: the default one, then the others, highest first."""
     from .devices import DEVICES
 
     known = {rate for d in DEVICES.values() for port in d.ports for rate in port.baud_rates}
@@ -47,14 +47,15 @@ def rates() -> tuple[int, ...]:
 def detect_baud(port: Any, candidates: Iterable[int] | None = None, listen: float = LISTEN) -> int:
     """Sets a serial port to the rate at which a device answers, and returns the rate.
 
-    Any packet is sufficient: the answer to a ping, or data. Data that arrives meanwhile is lost.
+    Any packet is sufficient: the reply to a ping, or data. Data that arrives during the search is
+    discarded.
     `candidates`: the rates to try, in order; by default those of all known devices. `listen`:
     seconds for each. Raises NoDevice, and restores the rate; OSError if the port is lost.
     """
     port = as_port(port)
     first = getattr(port, "baudrate", None)
     if first is None:
-        raise NoDevice(f"{port!r} has no baud rate to be found")
+        raise NoDevice(f"{port!r} has no baud rate that could be detected")
     timeout, tried = getattr(port, "timeout", None), []
     port.timeout = READ_TIMEOUT
     try:
@@ -73,7 +74,8 @@ def detect_baud(port: Any, candidates: Iterable[int] | None = None, listen: floa
 
 
 def answers(port: Any, listen: float) -> bool:
-    """Does a packet arrive at the current rate? Tries twice: earlier bytes may damage the first answer."""
+    """Does a packet arrive at the current rate? Pings twice: bytes sent earlier may spoil the
+    first."""
     clear = getattr(port, "reset_input_buffer", None)
     if clear is not None:
         clear()
@@ -91,13 +93,13 @@ def answers(port: Any, listen: float) -> bool:
 
 
 def changing(device: AtPort, command: Command[Any], attempts: int) -> Dialog[int]:
-    """The steps of `Device.change_baud`."""
+    """Yields the steps of `Device.change_baud`."""
     new, old = getattr(command, "baud", None), device.baud
     if new is None or old is None:
-        raise ValueError("it takes a command that writes `baud`, and a port with a baud rate")
+        raise ValueError("needs a command that writes `baud`, and a port with a baud rate")
     try:
         yield Step(command)
-    except NoAnswer:  # its answer may have arrived at the new rate
+    except NoAnswer:  # its reply may have been sent at the new rate
         pass
     yield Step(None, CHANGE)
     for rate in (new, old):
@@ -107,7 +109,7 @@ def changing(device: AtPort, command: Command[Any], attempts: int) -> Dialog[int
                 yield Step(Ping(), LISTEN)
             except NoAnswer:
                 continue
-            except Refused:  # by a device that answers
+            except Refused:  # a NACK is a reply, too
                 pass
             return int(rate)
     raise NoAnswer(command)

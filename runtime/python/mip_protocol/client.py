@@ -23,7 +23,8 @@ from .parser import Parser
 from .protocol import BARRIER, Acknowledge
 from .types import AckCode
 
-#: The number of barriers. They have 2 to 63 commands: the answer to each is one packet.
+#: The number of different barriers. They have 2 to 63 commands, so that the replies to one fit into
+#: one packet.
 BARRIERS = 62
 
 
@@ -31,8 +32,8 @@ BARRIERS = 62
 class Answer:
     """The device has answered a command; `response` is present if the command requests one.
 
-    `error` is the reason why it is missing: the device sent none (`MissingResponse`), or one that
-    cannot be decoded. `raw` is the undecoded response.
+    If a requested response is missing, `error` is the reason: the device sent none
+    (`MissingResponse`), or one that cannot be decoded, which is in `raw`.
     """
 
     command: Command
@@ -59,7 +60,7 @@ class Received:
 
     packet: Packet
     taken: frozenset[int] = frozenset()
-    """The positions of the fields that were part of an answer."""
+    """The indices of the fields that answered a command."""
 
     @property
     def fields(self) -> tuple[RawField, ...]:
@@ -83,13 +84,13 @@ Event = Outcome | Received | Skipped
 
 
 def check_seconds(seconds: float, name: str = "timeout") -> None:
-    """Raises TypeError or ValueError if this is not a time to wait."""
+    """Raises TypeError or ValueError if this is not a valid number of seconds to wait."""
     try:
         right = seconds >= 0
     except TypeError:
-        raise TypeError(f"{name} {seconds!r}: needs a number of seconds") from None
+        raise TypeError(f"{name} {seconds!r}: must be a number of seconds") from None
     if not right:  # NaN, too
-        raise ValueError(f"{name} {seconds}: needs a number of seconds, 0 or more")
+        raise ValueError(f"{name} {seconds}: must be a number of seconds, 0 or more")
 
 
 @dataclass
@@ -101,27 +102,29 @@ class _Pending:
 
 
 class Client:
-    """Tracks the commands that wait for an answer. Data between the answers is passed through.
+    """Matches replies to the commands that wait for them. Data between replies is passed through.
 
-    After a command without an answer, its answer may still arrive, and MIP has no mark that
-    distinguishes it from that of the next such command. `send` then begins with a barrier: a packet
-    of several commands that change nothing. The device answers in order, and the commands of one
-    packet in one packet, whose size identifies the barrier. Until then, no answer belongs to the
-    commands after it, and from then on, none to those before it, which have timed out. A command
-    whose barrier is not answered times out, although the device may have carried it out.
+    The reply to a command that has timed out may still arrive, and nothing in MIP distinguishes it
+    from the reply to the next such command. `send` therefore first sends a barrier: a packet of
+    several commands that change nothing. The device replies in order, and to all commands of a
+    packet in one packet, whose size identifies the barrier. Before the reply to the barrier, no
+    reply is matched to a command sent after it; after that, none is matched to a command sent
+    before it, which has timed out. If the barrier is not answered, the commands after it time out,
+    although the device may have carried them out.
     """
 
     def __init__(self, timeout: float = 1.0, skipped: bool = False) -> None:
-        """`timeout`: seconds until a command times out; longer for commands that take longer.
+        """`timeout`: seconds until a command times out, unless the specification states more for
+        it.
 
-        `skipped`: bytes between packets are also events.
+        `skipped`: True to return bytes between packets as events, too.
         """
         check_seconds(timeout)
         self._timeout = timeout
         self._parser = Parser()
         self._wants_skipped = skipped
         self._pending: list[_Pending] = []
-        self._missed = 0  # commands without an answer, since a barrier was answered
+        self._missed = 0  # commands without a reply since the last answered barrier
         self._behind = 0  # the size of the last barrier, until it is answered
 
     @property
@@ -137,14 +140,14 @@ class Client:
     def send(
         self, *commands: Command, now: float, timeout: float | None = None, wait: bool = True
     ) -> bytes:
-        """The bytes to send: one packet with these commands, all of one descriptor set, behind a
-        barrier if an earlier command was not answered.
+        """Returns the bytes to send: one packet with these commands, which must be of one
+        descriptor set, preceded by a barrier if an earlier command was not answered.
 
-        `timeout`: seconds for these commands, in place of their usual time-outs. `wait`: False if
-        answers are not expected, and are events like data.
+        `timeout`: seconds for these commands, instead of their usual time-outs. `wait`: False to
+        expect no replies; any that arrive are events, like data.
 
-        Raises EncodeError, and waits for no answer, if they do not fit into one packet; ValueError
-        if the time-out is NaN or negative.
+        Raises EncodeError if the commands do not fit into one packet, and ValueError if the
+        time-out is NaN or negative; then nothing is waited for.
         """
         if not commands:
             raise EncodeError("missing", "send needs at least one command")
@@ -173,7 +176,7 @@ class Client:
         number, descriptor = BARRIER
         if not number or not self._missed or self._behind == self._missed + 1:
             return b""
-        self._miss(len(self._pending))  # they may be commands as in a barrier
+        self._miss(len(self._pending))  # they may be the same commands as in a barrier
         self._behind = self._missed + 1
         builder = PacketBuilder(number)
         for _ in range(self._behind):
@@ -185,7 +188,8 @@ class Client:
             self._missed = (self._missed + count - 1) % BARRIERS + 1
 
     def _passes(self, packet: Packet) -> list[Event] | None:
-        """If the packet answers the last barrier: the time-outs of all that was sent before it."""
+        """Returns the time-outs of all commands sent before the last barrier, if this packet
+        answers it; otherwise None."""
         number, descriptor = BARRIER
         if not self._behind or (packet.set, len(packet.payload)) != (number, 4 * self._behind):
             return None
@@ -202,17 +206,19 @@ class Client:
         return [TimedOut(p.command) for p in before]
 
     def receive(self, data: bytes, now: float) -> list[Event]:
-        """The events of these bytes and this time: answers, other packets, time-outs."""
+        """Processes received bytes. Returns the events up to now: answers, other packets,
+        time-outs."""
         return self._events(self._parser.feed_all(data)) + self.poll(now)
 
     def flush(self, now: float) -> list[Event]:
-        """Discards an incomplete packet, for example at the end of a file, and searches its bytes."""
+        """Discards an incomplete packet, for example at the end of a file, and searches its
+        bytes."""
         return self._events(self._parser.flush_all()) + self.poll(now)
 
     def look_behind(self, now: float) -> list[Event]:
-        """Discards an incomplete packet only if whole packets follow its first bytes: it was noise.
+        """Discards an incomplete packet if a whole packet begins within it, because it was noise.
 
-        Call it when no bytes have arrived for a while. A packet that arrives slowly is kept.
+        Call this when no bytes have arrived for a while. A packet that arrives slowly is kept.
         """
         events: list[Event] = []
         while items := self._parser.look_behind_all():
@@ -225,9 +231,9 @@ class Client:
         return min((p.deadline for p in self._pending), default=None)
 
     def cancel(self, command: Command, silent: bool = False) -> None:
-        """Stops waiting for this command. A late answer to it does not answer another one.
+        """Stops waiting for this command. A late reply to it is not matched to another one.
 
-        `silent`: the device does not answer it.
+        `silent`: True if the device does not reply to it.
         """
         left = [p for p in self._pending if p.command is not command]
         if not silent:
@@ -235,9 +241,11 @@ class Client:
         self._pending = left
 
     def interrupt(self) -> list[Event]:
-        """The connection was lost: the commands that wait time out, and an incomplete packet is
-        discarded. Replies that still arrive over the next connection are not taken for answers to
-        later commands."""
+        """Handles a lost connection: waiting commands time out, and an incomplete packet is
+        discarded.
+
+        Replies that still arrive over the next connection are not matched to later commands.
+        """
         events = self._events(self._parser.flush_all())
         events += [TimedOut(p.command) for p in self._pending]
         self._miss(len(self._pending))
@@ -245,10 +253,10 @@ class Client:
         return events
 
     def poll(self, now: float) -> list[Event]:
-        """The commands that have timed out.
+        """Returns the commands that have timed out, and other events.
 
-        Noise that looks like the start of a long packet holds back what follows. Before a command
-        times out, the packets after such noise are processed. An incomplete packet is kept.
+        Noise that looks like the start of a long packet delays the packets after it. Before a
+        command times out, they are processed. An incomplete packet is kept.
         """
         events: list[Event] = []
         while any(p.deadline <= now for p in self._pending):
@@ -271,7 +279,7 @@ class Client:
         return events
 
     def _taken(self, packet: Packet) -> list[Event]:
-        """The answers in a packet, and the packet itself if it contains other fields."""
+        """Returns the answers in a packet, and the packet itself if it contains other fields."""
         if packet.set >= 0x80:
             return [Received(packet)]
         passed = self._passes(packet)
@@ -292,11 +300,12 @@ class Client:
         return [*answers, Received(packet, frozenset(taken))]
 
     def _answer(self, raw: RawField, behind: RawField | None) -> Answer | None:
-        """The answer by an acknowledge field and the field after it, to the oldest such command.
+        """Returns the answer that an acknowledge field and the field after it contain, for the
+        oldest command that they match.
 
-        A response never answers a command that does not request it, because it may be the late
-        answer to another one; an acknowledge without a response first answers commands that request
-        none.
+        A response is never matched to a command that does not request one, because it may be the
+        late reply to another command. An acknowledge without a response is matched first to
+        commands that request none.
         """
         try:
             ack = Acknowledge.decode(raw.data)
@@ -326,7 +335,7 @@ class Client:
 
 
 def _response(waiting: _Pending, code: AckCode, raw: RawField) -> Answer | None:
-    """The answer with this response, if it is the one that the command requests."""
+    """Returns the answer with this response, if it is the one that the command requests."""
     command = waiting.command
     layouts = [t for t in waiting.expected if t.DESCRIPTOR == raw.descriptor]
     kind = next((t for t in layouts if t.matches(raw.data)), None)

@@ -39,9 +39,9 @@ class Arrival:
     time: float
     """When its last bytes had been read: seconds since 1970, UTC, by the clock of this computer."""
     monotonic: float
-    """The same by `time.monotonic()`, which is never set."""
+    """The same time by `time.monotonic()`, a clock that is never set."""
     taken: frozenset[int] = frozenset()
-    """The positions of the fields that were part of an answer."""
+    """The indices of the fields that answered a command."""
 
     @property
     def fields(self) -> tuple[RawField, ...]:
@@ -49,29 +49,29 @@ class Arrival:
         return Received(self.packet, self.taken).fields
 
     def find(self, kind: type[F]) -> F | None:
-        """The first field of this type, if there is one. Raises DecodeError."""
+        """Returns the first field of this type, or None. Raises DecodeError."""
         return kind.find(self.packet)
 
     def find_all(self, kind: type[F]) -> Iterator[F]:
-        """The fields of this type, in order: some messages have one for each satellite, say. Raises
-        DecodeError when it reaches a field that cannot be decoded."""
+        """Yields the fields of this type, in order; some messages have one for each satellite.
+        Raises DecodeError at a field that cannot be decoded."""
         return kind.find_all(self.packet)
 
     def device_time(self, clock: str = "gps") -> int | None:
-        """The time in the packet, in nanoseconds, by a clock of the device; None if the packet has none
-        or if it is not valid.
+        """Returns the time in the packet by one of the device's clocks, in nanoseconds; None if the
+        packet does not contain it, or if it is not valid.
 
-        `clock`: "gps" is UTC, since 1970; "external" and "reference" are since their start. See
-        `timestamps.time_of` for the time in a field.
+        `clock`: "gps" counts in UTC since 1970; "external" and "reference" count from their start.
+        For the time in a field, see `timestamps.time_of`.
         """
         from .timestamps import moments
 
         if clock not in CLOCKS:
-            raise ValueError(f"{clock!r} is not a clock; one of {', '.join(CLOCKS)} is")
+            raise ValueError(f"{clock!r} is not a clock; use one of {', '.join(CLOCKS)}")
         return moments(self.packet).get(clock)
 
     def decode(self) -> list[Field | RawField]:
-        """All fields of the packet, as `registry.decode_packet` returns them."""
+        """Returns all fields of the packet, as `registry.decode_packet` does."""
         from .registry import decode_packet
 
         return list(decode_packet(self.packet))
@@ -84,7 +84,7 @@ class Ticket:
 
     def __init__(self, command: Command) -> None:
         self.command = command
-        self.sent = copy(command)  # one may be in two requests, and the client knows it by identity
+        self.sent = copy(command)  # the client compares identities; one object may be sent twice
         self.outcome: Outcome | None = None
         self.done = False
 
@@ -95,7 +95,7 @@ class Ticket:
 
 @dataclass(frozen=True)
 class News:
-    """The kinds of changes, so that callers that wait for them can be woken."""
+    """What has changed, so that the callers that wait for it can be woken."""
 
     answers: bool = False
     arrivals: bool = False
@@ -111,10 +111,10 @@ class Conversation:
         on_skipped: Callable[[bytes], object] | None = None,
     ) -> None:
         if capacity < 1:
-            raise ValueError(f"capacity {capacity}: at least one packet must have room")
+            raise ValueError(f"capacity {capacity}: must be at least 1 packet")
         check_seconds(timeout)
         if not timeout:
-            raise ValueError(f"timeout {timeout}: a device needs some time to answer")
+            raise ValueError(f"timeout {timeout}: must be above 0: a device needs time to reply")
         self.arrivals: deque[Arrival] = deque()
         self.dropped = 0
         self._capacity = capacity
@@ -126,7 +126,7 @@ class Conversation:
         self._incomplete = False
 
     def restart(self) -> None:
-        """The port has been opened again. Waiting data is kept."""
+        """Prepares for a port that has been opened again. Data that waits to be read is kept."""
         self._settings.clear()
         self._handle(self._client.interrupt(), time.monotonic(), time.time())
         self._incomplete = False
@@ -140,10 +140,10 @@ class Conversation:
     def send(
         self, commands: Sequence[Command], now: float, timeout: float | None, wait: bool = True
     ) -> tuple[bytes, list[Ticket]]:
-        """The packet to write, and a ticket for each command. Raises EncodeError.
+        """Returns the packet to write and a ticket for each command. Raises EncodeError.
 
-        The ticket of a command that the device does not acknowledge is done at once, and so are
-        those of all if nobody is going to `wait`: answers are data then.
+        A command that the device does not acknowledge is done at once. Without `wait`, all commands
+        are done at once, and replies are treated as data.
         """
         tickets = [Ticket(command) for command in commands]
         packet = self._client.send(*(t.sent for t in tickets), now=now, timeout=timeout, wait=wait)
@@ -164,7 +164,8 @@ class Conversation:
         self._tickets = [t for t in self._tickets if t not in tickets]
 
     def question(self, command: Command) -> Command | None:
-        """What to read from the device before this command, to know whether it will be acknowledged."""
+        """Returns the command that reads whether the device will acknowledge `command`; None if
+        that is known already."""
         for number, descriptor, _, _ in command.SILENCED_BY:
             if command.answered and (number, descriptor) not in self._settings:
                 from .registry import types
@@ -176,19 +177,20 @@ class Conversation:
         return None
 
     def settle(self, question: Command, outcome: Outcome | None) -> None:
-        """If the device does not have that setting, it is not asked again."""
+        """Notes that the device lacks a setting if it rejected the question, so that it is asked
+        once."""
         if isinstance(outcome, Answer) and not outcome.accepted:
             self._settings[question.SET, question.DESCRIPTOR] = question
 
     def _silenced(self, command: Command) -> bool:
-        """Does a setting of the device keep it from acknowledging this command?"""
+        """Does a device setting suppress the acknowledge of this command?"""
         return any(
             getattr(self._settings.get((number, descriptor)), name, None) == value
             for number, descriptor, name, value in command.SILENCED_BY
         )
 
     def _learn(self, answer: Answer) -> None:
-        """Keeps the settings that the device is known to have."""
+        """Records a setting that the device has reported or accepted."""
         command = answer.command
         if not answer.accepted or command.SILENCED_BY:
             return
@@ -204,7 +206,8 @@ class Conversation:
     # ------------------------------------------------------------- received bytes
 
     def receive(self, data: bytes, monotonic: float, clock: float) -> News:
-        """Takes bytes received at this time, by both clocks; no bytes if none have arrived for a moment."""
+        """Processes bytes received at this time, by both clocks. Without bytes, the line was idle
+        for a moment."""
         if not data:
             return self._idle(monotonic, clock)
         self._heard = monotonic
@@ -212,7 +215,7 @@ class Conversation:
         return self._handle(self._client.receive(data, monotonic), monotonic, clock)
 
     def _idle(self, monotonic: float, clock: float) -> News:
-        # Noise may look like the start of a packet: packets after it are processed.
+        # Noise may look like the start of a packet; packets after it must not wait for its end.
         if not self._incomplete:
             return self._handle(self._client.poll(monotonic), monotonic, clock)
         if monotonic - self._heard < SILENCE:
@@ -225,12 +228,12 @@ class Conversation:
         return self._handle(self._client.poll(monotonic), monotonic, time.time())
 
     def end(self, monotonic: float, clock: float) -> News:
-        """The port is lost: no more bytes will arrive."""
+        """Processes the remaining bytes of a lost port, from which no more will arrive."""
         return self._handle(self._client.flush(monotonic), monotonic, clock)
 
     @property
     def deadline(self) -> float | None:
-        """When the next command times out."""
+        """The time at which the next command times out."""
         return self._client.deadline
 
     def _handle(self, events: list[Event], monotonic: float, clock: float) -> News:
@@ -264,7 +267,7 @@ class Conversation:
 
 
 class AtPort:
-    """A device at a port, however its callers wait: the base of both devices."""
+    """The base of both devices: a device at a port, however its callers wait."""
 
     _closed = True  # until there is a port
     _url = ""  # of a port that `open_port` has opened
@@ -303,8 +306,9 @@ class AtPort:
 
     @baud.setter
     def baud(self, rate: int) -> None:
-        """Changes the rate of the port, not that of the device; see `change_baud`. Raises ValueError if the port
-        has none; what the port raises if it does not support this one."""
+        """Changes the rate of the port, not that of the device; see `change_baud`. Raises
+        ValueError if the port has no rate, and whatever the port raises if it does not support this
+        one."""
         if self.baud is None:
             raise ValueError("the port has no baud rate")
         self._port.baudrate = rate
@@ -316,19 +320,19 @@ class AtPort:
 
 # needs: session or baud rates
 class Step(NamedTuple):
-    """A command to send, and the seconds for its answer; without a command, the seconds to wait."""
+    """A command to send, and the seconds for its reply; without a command, the seconds to wait."""
 
     command: Command[Any] | None
     seconds: float | None = None
 
 
 # needs: session or baud rates
-#: Steps that depend on the answers: each is sent the response, or thrown Refused or NoAnswer.
+#: Yields steps. The caller sends the response of each into it, or throws Refused or NoAnswer.
 Dialog: TypeAlias = Generator[Step, Any, T]
 
 
 def response(ticket: Ticket, tickets: Sequence[Ticket]) -> Response | None:
-    """The reply of the device, or the error that explains its absence."""
+    """Returns the device's response, or raises the error that explains its absence."""
     outcome = ticket.outcome
     if outcome is None:
         return None
@@ -342,5 +346,6 @@ def response(ticket: Ticket, tickets: Sequence[Ticket]) -> Response | None:
 
 
 def responses(tickets: Sequence[Ticket]) -> tuple[Response | None, ...]:
-    """The responses of the commands of one packet. Raises the error of the first that has failed."""
+    """Returns the responses to one packet's commands. Raises the error of the first failed
+    command."""
     return tuple(response(ticket, tickets) for ticket in tickets)

@@ -1,4 +1,4 @@
-"""From a stream of bytes to fields, the fast way."""
+"""The fast way from a stream of bytes to fields."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from .registry import LAYOUTS
 
 
 class Decoder(Scanner[Fields]):
-    """A parser that returns the fields of each packet, as `registry.decode_packet` does, but faster.
+    """A parser that returns the fields of each packet, as `registry.decode_packet` does, but
+    faster.
 
     >>> decoder = Decoder()
     >>> decoder.feed(bytes.fromhex("75650104 04f10100 d56a"))

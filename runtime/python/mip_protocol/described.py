@@ -1,4 +1,5 @@
-"""The meaning of objects: names, units, validity, text. Loaded when it is first used."""
+"""The meaning of objects: names, units, validity, text. The descriptions are loaded on first
+use."""
 
 from __future__ import annotations
 
@@ -25,7 +26,7 @@ class _Info:
 
         try:
             return info(kind)
-        except LookupError as error:  # `Field` and the like, and classes of the user's own
+        except LookupError as error:  # `Field` and other base classes, and the user's own
             raise AttributeError(str(error)) from None
 
 
@@ -41,15 +42,15 @@ class _Help(dict[str, str]):
 
 
 def help_of(kind: type[Described], name: str) -> str:
-    """The text of a parameter."""
+    """Returns the text about a parameter."""
     try:
         return kind.INFO[name].text
-    except (AttributeError, LookupError):  # of a class of the user's own
+    except (AttributeError, LookupError):  # the user's own class
         return ""
 
 
 class Described:
-    """A field or a structure."""
+    """A field or a structure, with its descriptions."""
 
     __slots__ = ()
 
@@ -57,7 +58,7 @@ class Described:
     """Facts about it and its parameters."""
 
     def _called(self, name: str) -> str:
-        """Its name in a text; that of a field depends on the set that contained it."""
+        """Returns its name for texts; a field's name depends on the set that contained it."""
         return name
 
     def __init_subclass__(cls, **arguments: Any) -> None:
@@ -68,11 +69,11 @@ class Described:
             cls.__slots__ = _Help(cls, names)  # type: ignore[assignment]
 
     def is_valid(self, name: str, device: str | None = None) -> bool:
-        """Is a value valid according to its flags? A value without a flag is.
+        """Is a value valid according to its flags? A value without flags is valid.
 
-        `name` may be that of an element: "velocity.x". A vector is valid if all of its elements
-        are. An absent value is not valid. The flags may depend on the device (its id). Raises
-        EncodeError if they are not a number.
+        `name` may name an element: "velocity.x". A vector is valid if all of its elements are. An
+        absent value is not valid. `device` is the device's id, on which the flags may depend.
+        Raises EncodeError if the flags are not a number.
         """
         name, _, element = name.partition(".")
         p = self.INFO[name].of(self, device)
@@ -93,11 +94,11 @@ class Described:
             raise EncodeError("range", f"{wrong}, needs a whole number") from None
 
     def meaning(self, name: str, device: str | None = None) -> Any:
-        """The value `name` as the enumeration or bitfield that defines its meaning.
+        """Returns the value `name` as a member of the enumeration or bitfield that defines it.
 
-        The type depends on another value of this field or on the device (its id, "3dm-gx5-15").
-        Without such a type, the value is returned unchanged. Raises EncodeError if the value does
-        not fit into its parameter.
+        The type may depend on another value of this field or on the device (its id, such as
+        "3dm-gx5-15"). Without such a type, the value is returned unchanged. Raises EncodeError if
+        the value does not fit into its parameter.
         """
         from .text import meant
 
@@ -107,23 +108,25 @@ class Described:
     def to_dict(
         self, names: bool = True, json: bool = False, device: str | None = None
     ) -> dict[str, Any]:
-        """The values by their names in the specification, in wire order; counters and constants are left out.
+        """Returns the values by their names in the specification, in wire order, without counters
+        and constants.
 
-        Structures and vectors are dicts, arrays are lists, values that were not sent are None.
-        Enumerations are their names; those without a name are numbers. Of bitfields it is a list of
-        what is set: names, "name=number" for numbers of several bits, and bits without a name as a
-        hexadecimal number. All of these are numbers, and vectors lists, if not `names`. Floats stay
-        as they are; `json` makes those that JSON has no number for, NaN and infinities, None.
-        `device` is the id of the device, on which some names depend. Raises EncodeError if what has
-        names is not a number.
+        Structures and vectors become dicts, arrays become lists, and absent values None. An
+        enumeration value becomes its name, or stays a number if it has none. A bitfield becomes a
+        list of what is set: names, "name=number" for numbers of several bits, and unnamed bits as a
+        hexadecimal number. With `names=False`, all of these are numbers, and vectors are lists.
+        With `json`, NaN and infinities become None, because JSON cannot represent them. `device` is
+        the device's id, on which some names depend. Raises EncodeError if a value of an enumeration
+        or a bitfield is not a number.
         """
         from .text import as_dict
 
         return as_dict(self, names, json, device)
 
     def to_text(self, device: str | None = None) -> str:
-        """One line with names, values and units, interpreted for a device; `str()` is for an
-        unknown device. With values that cannot be sent it may be the same as `repr()`."""
+        """Returns one line with names, values and units, interpreted for a device; `str()` returns
+        the line for an unknown device. If a value cannot be sent, this may be the same as `repr()`.
+        """
         from .text import as_text
 
         return as_text(self, device)

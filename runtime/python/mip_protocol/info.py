@@ -12,7 +12,7 @@ from .parameter import Parameter
 
 @dataclass(frozen=True)
 class Info:
-    """The common part of all descriptions."""
+    """The base of all descriptions."""
 
     name: str  # in the specification: "sensor.scaled_accel"
     type: Any = None
@@ -61,7 +61,7 @@ class BitInfo(MemberInfo):
 
     mask: int = 0
     alias: bool = False  # it overlaps other bits
-    concerns: tuple[str, ...] = ()  # names of the fields and commands that it is about
+    concerns: tuple[str, ...] = ()  # names of the fields and commands that it concerns
     type: Any = None  # the enumeration of a number
 
     @property
@@ -75,11 +75,11 @@ class BitInfo(MemberInfo):
 
 @dataclass(frozen=True)
 class _Members(Info):
-    #: Names that the specification writes in another way than in small letters.
+    #: Names that are not in lower case in the specification.
     spelled: dict[str, str] = field(default_factory=dict)
 
     def _named(self) -> Iterator[tuple[str, str, int]]:
-        """The name in the specification, that of the member, and its number."""
+        """Yields the specification's name, the member's name and its number."""
         for member, number in self.type.__members__.items():
             yield self.spelled.get(member) or str.lower(member), member, int(number)
 
@@ -104,7 +104,7 @@ class EnumInfo(_Members):
 @dataclass(frozen=True)
 class BitsInfo(_Members):
     aliases: tuple[str, ...] = ()  # names of bits that overlap others
-    #: Bit -> the fields and commands that it is about.
+    #: Bit -> the fields and commands that it concerns.
     concerns: dict[str, tuple[str, ...]] = field(default_factory=dict)
     numbers: dict[str, Any] = field(default_factory=dict)  # name -> its enumeration
 
@@ -126,18 +126,18 @@ class BitsInfo(_Members):
 
 @dataclass(frozen=True)
 class StructureInfo(Info):
-    """A structure, or what a field has in common with one."""
+    """A structure, or the part of a field's description that structures have, too."""
 
     parameters: tuple[Parameter, ...] = ()  # in wire order, with counters and constants
 
     def __post_init__(self) -> None:
         for p in self.parameters:
-            if p.owner is None:  # else it is that of a field with the same layout
+            if p.owner is None:  # otherwise shared with a field of the same layout
                 object.__setattr__(p, "owner", self.type)
 
     @cached_property
     def members(self) -> tuple[Parameter, ...]:
-        """The parameters that objects hold."""
+        """The parameters that objects contain: all but counters and constants."""
         return tuple(p for p in self.parameters if not p.derived)
 
     @cached_property
@@ -145,7 +145,7 @@ class StructureInfo(Info):
         return {p.name: p for p in self.parameters} | {p.attribute: p for p in self.parameters}
 
     def __getitem__(self, name: str) -> Parameter:
-        """A parameter by its name in the specification, or in Python. Raises UnknownName."""
+        """Returns a parameter by its name in the specification or in Python. Raises UnknownName."""
         found = self._by_name.get(name)
         if found is None:
             from .lookup import unknown
@@ -171,7 +171,7 @@ class FieldInfo(StructureInfo):
 
     @property
     def also(self) -> tuple[str, ...]:
-        """Other names: the vendor's."""
+        """Other names, used by the vendor."""
         from ._index import FIELDS
 
         return FIELDS[self.name][4]

@@ -1,10 +1,10 @@
-"""Decoders for layouts of packets: for the fields that follow each other in them.
+"""Fast decoders for packets whose layout, the sequence of their fields, occurs often.
 
-A device sends packets of a few layouts repeatedly. A layout that occurs often gets its own
-function, which reads all numbers of the packet at once and creates the objects from them. The first
-bytes of a packet and its length select the function, which checks the headers of the fields. All
-other cases are decoded the general way, by the `decode` of each field, with the same result:
-unknown fields, fields without fixed places, other headers, floats that are not numbers.
+A device repeatedly sends packets of a few layouts. A frequent layout gets its own function, which
+reads all numbers of the packet at once and creates the objects from them. The first bytes of a
+packet and its length select the function, which checks the field headers. Everything else is
+decoded the general way, by each field's `decode`, with the same result: unknown fields, fields of
+variable layout, other headers, and floats that are NaN.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ from .wire import Layout, late, plain, size, value
 
 #: The fields of a packet.
 Fields = tuple["Field | RawField", ...]
-#: Makes the fields of the packet at an offset; returns None if that must be done in the general way.
+#: Decodes the packet at an offset; returns None if it must be decoded the general way.
 Decode = Callable[[bytes, int], "Fields | None"]
 
-#: The first bytes of a packet that pick its layout: they end with the header of the first field.
+#: The number of first bytes that select a packet's layout: up to the first field's header.
 KEY = 6
 #: A layout gets its function when it has occurred this many times.
 OFTEN = 8
-#: The most layouts that have one.
+#: The largest number of layouts with their own function.
 MOST = 512
 
 
 class Layouts:
-    """The functions that have been made so far."""
+    """Decodes packets, and keeps the functions compiled so far."""
 
     def __init__(self, types: Callable[[int, int], tuple[type[Field], ...]]) -> None:
         self._types = types
@@ -46,7 +46,7 @@ class Layouts:
         self._counts: dict[bytes, int] = {}
 
     def decode(self, packet: Packet) -> Fields:
-        """The fields of a packet; those that are unknown or cannot be decoded stay raw.
+        """Decodes the fields of a packet; those that are unknown or cannot be decoded stay raw.
 
         Stops at a malformed field, because no field can be found after it.
         """
@@ -56,7 +56,7 @@ class Layouts:
         return self.decode_slowly(packet) if fields is None else fields
 
     def decode_slowly(self, packet: Packet) -> Fields:
-        """The same the general way."""
+        """Like `decode`, the general way."""
         raws = packet.fields
         if raws and packet.malformed is None:
             self._count(packet, raws)
@@ -72,7 +72,7 @@ class Layouts:
             return Undecoded.because(raw, error)
 
     def _count(self, packet: Packet, raws: Sequence[RawField]) -> None:
-        """Makes the function of a layout that occurs often."""
+        """Counts a packet's layout, and compiles its function when it has occurred often enough."""
         data = bytes(packet)
         headers = b"".join([bytes((len(raw.data) + 2, raw.descriptor)) for raw in raws])
         layout = data[:4] + headers
@@ -92,7 +92,8 @@ class Layouts:
         self.checked[key] = _chosen({h: both[1] for h, both in made.items()}, 0, 4)
 
     def _functions(self, header: bytes, raws: Sequence[RawField]) -> tuple[Decode, Decode]:
-        """The functions for packets with fields like these: one that checks the checksum, and one that does not."""
+        """Compiles two functions for packets with fields like these: with and without a check of
+        the checksum."""
         source = _Source()
         for raw in raws:
             types = self._types(raw.set, raw.descriptor)
@@ -108,7 +109,7 @@ class Layouts:
 
 
 class _Source:
-    """The text of a function, as it grows field by field."""
+    """The source of a function, built field by field."""
 
     def __init__(self) -> None:
         self.format = ">6x"  # up to the end of the first header
@@ -120,7 +121,7 @@ class _Source:
         self.names: dict[str, Any] = {"new": object.__new__}
 
     def add_numbers(self, raw: RawField, kind: type[Field], layout: Layout, rest: int) -> None:
-        """A field whose values are numbers at fixed places."""
+        """Adds a field whose values are numbers at fixed offsets."""
         made, cls = self._begin(raw)
         self.names[cls] = kind
         self.lines.append(f"{made} = new({cls})")
@@ -137,7 +138,7 @@ class _Source:
         self.format += f"{rest}x"
 
     def add_any(self, raw: RawField, decode: Callable[[RawField], Field | RawField]) -> None:
-        """Any other field."""
+        """Adds any other field, which its own `decode` reads."""
         made, how = self._begin(raw)
         value = f"v{len(self.values)}"
         self.values.append(value)
@@ -152,7 +153,7 @@ class _Source:
         if self.headers:
             lines.append(f"if {' or '.join(self.headers)}: return None")
         if self.singles:
-            # Python changes the bits of some that are not numbers; the sum shows that there may be one.
+            # Python changes the bits of some NaNs. If there is one, the sum is NaN, too.
             lines += [f"total = {' + '.join(self.singles)}", "if total != total: return None"]
         lines += [*self.lines, f"return {', '.join(self.objects)},"]
         self.names["unpack"] = struct.Struct(self.format).unpack_from
@@ -160,7 +161,7 @@ class _Source:
         return made
 
     def _begin(self, raw: RawField) -> tuple[str, str]:
-        """The names of the next object and of what makes it, after its header."""
+        """Adds a field's header. Returns the names of the next object and of what creates it."""
         number = len(self.objects)
         if number:  # the first one is the key
             self.format += "H"
@@ -171,9 +172,9 @@ class _Source:
 
 
 def _chosen(made: dict[bytes, Decode], at: int, offset: int) -> Decode:
-    """One function for layouts that differ after their first field.
+    """Returns one function for layouts that differ after their first field.
 
-    They are equal up to the header that is `at` among the headers and at `offset` in the packet.
+    The layouts are equal up to the field header at `at` in the keys and at `offset` in the packet.
     """
     if len(made) == 1:
         return next(iter(made.values()))

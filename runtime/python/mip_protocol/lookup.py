@@ -12,14 +12,15 @@ from ._index import DEVICES, FAMILIES, FIELDS, SETS
 from .errors import UnknownName
 from .field import Field
 
-#: Words of names in other bindings that do not describe the field itself.
+#: Words in other bindings' names that do not describe the field itself.
 NOISE = frozenset(("mip", "data", "command", "commands"))
-#: The prefix of names in C, and of those of modules that would begin with a digit: `mip` of `mip_3dm`.
+#: The prefix of names in C, and of modules whose names would begin with a digit: `mip` in
+#: `mip_3dm`.
 PREFIX = __name__.split(".")[-2].removesuffix("_protocol")
 
 
 def field(name: str) -> type[Field]:
-    """The type of a field; see `registry.by_name`."""
+    """Finds the type of a field; see `registry.by_name`."""
     names = _named(_checked(name, "a field"))
     if len(names) == 1:
         set, kind = FIELDS[names[0]][:2]
@@ -37,7 +38,7 @@ def _checked(name: Any, what: str) -> str:
 
 
 def _named(name: str) -> tuple[str, ...]:
-    """The full names of the fields with this name."""
+    """Finds the full names of the fields with this name."""
     first, _, own = name.partition(".")
     full = f"{FAMILIES.get(first, first)}.{own}"
     if full in FIELDS:
@@ -76,7 +77,7 @@ def _key(words: list[str]) -> str:
 
 @cache
 def _keys() -> dict[str, tuple[str, ...]]:
-    """Names of fields, without their insignificant parts -> full names."""
+    """Returns a table: field names without their insignificant parts -> full names."""
     keys: dict[str, dict[str, None]] = {}
     for full, (_, _, _, title, also) in FIELDS.items():
         family, _, own = full.partition(".")
@@ -96,7 +97,7 @@ def _near(name: str) -> list[str]:
 
 
 def set_number(name: str) -> int:
-    """The number of a descriptor set; see `registry.set_by_name`."""
+    """Finds the number of a descriptor set; see `registry.set_by_name`."""
     _checked(name, "a descriptor set")
     try:
         number = int(name, 16) if name.lower().startswith("0x") else None
@@ -113,7 +114,7 @@ def set_number(name: str) -> int:
 
 @cache
 def device_id(name: str) -> str:
-    """The id of a device, of its id, its title or another name, or the last words of one."""
+    """Finds the id of a device by its id, title or another name, or by the last words of one."""
     wanted = _joined(_checked(name, "a device"))
     for id, names in DEVICES.items():
         if wanted in map(_joined, (id, *names)):
@@ -132,7 +133,7 @@ def device_id(name: str) -> str:
 
 @cache
 def _ends() -> dict[str, tuple[str, ...]]:
-    """The last words of the names of devices ("gx5-45", "45") -> their ids."""
+    """Returns a table: the last words of devices' names ("gx5-45", "45") -> the devices' ids."""
     ends: dict[str, dict[str, None]] = {}
     for id, names in DEVICES.items():
         for words in map(_words, (id, *names)):
@@ -144,7 +145,7 @@ def _ends() -> dict[str, tuple[str, ...]]:
 def unknown(
     name: str, what: str, known: Iterable[str], near: Iterable[str] | None = None
 ) -> UnknownName:
-    """The error for an unknown name, with the nearest names."""
+    """Returns the error for an unknown name, with the nearest names."""
     from difflib import get_close_matches
 
     known = list(known)

@@ -15,31 +15,31 @@ class Flag:
     """A bit, or a bool, that shows whether a value is valid."""
 
     name: str  # its name in the specification: "valid_flags.tow"
-    attribute: str  # of the same field or structure: the value that holds it
-    mask: int  # 0: that value is a bool
+    attribute: str  # the attribute of the same field or structure that contains it
+    mask: int  # 0: that attribute is a bool
 
     @overload
     def holds(self, flags: int) -> bool: ...
     @overload
     def holds(self, flags: Any) -> Any: ...
     def holds(self, flags: Any) -> Any:
-        """Is it set in the value of its attribute? For a NumPy array: in each element."""
+        """Is it set in a value of its attribute? For a NumPy array, the result is an array."""
         return (flags & self.mask) == self.mask if self.mask else flags != 0
 
 
 @dataclass(frozen=True)
 class Variant:
-    """A difference on some devices, or for some values of another parameter."""
+    """A difference of a parameter on some devices, or for some values of another parameter."""
 
-    by: str  # "device", or the attribute that holds the other value
-    keys: tuple[str | int, ...]  # ids of devices, or that value
-    changes: dict[str, Any]  # attributes of `Parameter` -> what they are there
-    member: str = ""  # of a structure: the attribute that differs, in place of the whole
+    by: str  # "device", or the attribute with the other value
+    keys: tuple[str | int, ...]  # ids of devices, or values of that attribute
+    changes: dict[str, Any]  # attributes of `Parameter` -> their values in that case
+    member: str = ""  # for a structure: the attribute that differs, if not the whole
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """One value on the wire. `name` is that of the specification."""
+    """One value on the wire. `name` is its name in the specification."""
 
     name: str
     attribute: str
@@ -55,38 +55,40 @@ class Parameter:
     cases: dict[int, Parameter | None] = field(default_factory=dict)
     units: tuple[str, ...] = ()  # one for all elements, or one for each
     frame: str = ""
-    valid: tuple[str, ...] = ()  # its valid flags: "flags.bit" or a bool; one, or each's
-    flags: tuple[Flag, ...] = ()  # the same; empty if that depends on the device
+    valid: tuple[str, ...] = ()  # valid flags, "flags.bit" or a bool: one, or one per element
+    flags: tuple[Flag, ...] = ()  # the same as objects; empty if they depend on the device
     minimum: float | None = None
     maximum: float | None = None
-    above: float | None = None  # the value is greater, not equal
+    above: float | None = None  # the value must be greater than this
     below: float | None = None
-    magnitude: tuple[float | None, float | None] = (None, None)  # least and most of a vector
-    default: Any = None  # factory default, or what to send if reserved; names as numbers
-    required: tuple[str, ...] = ()  # of a command: the functions that require it
+    magnitude: tuple[float | None, float | None] = (None, None)  # range of a vector's length
+    default: Any = None  # factory default, or the value to send if reserved; a number, not a name
+    required: tuple[str, ...] = ()  # in a command: the functions that require it
     optional: bool = False  # it may be left out
     reserved: bool = False
     deprecated: bool = False
     refers: str = ""  # "set" or "field": it is the number of a set, or a field descriptor
-    fields_of: str = ""  # the set of these descriptors: its name, or the parameter that holds it
-    only: tuple[str, ...] = ()  # the values or bits that exist, of those that its type names
+    fields_of: str = ""  # the set of these descriptors: its name, or the parameter that selects it
+    only: tuple[str, ...] = ()  # the values or bits that apply here, if not all of its type
     variants: tuple[Variant, ...] = ()
-    flags_on: dict[str, tuple[Flag, ...]] = field(default_factory=dict)  # by id of the device
+    flags_on: dict[str, tuple[Flag, ...]] = field(default_factory=dict)  # by the device's id
     owner: Any = field(default=None, compare=False, repr=False)  # the class that documents it
 
     @property
     def derived(self) -> bool:
-        """Does it follow from the rest, so that objects do not contain it: a constant or a counter?"""
+        """Is it a constant or a counter, which objects do not contain because it follows from the
+        rest?"""
         return self.constant is not None or bool(self.counts)
 
     @property
     def unit(self) -> str:
-        """The unit of all its elements, or those of each: "m/s", "deg, deg, m"; "1" if it is a plain number."""
+        """The unit of all elements, or of each: "m/s", "deg, deg, m"; "1" for a plain number."""
         return ", ".join(self.units)
 
     @property
     def range(self) -> str:
-        """The allowed values: "0 to 8", "greater than 0, at most 10"; empty if any value is allowed."""
+        """The allowed values: "0 to 8", "greater than 0, at most 10"; empty if any value is
+        allowed."""
         low, high = self.minimum, self.maximum
         if low is not None and high is not None:
             return f"{low} to {high}"
@@ -96,7 +98,8 @@ class Parameter:
 
     @property
     def layout(self) -> str:
-        """Its type on the wire: "u16", "float[3]", "u8[num_points]", "char[16]"; of a structure its class."""
+        """Its type on the wire: "u16", "float[3]", "u8[num_points]", "char[16]", or a structure's
+        class."""
         one = "union" if self.tag else self.scalar or self.type.__name__
         if self.scalar == "bits":
             one = f"u8[{self.size}]"
@@ -106,14 +109,15 @@ class Parameter:
 
     @property
     def text(self) -> str:
-        """Its documentation; that of a union's case is part of the union's."""
+        """Its documentation; a union's includes that of its cases."""
         from . import prose
 
         name = self.name if self.derived else self.attribute
         return prose.text(self.owner, name) if self.owner else ""
 
     def on(self, device: str) -> Parameter:
-        """The parameter on a device. `device` is its id or another name; raises UnknownName."""
+        """Returns the parameter as it is on a device. `device` is its id or another name; raises
+        UnknownName."""
         from .lookup import device_id
 
         key = device_id(device)
@@ -123,7 +127,8 @@ class Parameter:
         return replace(self, **changes) if changes else self
 
     def of(self, holder: Described, device: str | None = None) -> Parameter:
-        """The parameter for the other values of an object, and on a device, if one is given."""
+        """Returns the parameter as it is in an object with its other values, and on a device, if
+        any."""
         here = self if device is None else self.on(device)
         for by in {v.by: None for v in self.variants if v.by != "device"}:
             changes = self._changes(by, getattr(holder, by))
@@ -137,7 +142,7 @@ class Parameter:
         return changes
 
     def inside(self, holder: Described, device: str | None = None) -> dict[str, dict[str, Any]]:
-        """For a structure: what differs for its members there, by attribute."""
+        """Returns how a structure's members differ in an object and on a device, by attribute."""
         members: dict[str, dict[str, Any]] = {}
         for by in {v.by: None for v in self.variants if v.member}:
             for v in self._that_hold(by, device if by == "device" else getattr(holder, by)):
@@ -148,7 +153,8 @@ class Parameter:
         return (v for v in self.variants if v.by == by and key in v.keys)
 
     def format(self, value: Any) -> str:
-        """A value as text, with units and names: "(x=0.1, y=0.2, z=-1.0) g", "lat_lon|msl_height"."""
+        """Formats a value with units and names: "(x=0.1, y=0.2, z=-1.0) g",
+        "lat_lon|msl_height"."""
         from .text import formatted
 
         return formatted(self, value)

@@ -1,4 +1,4 @@
-"""Ports: serial ones by pyserial, TCP connections, and a thread that reads any of them."""
+"""Ports: serial ports (by pyserial), TCP connections, and a thread that reads any port."""
 
 from __future__ import annotations
 
@@ -19,37 +19,37 @@ from urllib.parse import urlsplit
 
 from .errors import MissingExtra, PortError
 
-#: The baud rate of a new device.
+#: The factory default baud rate.
 USUAL = 115200
-#: Seconds for which a read waits for the first byte, at ports that this module opens.
+#: Seconds that a read waits for the first byte, on ports that this module opens.
 READ_TIMEOUT = 0.05
 #: Seconds after which a write fails because the other end accepts no data.
 WRITE_TIMEOUT = 5.0
 #: Seconds until an attempt to connect by TCP fails.
 CONNECT_TIMEOUT = 10.0
-#: Bytes read at once.
+#: The largest number of bytes read at once.
 AT_ONCE = 4096
-#: Seconds until a port that returns immediately without data is read again.
+#: Seconds to wait before reading again a port that returns immediately without data.
 PAUSE = 0.002
 
-#: Why a serial port cannot be opened although it is there.
+#: Why an existing serial port cannot be opened.
 IN_USE = (
-    "the port is in use by another program, or by a device of this one that is still open; close it"
+    "the port is in use by another program, or by an open device of this program; close it first"
 )
 
 _HOST = re.compile(r"(\[[0-9A-Fa-f:]+\]|[\w.-]+):\d{1,5}")
 
 
-#: Not `select`, which takes no files beyond the 1024th; and without a file of its own, unlike epoll.
+#: `select` supports only file descriptors below 1024, and epoll needs a file descriptor of its own.
 _Selector: Any = getattr(selectors, "PollSelector", selectors.SelectSelector)
 
 
 class Port(Protocol):
     """The connection to a device: a serial port of pyserial, or your own object.
 
-    `read` returns up to `size` received bytes, or none; it may wait for any time. An exception of
-    either means that the port is lost. `in_waiting`, `cancel_read` and `baudrate` are used if they
-    exist, as in pyserial.
+    `read` returns up to `size` received bytes, or none; it may block for any time. If either method
+    raises an exception, the port is lost. `in_waiting`, `cancel_read` and `baudrate` are used if
+    they exist, as in pyserial.
     """
 
     def read(self, size: int, /) -> bytes | None: ...
@@ -64,8 +64,8 @@ class SocketPort:
         connection.setblocking(True)
 
     def read(self, size: int) -> bytes:
-        """The received bytes; none after a moment. Raises ConnectionError when the other end has
-        closed the connection."""
+        """Returns received bytes, or none after a short wait. Raises ConnectionError when the other
+        end has closed the connection."""
         if not self._ready(selectors.EVENT_READ, READ_TIMEOUT):
             return b""
         data = self._socket.recv(size)
@@ -82,22 +82,22 @@ class SocketPort:
         self._socket.close()
 
     def _ready(self, event: int, seconds: float) -> bool:
-        with _Selector() as selector:  # one for each call: threads read and write at once
+        with _Selector() as selector:  # one per call: threads read and write at the same time
             selector.register(self._socket, event)
             return bool(selector.select(seconds))
 
 
 def open_url(url: str | os.PathLike[str], baud: int) -> Any:
-    """A port by its name: a path, COM3, HOST:PORT, socket://HOST:PORT, or another URL that pyserial
-    supports.
+    """Opens a port by name: a path, COM3, HOST:PORT, socket://HOST:PORT, or another URL that
+    pyserial supports.
 
-    A serial port is opened for this program alone. Raises PortError if it cannot be opened, and
-    MissingExtra without pyserial, which TCP connections do not need.
+    A serial port is opened exclusively. Raises PortError if it cannot be opened, and MissingExtra
+    without pyserial, which TCP connections do not need.
     """
     if not isinstance(baud, int):
-        raise TypeError(f"baud rate {baud!r}: needs a whole number, as in 115200")
+        raise TypeError(f"baud rate {baud!r}: must be a whole number, such as 115200")
     if baud < 1:
-        raise ValueError(f"baud rate {baud}: at least 1")
+        raise ValueError(f"baud rate {baud}: must be at least 1")
     url = os.fspath(url)
     host = address(url)
     try:
@@ -109,11 +109,12 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
 
 
 def cannot_open(url: str | os.PathLike[str], error: Exception) -> PortError:
-    """The error for a port that cannot be opened. A ValueError is pyserial's, of a URL that it does not know."""
+    """Returns the error for a port that cannot be opened. pyserial raises ValueError for an unknown
+    kind of URL."""
     number = getattr(error, "errno", None)
-    if number in (errno.EAGAIN, errno.EBUSY):  # of a lock, of the device itself
+    if number in (errno.EAGAIN, errno.EBUSY):  # from the lock, from the driver
         number, why = errno.EBUSY, IN_USE
-    else:  # pyserial names the port once more
+    else:  # without pyserial's text, which repeats the port's name
         why = os.strerror(number) if number else str(error)
     kind = "port" if isinstance(error, OSError) else "url"
     return PortError(kind, f"{os.fspath(url)} cannot be opened: {why}", number)
@@ -124,14 +125,15 @@ def _serial(url: str, baud: int) -> Any:
         serial: Any = import_module("serial")
     except ImportError:
         raise MissingExtra("pyserial", "serial") from None
-    # Two readers of one port would each get a part of what arrives.
+    # Exclusive, because two readers of one port would each receive only part of the data.
     return serial.serial_for_url(
         url, baudrate=baud, timeout=READ_TIMEOUT, write_timeout=WRITE_TIMEOUT, exclusive=True
     )
 
 
 def address(url: str | os.PathLike[str]) -> tuple[str, int] | None:
-    """Host and number of HOST:PORT, socket://… and tcp://…; None for other URLs. Raises PortError."""
+    """Parses HOST:PORT, socket://… and tcp://… into host and port; returns None for other URLs.
+    Raises PortError."""
     url = os.fspath(url)
     scheme, separator, rest = url.partition("://")
     if not separator and _HOST.fullmatch(url):
@@ -149,7 +151,7 @@ def address(url: str | os.PathLike[str]) -> tuple[str, int] | None:
 
 
 def as_port(port: Any) -> Any:
-    """The port for an argument: sockets are wrapped, other objects must be ports. Raises TypeError."""
+    """Returns an argument as a port: wraps sockets, and raises TypeError for what is not a port."""
     if isinstance(port, socket.socket):
         return SocketPort(port)
     if not (callable(getattr(port, "read", None)) and callable(getattr(port, "write", None))):
@@ -157,26 +159,27 @@ def as_port(port: Any) -> Any:
     try:
         inspect.signature(port.read).bind(AT_ONCE)
     except TypeError:
-        raise TypeError(f"{port!r} is not a port: its `read` takes no size") from None
-    except ValueError:  # such as functions in C without a signature
+        raise TypeError(f"{port!r} is not a port: its `read` must accept a size") from None
+    except ValueError:  # a function in C without a signature, for example
         pass
     return port
 
 
 def read_some(port: Any) -> bytes:
-    """The received bytes as soon as there are any: reading one byte less would be late, one more would wait."""
+    """Returns received bytes as soon as there are any. To ask for more than are waiting would
+    block."""
     waiting = getattr(port, "in_waiting", None)
     if waiting is not None:
         return port.read(min(max(1, waiting), AT_ONCE)) or b""
-    read = getattr(port, "read1", port.read)  # a buffered file would wait for all of them
+    read = getattr(port, "read1", port.read)  # `read` of a buffered file would wait for all bytes
     return read(AT_ONCE) or b""
 
 
 def write_all(port: Any, data: bytes, wait: Callable[[float], object] = time.sleep) -> None:
-    """Writes all bytes; a port may accept fewer at once.
+    """Writes all bytes, in several calls if the port accepts fewer at once.
 
-    Raises TimeoutError if it accepts none for `WRITE_TIMEOUT`, or none and `wait`, which is called
-    with a number of seconds, returns true.
+    While the port accepts none, calls `wait` with a number of seconds. Raises TimeoutError if it
+    accepts none for `WRITE_TIMEOUT`, or if `wait` returns true.
     """
     end: float | None = None
     while data:
@@ -197,7 +200,7 @@ P = ParamSpec("P")
 
 
 def weakly(method: Callable[P, object]) -> Callable[P, None]:
-    """Calls a method while its object exists, without keeping the object alive."""
+    """Returns a function that calls a method while its object exists, without keeping it alive."""
     reference = weakref.WeakMethod(method)
 
     def call(*args: P.args, **options: P.kwargs) -> None:
@@ -209,15 +212,16 @@ def weakly(method: Callable[P, object]) -> Callable[P, None]:
 
 
 def warn_unclosed(device: object) -> None:
-    """A device was dropped without being closed."""
+    """Warns that a device was dropped without being closed."""
     warnings.warn(f"{device!r} is not closed", ResourceWarning, 3, source=device)
 
 
 class Reader(threading.Thread):
     """Reads a port until it is stopped or the port is lost.
 
-    `on_data(data, monotonic, clock)` gets the received bytes and their time; without bytes, none
-    have arrived for a moment. `on_end(error)` is called last; the error is None if it was stopped.
+    `on_data(data, monotonic, clock)` is called with received bytes and their time, and without
+    bytes when none have arrived for a moment. `on_end(error)` is called last; `error` is None if
+    the reader was stopped.
     """
 
     def __init__(
@@ -242,16 +246,17 @@ class Reader(threading.Thread):
                 self._on_data(data, now, time.time())
                 if not data and now - before < PAUSE:
                     self._stopped.wait(PAUSE)
-        except BaseException as caught:  # ports and callbacks have errors of any kind
+        except BaseException as caught:  # ports and callbacks may raise anything
             error = None if self._stopped.is_set() else caught
         self._on_end(error)
 
     def write(self, data: bytes) -> None:
-        """Writes all bytes to the port, unless the reader is stopped meanwhile."""
+        """Writes all bytes to the port, unless the reader is stopped before the port accepts
+        them."""
         write_all(self._port, data, self._stopped.wait)
 
     def stop(self) -> None:
-        """Ends the thread and closes the port, whatever the thread is waiting for."""
+        """Ends the thread, even if it is blocked, and closes the port."""
         self._stopped.set()
         here = threading.current_thread() is self
         if not here:
@@ -259,7 +264,7 @@ class Reader(threading.Thread):
             if cancel is not None:
                 try:
                     cancel()
-                except Exception:  # it may be gone already
+                except Exception:  # the port may already be lost
                     pass
             self.join(1.0)
         close = getattr(self._port, "close", None)

@@ -4,7 +4,7 @@
 >>> reflection.info(sensor.ScaledAccel)["scaled_accel"].unit
 'g'
 
-The description of a set is loaded when it is first used.
+The descriptions of a set are loaded on first use.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def info(kind: type[IntEnum]) -> EnumInfo: ...
 @overload
 def info(kind: type[IntFlag]) -> BitsInfo: ...
 def info(kind: type) -> Any:
-    """The description of a field, a structure, an enumeration or a bitfield of the specification.
+    """Returns the description of a field, structure, enumeration or bitfield of the specification.
 
     Raises LookupError for any other class.
     """
@@ -51,7 +51,7 @@ def _info(kind: type) -> Info:
 
 @cache
 def set_info(number: int) -> SetInfo:
-    """The description of a descriptor set. Raises LookupError if it is unknown."""
+    """Returns the description of a descriptor set. Raises LookupError if the set is unknown."""
     from . import prose
     from ._index import SETS
 
@@ -66,7 +66,7 @@ def _modules() -> frozenset[str]:
 
 @cache
 def _table(module: str) -> dict[str, Info]:
-    """Class -> its description."""
+    """Returns a module's table: class -> its description."""
     table: dict[str, Info] = import_module(f"._meaning.{module}", __package__).TYPES
     return table
 

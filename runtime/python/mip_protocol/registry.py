@@ -1,4 +1,4 @@
-"""Finds the type of any field. Sets are imported when they are first used."""
+"""Finds the type of any field. Sets are imported on first use."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ SHARED_SET = 0xFF
 
 @cache
 def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
-    """The types of a descriptor in packets of a set; empty if it is unknown.
+    """Returns the types of a descriptor in packets of a set; empty if it is unknown.
 
-    If there are several, constants in the data, or its size, distinguish them.
+    If there are several, constants in the data or the data's size distinguish them.
     """
     own = _in_set(set, descriptor)
     everywhere: list[type[Field]] = [Acknowledge, *_fields(SHARED_SET).get(descriptor, ())]
@@ -39,11 +39,11 @@ def _fields(set: int) -> dict[int, tuple[type[Field], ...]]:
 
 
 def by_name(name: str) -> type[Field]:
-    """The type of a field: by its full name ("sensor.scaled_accel"), by the name of its class
-    ("sensor.ScaledAccel"), by its title or descriptors ("0x80,0x04"), or by the vendor's name.
+    """Finds the type of a field: by its full name ("sensor.scaled_accel"), class name
+    ("sensor.ScaledAccel"), title, descriptors ("0x80,0x04") or the vendor's name.
 
-    The name of the set may be left out if the rest is unambiguous. Raises UnknownName, which lists
-    the nearest names.
+    The set's name may be left out if the rest is unambiguous. Raises UnknownName, which lists the
+    nearest names.
     """
     from .lookup import field
 
@@ -51,21 +51,22 @@ def by_name(name: str) -> type[Field]:
 
 
 def set_by_name(name: str) -> int:
-    """The number of a descriptor set: by its name ("sensor", "3dm"), its title, or "0x80". Raises UnknownName."""
+    """Finds the number of a descriptor set by its name ("sensor", "3dm"), title or number ("0x80").
+    Raises UnknownName."""
     from .lookup import set_number
 
     return set_number(name)
 
 
 def names() -> tuple[str, ...]:
-    """The full names of all fields, by set. Imports none of them."""
+    """Returns the full names of all fields, by set, without importing the sets."""
     from ._index import FIELDS
 
     return tuple(FIELDS)
 
 
 def all_types() -> list[tuple[int, type[Field]]]:
-    """Every (set, type) of the specification, in order."""
+    """Returns every (set, type) of the specification, in order."""
     types: list[tuple[int, type[Field]]] = [(0, Acknowledge)]
     for number in MODULES:
         for descriptor in _fields(number):
@@ -74,19 +75,19 @@ def all_types() -> list[tuple[int, type[Field]]]:
 
 
 def decode(raw: RawField) -> Field | None:
-    """A field with its values; None if its descriptor is unknown. Raises DecodeError."""
+    """Decodes a field; returns None if its descriptor is unknown. Raises DecodeError."""
     kind = chosen(types(raw.set, raw.descriptor), raw)
     return None if kind is None else kind._received(raw)
 
 
 def decode_packet(packet: Packet) -> list[Field | RawField]:
-    """All fields of a packet; those that are unknown or cannot be decoded stay raw.
+    """Decodes all fields of a packet; those that are unknown or cannot be decoded stay raw.
 
-    `error` of a raw field is the reason why it cannot be decoded. Stops at a malformed field,
-    because no field can be found after it: see `Packet.malformed`.
+    A raw field's `error` is the reason why it cannot be decoded. Decoding stops at a malformed
+    field, because no field can be found after it; see `Packet.malformed`.
     """
     return list(LAYOUTS.decode(packet))
 
 
-#: The decoders of whole packets that were made so far.
+#: Decodes whole packets, and keeps the functions compiled for their layouts.
 LAYOUTS = Layouts(types)

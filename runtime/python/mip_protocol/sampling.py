@@ -1,7 +1,7 @@
-"""Combines what a device has measured at one time and sent in several packets.
+"""Groups the packets of one message: data of one time that a device has sent in several packets.
 
-A message that does not fit into one packet continues in further packets of the same set. The shared
-fields at its front, such as a timestamp, are repeated in each of them.
+A message that does not fit into one packet continues in further packets of the same set. Each
+repeats the shared fields at the front, such as a timestamp.
 """
 
 from __future__ import annotations
@@ -13,11 +13,12 @@ from typing import Generic, Protocol, TypeAlias, TypeVar
 from ._clocks import TIMESTAMPS
 from .packet import MAX_PAYLOAD, Packet, RawField
 
-#: The set of the fields that all data sets share, their first descriptor, and those that contain a time.
+#: The set of the fields that all data sets share, their lowest descriptor, and the descriptors of
+#: those that contain a time.
 SHARED = 0xFF
 FIRST_SHARED = 0xD0
 TIMES = frozenset(descriptor for number, descriptor in TIMESTAMPS if number == SHARED)
-#: A list ends with this many packets, so that a clock that stands still takes no memory.
+#: A list ends with this many packets, so that a clock that stops does not make it grow forever.
 MOST = 256
 
 
@@ -34,31 +35,31 @@ _Fields: TypeAlias = tuple[RawField, ...]
 
 @dataclass
 class _Group(Generic[P]):
-    """The packets of one set that belong together, as far as they have arrived."""
+    """The packets of one set's current message that have arrived so far."""
 
     shared: _Fields
     items: list[P] = field(default_factory=list)
-    own: set[int] = field(default_factory=set)  # descriptors that are not shared
-    last: int = -1  # the last of them
-    room: int = 0  # in the last packet
+    own: set[int] = field(default_factory=set)  # descriptors of fields that are not shared
+    last: int = -1  # descriptor of the last field that is not shared
+    room: int = 0  # bytes left in the last packet
 
 
 class Samples(Generic[P]):
-    """Takes packets as they arrive and returns those that belong together, as lists.
+    """Accepts packets as they arrive and returns those that belong together, as lists.
 
-    A packet belongs to the one of its set before it if the shared fields at their front are the
-    same, its own fields have not arrived yet, and either the shared fields contain a time or its first
-    field had no room in the packet before. A list of several fields of one descriptor may also
-    continue. A packet of commands is a list of its own.
+    A packet continues the previous one of its set if both begin with the same shared fields, its
+    first other field has a descriptor that the list does not contain yet, and either the shared
+    fields contain a time or that field had no room in the previous packet. A field that had no room
+    may also repeat the last descriptor. A packet of commands is always a list of its own.
     """
 
     def __init__(self) -> None:
         self._groups: dict[int, _Group[P]] = {}
 
     def add(self, item: P) -> list[list[P]]:
-        """A packet, or an object with a `packet`; returns what is complete now.
+        """Adds a packet, or an object with a `packet`; returns the lists that are now complete.
 
-        A list is complete when the next one of its set begins, because more could follow.
+        A list is complete only when the next one of its set begins, because more could follow.
         """
         packet = item if isinstance(item, Packet) else item.packet
         if packet.set < 0x80:
@@ -77,14 +78,15 @@ class Samples(Generic[P]):
         return complete
 
     def flush(self) -> list[list[P]]:
-        """The packets that have not been returned yet, for example at the end of a log."""
+        """Returns the packets that have not been returned yet, for example at the end of a log."""
         complete = [group.items for group in self._groups.values()]
         self._groups.clear()
         return complete
 
 
 def samples(packets: Iterable[P]) -> Iterator[list[P]]:
-    """The packets, or objects with a `packet`, that belong together; see `Samples`."""
+    """Yields lists of the packets, or objects with a `packet`, that belong together; see
+    `Samples`."""
     together: Samples[P] = Samples()
     for packet in packets:
         yield from together.add(packet)
@@ -92,7 +94,8 @@ def samples(packets: Iterable[P]) -> Iterator[list[P]]:
 
 
 def _parts(packet: Packet) -> tuple[_Fields, _Fields]:
-    """The shared fields at the front, and the fields after them up to a malformed one."""
+    """Splits a packet's fields into the shared ones at the front and the rest, up to a malformed
+    one."""
     fields = packet.fields
     count = next((i for i, f in enumerate(fields) if f.descriptor < FIRST_SHARED), len(fields))
     return fields[:count], fields[count:]

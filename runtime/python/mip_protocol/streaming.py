@@ -1,7 +1,4 @@
-"""Starts the data of a device at rates in Hz: the commands, without a port.
-
-`steps` is for `Device.stream`.
-"""
+"""The commands that start a device's data at rates in Hz, for `Device.stream`."""
 
 from __future__ import annotations
 
@@ -13,7 +10,7 @@ from .conversation import Dialog, Step
 from .errors import EncodeError, NoSuchRate, Refused
 from .field import Command, Field
 
-#: Makes the item of a command from a descriptor and a decimation.
+#: Creates a message format's item from a descriptor and a decimation.
 Item = Callable[[int, int], Any]
 
 LARGEST = 0xFFFF  # decimation
@@ -26,7 +23,7 @@ class Older:
     base_rate: Callable[[], Command[Any]]
     rate: Callable[[Any], int]
     format: Callable[[Sequence[Any]], Command[Any]]
-    stream: int  # its number for the stream, in place of the set
+    stream: int  # the stream's number, used instead of the set's
 
 
 @dataclass(frozen=True)
@@ -34,7 +31,7 @@ class Session:
     """The commands that start data, as the specification names them."""
 
     base_rate: Callable[[int], Command[Any]]
-    rate: Callable[[Any], int]  # of its response, in Hz
+    rate: Callable[[Any], int]  # base rate in the response, in Hz
     format: Callable[[int, Sequence[Any]], Command[Any]]
     item: Item
     stream: Callable[[int, bool], Command[Any]]
@@ -47,7 +44,7 @@ def steps(
 ) -> Dialog[dict[type[Field], float]]:
     """Yields the commands that start data at these rates; returns the rates of the device."""
     if session is None:
-        raise NotImplementedError("the specification of this package names no commands for it")
+        raise NotImplementedError("this package's specification has no commands for streaming")
     number = set_of(rates, set)
     older = None
     try:
@@ -65,7 +62,7 @@ def steps(
     missing = {kind: rate for kind, rate in rates.items() if rate not in (0, nearest[kind])}
     if missing and base:
         raise NoSuchRate(base, missing, nearest)
-    # Fields that all sets share come first: they are repeated in each packet of a long message.
+    # Fields that all sets share come first, because each packet of a long message repeats them.
     kinds = sorted(decimations, key=lambda kind: not isinstance(kind.SETS, range))
     items = [session.item(kind.DESCRIPTOR, decimations[kind]) for kind in kinds]
     yield Step(session.format(number, items) if older is None else older.format(items))
@@ -75,9 +72,9 @@ def steps(
 
 
 def set_of(rates: Mapping[type[Field], float], set: int | None) -> int:
-    """The descriptor set that all of these fields have."""
+    """Returns the descriptor set that all of these fields occur in."""
     if wrong := next((rate for rate in rates.values() if not rate >= 0), None):
-        raise ValueError(f"a rate is 0 (as often as the device can) or more, not {wrong}")
+        raise ValueError(f"a rate must be 0 (the highest rate) or more, not {wrong}")
     listed = [kind.SETS for kind in rates if not isinstance(kind.SETS, range)]
     common = [s for s in (listed[0] if listed else ()) if all(s in sets for sets in listed)]
     if set is None:
@@ -93,7 +90,7 @@ def set_of(rates: Mapping[type[Field], float], set: int | None) -> int:
 
 
 def decimation(base: int, wanted: float) -> int:
-    """The decimation of the nearest rate; 1 for the highest."""
+    """Returns the decimation for the nearest rate; 1 for the highest rate."""
     if not base or not wanted or wanted >= base:
         return 1
     below = min(int(base / wanted), LARGEST)

@@ -1,4 +1,4 @@
-"""The meaning of timestamps, for single packets and for columns alike."""
+"""Interprets timestamps, both of single packets and of columns."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from .packet import Packet
 from .parameter import Flag, Parameter
 
 SECOND = 1_000_000_000
-#: The distance in bytes at which a timestamp of the set may precede a packet without one. It does not depend on how a
-#: file is cut.
+#: A packet without a timestamp may use one of the same set up to this many bytes before it. The
+#: distance is in bytes so that the result does not depend on how a file is split.
 REACH = 1 << 20
-#: A part of a timestamp is not valid if it is this many nanoseconds or more: two of them fit into 64 bits.
+#: Each part of a timestamp must be below this many nanoseconds, positive or negative, so that the
+#: sum of two parts fits into a signed 64-bit integer.
 MOST = 4 * 10**18
 
 _UNITS = {"week": 604_800 * SECOND, "s": SECOND, "ms": 1_000_000, "us": 1000, "ns": 1}
@@ -26,13 +27,19 @@ _UNIX = datetime(1970, 1, 1)
 
 
 def scale(parameter: Parameter) -> int | None:
-    """The nanoseconds of its unit. A timestamp is the sum of all parameters that have such a unit."""
+    """Returns the nanoseconds in the parameter's unit; None if it is not a unit of time.
+
+    A timestamp is the sum of all parameters with a unit of time.
+    """
     return _UNITS.get(parameter.units[0]) if len(parameter.units) == 1 else None
 
 
 @cache
 def clock_of(set: int, descriptor: int) -> str | None:
-    """The clock of a field, if it holds the time of its packet. Of several in a packet, the lowest counts."""
+    """Returns the clock whose time the field contains, if the field is its packet's timestamp.
+
+    If a packet contains several for one clock, the one with the lowest descriptor counts.
+    """
     kinds = registry.types(set, descriptor)
     if set < 0x80 or len(kinds) != 1:
         return None
@@ -41,13 +48,14 @@ def clock_of(set: int, descriptor: int) -> str | None:
 
 @cache
 def kinds(set: int, clock: str) -> tuple[type[Field], ...]:
-    """The fields of a set that hold the time of a clock, in the order in which they count."""
+    """Returns the fields of a set that contain the time of a clock, in order of precedence."""
     known = sorted({d for _, d in TIMESTAMPS if clock_of(set, d) == clock})
     return tuple(registry.types(set, d)[0] for d in known)
 
 
 class Leaps(NamedTuple):
-    """How a clock becomes UTC: times from `begins[i]` on are moved by `shifts[i + 1]`, earlier ones by `shifts[0]`."""
+    """The conversion of a clock to UTC: add `shifts[i + 1]` to times from `begins[i]` on, and
+    `shifts[0]` to earlier ones."""
 
     begins: tuple[int, ...]
     shifts: tuple[int, ...]
@@ -55,7 +63,11 @@ class Leaps(NamedTuple):
 
 @cache
 def leaps(clock: str) -> Leaps:
-    """In nanoseconds, since the beginning of the clock; `shifts` lead to 1970. During a leap second the next one begins."""
+    """Returns the leap seconds of a clock. All values are in nanoseconds; `begins` count from the
+    clock's epoch, and the shifted times from 1970.
+
+    A time within a leap second is converted to the second after it.
+    """
     epoch = from_date(datetime.fromisoformat(CLOCKS[clock] or "1970-01-01"))
     days = [(from_date(datetime.fromisoformat(day)), ahead) for day, ahead in LEAP_SECONDS]
     begins = [day - epoch + ahead * SECOND for day, ahead in days]
@@ -63,7 +75,7 @@ def leaps(clock: str) -> Leaps:
 
 
 def from_date(time: datetime) -> int:
-    """Nanoseconds since 1970 of a time in UTC."""
+    """Returns a UTC time as nanoseconds since 1970."""
     return (time - _UNIX) // timedelta(microseconds=1) * 1000
 
 
@@ -76,7 +88,7 @@ class _Source(NamedTuple):
 
 
 def headers(data: bytes) -> bytes:
-    """The lengths and descriptors of the fields of a packet, up to a malformed one."""
+    """Returns the length and descriptor of each field in a packet, up to a malformed one."""
     headers = bytearray()
     at, end = 4, len(data) - 2
     while at < end:
@@ -89,24 +101,24 @@ def headers(data: bytes) -> bytes:
 
 
 def moments(packet: Packet) -> dict[str, int | None]:
-    """The times in a packet, in nanoseconds, by their clocks; None if they are not valid.
+    """Returns the times in a packet by clock, in nanoseconds; None for a time that is not valid.
 
-    They are since 1970 in UTC if the clock has a date, else since its start. Of several fields for
-    one clock, that with the lowest descriptor counts.
+    They count from 1970 in UTC if the clock has a date, otherwise from the clock's start. If
+    several fields contain the time of one clock, the one with the lowest descriptor counts.
     """
     data = bytes(packet)
     return moments_of(data, headers(data)) if packet.set >= 0x80 else {}
 
 
 def moments_of(data: bytes, headers: bytes) -> dict[str, int | None]:
-    """The same of the bytes of a packet of data, with the headers of its fields."""
+    """Like `moments`, from the bytes of a data packet and its field headers."""
     places = _places(data[2], headers)
     return {source.clock: _decoded(source, data[begin:end]) for source, begin, end in places}
 
 
 @lru_cache(maxsize=4096)
 def _places(number: int, headers: bytes) -> tuple[tuple[_Source, int, int], ...]:
-    """The places of the times in packets with these fields."""
+    """Returns where packets with these fields contain times: source, begin and end of each."""
     places: dict[str, tuple[int, _Source, int, int]] = {}
     at = 4
     for length, descriptor in zip(headers[::2], headers[1::2]):
@@ -133,7 +145,7 @@ def _source(set: int, descriptor: int) -> _Source | None:
 
 
 def _size(kind: type[Field]) -> int:
-    """The number of zero bytes that are needed to decode a field of this type."""
+    """Returns the number of zero bytes that are needed to decode a field of this type."""
     for size in range(254):
         try:
             kind.decode(bytes(size))
@@ -144,11 +156,11 @@ def _size(kind: type[Field]) -> int:
 
 
 def time_of(field: Field) -> int | None:
-    """The time that a field such as `shared.GpsTimestamp` holds, as `moments` has it; None if it is not
-    valid. Raises ValueError if the field is not the timestamp of a packet."""
+    """Returns the time in a field such as `shared.GpsTimestamp`, in the same form as `moments`;
+    None if it is not valid. Raises ValueError if the field is not a packet's timestamp."""
     source = _source(field.packet_set or field.SETS[0], field.DESCRIPTOR)
     if source is None:
-        raise ValueError(f"{field.NAME} does not hold the time of its packet")
+        raise ValueError(f"{field.NAME} does not contain the time of its packet")
     return _time(source, field)
 
 
@@ -173,6 +185,6 @@ def _time(source: _Source, value: Field) -> int | None:
 
 
 def utc(clock: str, time: int) -> int:
-    """A time of a clock with a date as UTC; during a leap second the next one begins."""
+    """Converts a time of a clock with a date to UTC; a leap second becomes the second after it."""
     begins, shifts = leaps(clock)
     return time + shifts[bisect_right(begins, time)]

@@ -1,14 +1,14 @@
-"""Functions that read and write records, made from their layouts when they are first used.
+"""Functions that read and write records, compiled from their layouts on first use.
 
-A layout has a row for each parameter, in wire order: its name, the letters of `struct` that its
-numbers have, and what makes its value from these:
+A layout has a row for each parameter, in wire order: its name, the `struct` format letters of its
+numbers, and what converts these to its value:
 
-- None: the number is the value; a callable: it makes the value from one number;
-- `tuple`, a vector: the numbers together; `Each`: each is made into an element of a tuple;
+- None: the number is the value; a callable: converts one number;
+- `tuple`, a vector: the numbers together; `Each`: converts each number to an element of a tuple;
 - `Bits`: a bitfield in bytes, the least significant first;
 - a number: the constant that is sent; `Counts`: the number of elements of an array;
-- `Text`, `Items`: characters, and elements, whose number varies or which are not plain numbers;
-- a structure; `Union`: one of several rows, which another parameter selects.
+- `Text`: characters; `Items`: elements that vary in number or are not plain numbers;
+- a structure; `Union`: one of several rows, selected by another parameter.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 from . import codec
 from .errors import Truncated
 
-#: Name, letters, and what makes the value.
+#: A parameter's name, format letters, and what converts its numbers to its value.
 Row = tuple[str, str, Any]
 Layout = tuple[Row, ...]
 
@@ -32,27 +32,28 @@ class Each(NamedTuple):
 
 
 class Bits(NamedTuple):
-    """A bitfield that has a number of bytes."""
+    """A bitfield that is sent as bytes."""
 
     kind: Any
 
 
 class Counts(NamedTuple):
-    """The number of elements of an array, and how many a field can hold."""
+    """A counter: the number of elements of an array, and the most that a field can contain."""
 
     array: str
     capacity: int
 
 
 class Text(NamedTuple):
-    """Characters: a fixed number, counted by another parameter, or up to the end of the field."""
+    """Characters: a fixed number, a number in another parameter, or up to the end of the field."""
 
     length: int | str | None
     capacity: int
 
 
 class Items(NamedTuple):
-    """Elements: structures, vectors, or numbers, which are converted by `kind`, if there is one."""
+    """Elements of an array: structures, vectors, or numbers, which `kind` converts if it is not
+    None."""
 
     kind: Any
     length: int | str | None
@@ -60,7 +61,8 @@ class Items(NamedTuple):
 
 
 class Union(NamedTuple):
-    """The value of a parameter selects the row; without one, it is None."""
+    """A union: another parameter's value selects the row; if none is selected, the value is
+    None."""
 
     tag: str
     cases: dict[int, Row]
@@ -82,12 +84,12 @@ def is_vector(what: Any) -> bool:
 
 
 def is_run(row: Row) -> bool:
-    """Is it a fixed number of numbers, perhaps one?"""
+    """Does the row have a fixed number of numbers, one or more?"""
     return bool(row[1]) and not isinstance(row[2], Items)
 
 
 def size(layout: Layout) -> int:
-    """The bytes of a layout, or of the part that does not vary."""
+    """Returns the size of a layout in bytes, without parts of variable size."""
     total = 0
     for _, letters, what in layout:
         if isinstance(what, Text):
@@ -106,7 +108,7 @@ def item_size(letters: str, items: Items) -> int:
 
 
 def plain(kind: Any) -> Layout | None:
-    """The layout of a record, if it consists of numbers at fixed places; else None."""
+    """Returns the layout of a record if it consists of numbers at fixed offsets, otherwise None."""
     rows: Layout = kind._LAYOUT
     if kind._ALWAYS is not None:
         return None
@@ -115,12 +117,14 @@ def plain(kind: Any) -> Layout | None:
 
 
 def late(kind: Any, member: str, what: Any) -> Any:
-    """`what`, or `tuple` for a vector that its attribute makes of the numbers when it is first read."""
+    """Returns `what`, or `tuple` for a vector, which its attribute creates when it is first
+    read."""
     return tuple if kind._VECTORS.get(member) == (what,) else what
 
 
 def value(numbers: Sequence[str], what: Any, name: str, names: dict[str, Any]) -> str:
-    """The source of a value, made from variables; `names` gets what it uses, under `name`."""
+    """Returns source code that converts variables to a value. What the code uses is added to
+    `names`."""
     several = f"({', '.join(numbers)},)"
     if what is None:
         return numbers[0]
@@ -145,11 +149,12 @@ def selects(kind: Any) -> bool:
 
 
 def groups(kind: Any) -> tuple[Layout, list[Group]]:
-    """The rows that are always present, and the groups of the others: a counter stays with its array."""
+    """Returns the rows that are always present, and groups of the others. A counter stays with its
+    array."""
     rows: Layout = kind._LAYOUT
     if kind._ALWAYS is None:
         return rows, []
-    before = 0 if selects(kind) else kind._ALWAYS  # a function selector is not counted
+    before = 0 if selects(kind) else kind._ALWAYS  # the selector is not counted
     made, group, arrays = [], list[Row](), set[str]()
     rest = rows[kind._ALWAYS :]
     names = {row[0] for row in rest}
@@ -165,7 +170,7 @@ def groups(kind: Any) -> tuple[Layout, list[Group]]:
 
 
 class _Codec:
-    """The source of the functions of a class, as it grows."""
+    """Writes the source of a class's functions."""
 
     def __init__(self, kind: Any) -> None:
         self.kind = kind
@@ -174,7 +179,7 @@ class _Codec:
         self.count = 0
 
     def name(self, thing: Any) -> str:
-        """The name of a thing in the source."""
+        """Returns the name that the source uses for an object."""
         self.count += 1
         name = f"k{self.count}"
         self.names[name] = thing
@@ -352,7 +357,8 @@ class _Codec:
 
 
 def _parts(rows: Sequence[Row]) -> Iterator[Layout]:
-    """Neighbouring numbers together. A wrong constant is reported first, so it ends a run."""
+    """Groups neighbouring rows of numbers into runs. A constant ends a run, so that a wrong one is
+    reported before later errors."""
     joined: list[Row] = []
     for row in rows:
         if is_run(row):
@@ -369,15 +375,15 @@ def _parts(rows: Sequence[Row]) -> Iterator[Layout]:
 
 
 def _held(rows: Sequence[Row]) -> list[str]:
-    """The members for these rows: constants and counters have none."""
+    """Returns the members for these rows. Constants and counters have none."""
     return [name for name, _, what in rows if not isinstance(what, (int, Counts))]
 
 
 def make_reader(kind: Any) -> Any:
-    """The function that reads a record: of the class, bytes and an offset."""
+    """Compiles the function that reads a record. Its arguments: the class, bytes and an offset."""
     return _Codec(kind).read()
 
 
 def make_writer(kind: Any) -> Any:
-    """The function that writes a record."""
+    """Compiles the function that writes a record."""
     return _Codec(kind).write()

@@ -123,7 +123,7 @@ def test_a_serial_port_is_opened_once(kind: Kind) -> None:
     path = os.ttyname(slave)
     try:
         with kind.open(path):
-            with pytest.raises(OSError, match="in use by another program, or by a device of this one"):
+            with pytest.raises(OSError, match="in use by another program, or by an open device of this program"):
                 kind.open(path)
             with pytest.raises(serial.SerialException):
                 serial.Serial(path, exclusive=True)
