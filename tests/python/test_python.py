@@ -201,7 +201,7 @@ def test_complaints_have_the_path_and_the_type() -> None:
 
 
 def test_arguments_of_a_wrong_type() -> None:
-    with pytest.raises(TypeError, match=r"needs bytes, not text; write bytes.fromhex\('75 65'\)"):
+    with pytest.raises(TypeError, match=r"must be bytes, not text; write bytes.fromhex\('75 65'\)"):
         real.packet.Packet("75 65")
     with pytest.raises(TypeError, match="baud rate '115200': must be a whole number, such as 115200"):
         real.device.open_port("localhost:1", "115200")

@@ -1,10 +1,10 @@
-//! Bits of numbers, and of byte arrays whose least significant byte comes first.
+//! Bits in numbers and in byte arrays, whose least significant byte comes first.
 
 #![allow(dead_code, unused_imports, unused_macros)] // few parts of the specification use all of it
 
 use core::fmt;
 
-/// A named bit, or a number of several bits, inside a bitfield.
+/// A flag, or a number of several bits, in a bitfield.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -87,7 +87,7 @@ pub(crate) const fn no_bytes<const N: usize>(bytes: [u8; N]) -> bool {
     true
 }
 
-/// Combines the bits of two storages.
+/// Combines the bits of two storages by an operation: `and`, `and_not`, `or` or `xor`.
 macro_rules! merge {
     ([u8; $size:literal], $how:ident, $a:expr, $b:expr) => {
         $crate::bits::$how($a, $b)
@@ -106,7 +106,7 @@ macro_rules! merge {
     };
 }
 
-/// The formats of a storage as a number; bytes only in hexadecimal.
+/// Implements the number formats of a storage; byte arrays have only the hexadecimal ones.
 macro_rules! formats {
     ($name:ident [u8; $size:literal]) => {
         impl ::core::fmt::LowerHex for $name {
@@ -161,7 +161,7 @@ macro_rules! mask {
     };
 }
 
-/// The highest of some bits; a flag has only one.
+/// The last bit: the second argument, or the only one for a flag.
 macro_rules! last {
     ($first:literal) => {
         $first
@@ -276,12 +276,12 @@ impl<const N: usize> Storage for [u8; N] {
     }
 }
 
-/// A bitfield, for its iterators.
+/// The operations of a bitfield that its iterators need.
 pub trait BitSet: Copy {
     /// The bits `first` to `last`, in place.
     #[must_use]
     fn part(self, first: u16, last: u16) -> Self;
-    /// The bits that are not set in the other.
+    /// Returns the bits that are set here and not in `other`.
     #[must_use]
     fn without(self, other: Self) -> Self;
     /// Is no bit set?
@@ -289,14 +289,14 @@ pub trait BitSet: Copy {
     fn none(self) -> bool;
 }
 
-/// The bits of a bitfield that are set, with their names: see `iter_names`.
+/// An iterator over the set bits of a bitfield with their names; from `iter_names`.
 #[derive(Clone, Debug)]
 pub struct IterNames<B> {
     left: B,
     bits: core::slice::Iter<'static, Bits>,
 }
 
-/// The bits of a bitfield that are set: see `iter`.
+/// An iterator over the set bits of a bitfield; from `iter`.
 #[derive(Clone, Debug)]
 pub struct Iter<B> {
     names: IterNames<B>,
@@ -340,9 +340,9 @@ impl<B: BitSet> Iterator for Iter<B> {
     }
 }
 
-/// Writes the names of the bits that are set, the numbers that are not 0, and the bits that remain.
+/// Writes the names of the bits that are set, the numbers that are not 0, and the remaining bits.
 ///
-/// A name is left out if an earlier one has covered its bits.
+/// A name is omitted if earlier names cover all of its bits.
 pub(crate) fn debug<S: Storage + Hexadecimal>(
     name: &str,
     storage: S,
@@ -399,7 +399,7 @@ pub(crate) fn hexadecimal<const N: usize>(
     f.pad_integral(true, "0x", text.unwrap_or_default())
 }
 
-/// Bits that remain, as a hexadecimal number.
+/// Writes the bits without a name as a hexadecimal number.
 pub(crate) trait Hexadecimal {
     /// Writes the number if it is not 0.
     fn write(&self, separator: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result;

@@ -1,4 +1,4 @@
-//! Sends commands and recognizes their replies, without input or output.
+//! Encodes commands and recognizes their replies, without input or output.
 
 use core::cell::Cell;
 use core::fmt;
@@ -18,66 +18,65 @@ use crate::view::{View, Viewed};
 /// The caller transfers the bytes and provides the time: a count of milliseconds that only goes
 /// forward, and may wrap around. A [`Device`](crate::device::Device) does both for a port.
 ///
-/// 1. [`Client::barrier`] returns a packet to send first, if a command before was not answered.
-///    Without it, a late answer to that command may be taken for the answer to the next one of its
-///    type.
+/// 1. [`Client::barrier`] returns a packet to send first, if an earlier command was not answered.
+///    Without it, a late reply to that command may be matched to the next command of its type.
 /// 2. [`Client::send`] returns the bytes of one command to send; for several in one packet,
 ///    [`Client::request`] begins it, [`Request::add`] adds commands to it, and [`Request::send`]
 ///    returns its bytes.
 /// 3. Pass every received packet to [`Client::receive`], which yields an [`Event`] for each command
 ///    that it answers, and gives access to the other fields of the packet.
-/// 4. Call [`Client::poll`] from time to time with the current time; commands that time out get
-///    their events.
+/// 4. Call [`Client::poll`] regularly with the current time; it creates the events of commands that
+///    have timed out.
 ///
-/// Events that are not taken are kept: the next call returns them, or [`Client::events`] or
-/// [`Client::take`] does. For this purpose, each of the `N` slots has room for the longest
-/// response. The packet to send is also in the client, so that it need not be moved.
+/// Events that are not taken are kept, and returned by the next call, by [`Client::events`] or by
+/// [`Client::take`]. For this purpose, each of the `N` slots has room for the longest response. The
+/// packet to send is also in the client, so that it need not be moved.
 ///
-/// A client is `Send` and not `Sync`: taking an event marks it as taken although it is only
-/// borrowed. Threads, tasks or interrupts that share a client need a mutex, as for everything that
+/// A client is `Send` and not `Sync`, because taking an event marks it as taken through a shared
+/// reference. Threads, tasks or interrupts that share a client need a mutex, as for everything that
 /// takes `&mut self`.
 #[derive(Clone, Debug)]
 pub struct Client<const N: usize = 8> {
     table: Table<[Slot; N]>,
 }
 
-/// The part of a client that does not depend on the number of its slots: its code exists once.
+/// The part of a client that does not depend on the number of slots, so that its code exists once.
 ///
 /// In a new client it is all zeros, so that a client in static memory needs no initial values in
-/// the program.
+/// flash.
 #[derive(Clone, Debug)]
 struct Table<S: ?Sized> {
     packet: PacketBuilder,
     /// The number of the next command, and that of the next event.
     next: u32,
     happened: u32,
-    /// The number of commands without an answer since a barrier was answered, at most [`BARRIERS`].
+    /// The number of commands without a reply since the last answered barrier, at most
+    /// [`BARRIERS`].
     missed: u8,
     /// The number of commands in the last barrier, until it is answered.
     behind: u8,
     /// The reply time-out minus [`DEFAULT_TIMEOUT_MS`]; it may wrap around.
     patience: u32,
-    /// A bit for each field of the last packet that answers a command; a packet has at most 127.
+    /// A bit for each field of the last packet, set if it answers a command; there are at most 127.
     taken: [u32; 4],
     slots: S,
 }
 
 type Slots = Table<[Slot]>;
 
-/// A command, from the moment that it is added to a request until its event is taken.
+/// A command, from when it is added to a request until its event is taken.
 #[derive(Clone)]
 struct Slot {
-    /// Taking an event changes only this, so that the event can be lent.
+    /// Taking an event changes only this, so that the event can be borrowed.
     state: Cell<State>,
-    /// The number of the event, in the order in which events happened; the same for events at the
-    /// same time.
+    /// The position of the event in the order of events; the same for simultaneous events.
     order: u32,
     /// The time at which it times out; until it is sent, its time-out.
     deadline: u32,
     /// The number of commands in the barrier that must be answered first.
     behind: u8,
     kind: Option<&'static Kind>,
-    /// The check for the response that the command asks for.
+    /// The check for the response that the command requests.
     wanted: Option<ResponseCheck>,
     event: Event,
 }
@@ -110,7 +109,7 @@ impl<C: Command> KindOf<C> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Free,
-    /// In a request that is not sent yet.
+    /// Part of a request that is not sent yet.
     Added,
     Waiting,
     /// The event has happened.
@@ -141,7 +140,7 @@ impl fmt::Debug for Slot {
     }
 }
 
-/// Identifies one command that was sent, and the type of its answer.
+/// Identifies a command that was sent, and the type of its response.
 pub struct Ticket<C> {
     id: u32,
     silent: bool,
@@ -149,13 +148,13 @@ pub struct Ticket<C> {
 }
 
 impl<C> Ticket<C> {
-    /// The number that events carry.
+    /// Returns the number that the command's event contains.
     #[must_use]
     pub const fn id(&self) -> u32 {
         self.id
     }
 
-    /// True if the device does not answer it; there is then no event.
+    /// Does the device not answer the command? Then there is no event.
     #[must_use]
     pub const fn is_silent(&self) -> bool {
         self.silent
@@ -188,7 +187,7 @@ impl<C> fmt::Debug for Ticket<C> {
 pub enum RequestError {
     /// The command cannot be encoded, or the packet is full.
     Encode(EncodeError),
-    /// The client has no free slot: commands are pending or have events that were not taken.
+    /// All slots are in use, by pending commands or by events that were not taken.
     Busy,
     /// The field is not a command.
     NoCommand,
@@ -221,9 +220,9 @@ pub enum Answer<R> {
     Acknowledged(R),
     /// The device rejected it.
     Refused(AckCode),
-    /// No answer arrived in time.
+    /// No reply arrived in time.
     TimedOut,
-    /// It was acknowledged, but the response that it requests did not arrive.
+    /// It was acknowledged without the response that it requests.
     MissingResponse,
     /// It was carried out, but the response could not be decoded.
     Undecodable(DecodeError),
@@ -232,10 +231,9 @@ pub enum Answer<R> {
 }
 
 impl<R: Response> Answer<R> {
-    /// The response, `()` for a command without one; an error if the command is not known to be
-    /// carried out.
+    /// Returns the response, or `()` for a command without one.
     ///
-    /// A command that the device does not answer is not an error.
+    /// For a command that the device does not answer, it returns `Ok`.
     ///
     /// ```
     /// use mip_protocol::client::{Answer, CommandError};
@@ -247,7 +245,8 @@ impl<R: Response> Answer<R> {
     ///
     /// # Errors
     ///
-    /// It was not acknowledged, or its response is not correct.
+    /// The device rejected the command or did not reply in time, or the response is missing or
+    /// cannot be decoded. In the last two cases, the device has carried out the command.
     pub fn into_result(self) -> Result<R, CommandError> {
         match self {
             Self::Acknowledged(response) => Ok(response),
@@ -260,16 +259,16 @@ impl<R: Response> Answer<R> {
     }
 }
 
-/// Why a command failed, or is not known to have been carried out.
+/// Why a command has no result. The device may have carried it out, except if it refused it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum CommandError {
     /// The device rejected it.
     Refused(AckCode),
-    /// No answer arrived in time.
+    /// No reply arrived in time.
     TimedOut,
-    /// It was acknowledged, but there is no response.
+    /// It was acknowledged without the response that it requests.
     MissingResponse,
     /// It was carried out, but the response could not be decoded.
     Undecodable(DecodeError),
@@ -279,13 +278,13 @@ impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Refused(code) => {
-                f.write_str("the device refused the command: ")?;
+                f.write_str("the device rejected the command: ")?;
                 let Some(name) = code.name() else { return write!(f, "code {}", code.0) };
                 name.split('_').try_for_each(|word| write!(f, "{word} "))?;
                 write!(f, "({})", code.0)
             }
-            Self::TimedOut => f.write_str("no answer came in time"),
-            Self::MissingResponse => f.write_str("the answer has no response"),
+            Self::TimedOut => f.write_str("no reply arrived in time"),
+            Self::MissingResponse => f.write_str("the response is missing"),
             Self::Undecodable(error) => error.fmt(f),
         }
     }
@@ -302,17 +301,17 @@ pub enum Outcome {
     Acknowledged,
     /// The device rejected it.
     Refused(AckCode),
-    /// No answer arrived in time.
+    /// No reply arrived in time.
     #[default]
     TimedOut,
-    /// It was acknowledged, but the response that it requests did not arrive.
+    /// It was acknowledged without the response that it requests.
     MissingResponse,
-    /// It was carried out, but the response cannot be decoded. The answer of the event, or decoding
-    /// the response, returns the reason.
+    /// It was carried out, but the response cannot be decoded. For the reason, call
+    /// [`Event::answer`] or decode [`Event::response`].
     Undecodable,
 }
 
-/// The result of a command, with its response not yet decoded.
+/// The result of a command, with the response not yet decoded.
 #[derive(Clone)]
 pub struct Event {
     /// The number of the ticket.
@@ -323,7 +322,7 @@ pub struct Event {
     pub descriptor: u8,
     /// The result.
     pub outcome: Outcome,
-    /// A payload that begins with the response; zeros without one.
+    /// A payload that begins with the response; zeros if there is none.
     response: [u8; MAX_PAYLOAD],
 }
 
@@ -336,24 +335,24 @@ impl Event {
         response: [0; MAX_PAYLOAD],
     };
 
-    /// The undecoded response.
+    /// Returns the undecoded response.
     #[must_use]
     pub fn response(&self) -> Option<RawField<'_>> {
         Fields::new(self.set, &self.response).sound()
     }
 
-    /// Keeps a response: the first of these fields.
+    /// Stores the first of these fields as the response.
     fn keep(&mut self, fields: &Fields<'_>) {
         self.response.iter_mut().zip(fields.payload()).for_each(|(place, byte)| *place = *byte);
     }
 
-    /// The answer, if the event belongs to this ticket.
+    /// Returns the answer if the event belongs to this ticket.
     #[must_use]
     pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
         (self.id == ticket.id).then(|| self.decoded())
     }
 
-    /// Like [`Event::answer`], with the values of the response in place: nothing is copied.
+    /// Like [`Event::answer`], but the response is read in place, without copying.
     #[must_use]
     pub fn view<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<View<'_, C::Response>>>
     where
@@ -409,18 +408,18 @@ impl defmt::Format for Event {
 /// The reply time-out, unless the command or the caller sets another one.
 pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
 
-/// The number of different barriers: of 2 to 63 commands, whose acknowledges fit into one packet.
+/// The number of different barriers: they have 2 to 63 commands, whose replies fit into one packet.
 const BARRIERS: u8 = 62;
 
-/// No deadline is further away, so that the time can wrap around.
+/// The longest wait in ms; longer ones would be ambiguous because the time wraps around.
 const FUTURE: u32 = u32::MAX >> 1;
 
-/// The time after this number of milliseconds.
+/// Returns the time after a number of milliseconds.
 pub(crate) fn after(now_ms: u32, wait_ms: u32) -> u32 {
     now_ms.wrapping_add(wait_ms.min(FUTURE))
 }
 
-/// Is this time over?
+/// Has this time been reached?
 pub(crate) const fn has_passed(deadline: u32, now_ms: u32) -> bool {
     now_ms.wrapping_sub(deadline) <= FUTURE
 }
@@ -432,14 +431,14 @@ impl<const N: usize> Default for Client<N> {
 }
 
 impl<const N: usize> Client<N> {
-    /// A client that waits [`DEFAULT_TIMEOUT_MS`] for a reply.
+    /// Creates a client that waits [`DEFAULT_TIMEOUT_MS`] for a reply.
     #[must_use]
     pub const fn new() -> Self {
         Self::with_timeout(DEFAULT_TIMEOUT_MS)
     }
 
-    /// A client that waits this long for a reply; longer for commands that take longer. The longest
-    /// time is 2³¹ - 1 ms, 24.8 days.
+    /// Creates a client that waits this long for a reply, or longer if the specification states so
+    /// for a command. The longest time is 2³¹ - 1 ms, 24.8 days.
     #[must_use]
     pub const fn with_timeout(timeout_ms: u32) -> Self {
         let mut client = Self::NEW;
@@ -474,24 +473,26 @@ impl<const N: usize> Client<N> {
         self.table().waiting().any(|slot| slot.event.id == ticket.id)
     }
 
-    /// When the next command times out.
+    /// Returns the time at which the next command times out.
     ///
-    /// Time wraps around: it is over when `now_ms.wrapping_sub(deadline) <= u32::MAX / 2`.
+    /// Time wraps around: the deadline has passed if `now_ms.wrapping_sub(deadline) <= u32::MAX /
+    /// 2`.
     #[must_use]
     pub fn deadline(&self) -> Option<u32> {
         let deadlines = self.table().waiting().map(|slot| slot.deadline);
         deadlines.reduce(|first, other| if has_passed(first, other) { first } else { other })
     }
 
-    /// The barrier to send before the next packet of commands; mostly `None`, because no answer is
-    /// late. Call it before [`Client::send`] and [`Client::request`], and send what it returns:
-    /// then a late answer is never taken for that of a later command.
+    /// Returns the barrier to send before the next packet of commands, or `None` if no earlier
+    /// command is without a reply. If you call this before [`Client::send`] and
+    /// [`Client::request`], and send what it returns, a late reply is never matched to a later
+    /// command.
     ///
-    /// It is a packet of several commands that change nothing. The device answers in order, and
-    /// answers the commands of one packet in one packet, whose size identifies the barrier. Until
-    /// this answer, no reply belongs to the commands behind the barrier; from then on, none belongs
-    /// to those before it, which have timed out. A command whose barrier is not answered times out,
-    /// although the device may have carried it out.
+    /// A barrier is a packet of several commands that change nothing. The device replies in order,
+    /// and to all commands of a packet in one packet, whose size identifies the barrier. Before the
+    /// reply to the barrier, no reply is matched to a command sent after it; after that, none is
+    /// matched to a command sent before it, which has timed out. If the barrier is not answered,
+    /// the commands after it time out, although the device may have carried them out.
     pub fn barrier(&mut self) -> Option<Packet<'_>> {
         self.table_mut().barrier()
     }
@@ -501,18 +502,18 @@ impl<const N: usize> Client<N> {
         let table = self.table_mut();
         for slot in &table.slots {
             if slot.is(State::Added) {
-                slot.state.set(State::Free); // of a request that was not sent
+                slot.state.set(State::Free); // left from a request that was not sent
             }
         }
         table.packet.start(set);
         Request { table }
     }
 
-    /// A packet with one command, ready to be sent.
+    /// Returns a packet with one command, ready to be sent.
     ///
     /// # Errors
     ///
-    /// The command cannot be encoded, or all slots are taken.
+    /// The command cannot be encoded, or all slots are in use.
     pub fn send<C: Command>(
         &mut self,
         command: &C,
@@ -525,7 +526,7 @@ impl<const N: usize> Client<N> {
 
     /// Processes a received packet, and returns the events that have not been taken.
     ///
-    /// Data, late replies and replies to other hosts cause no events; [`Events::others`] returns
+    /// Data, late replies and replies to other hosts create no events; [`Events::others`] returns
     /// them.
     pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p> {
         let (table, mut fields) = (self.table_mut(), packet.fields());
@@ -536,12 +537,12 @@ impl<const N: usize> Client<N> {
         Events { table, fields }
     }
 
-    /// The events that have not been taken: of earlier packets, and of commands that timed out.
+    /// Returns the events that have not been taken: from earlier packets and from time-outs.
     pub fn events(&mut self) -> Events<'_, 'static> {
         Events { table: self.table_mut(), fields: Fields::NONE }
     }
 
-    /// The result of this command, if it is known. Events of other commands are kept.
+    /// Takes the result of this command, if it is known. Events of other commands are kept.
     ///
     /// The result of a silent command is known as soon as it is sent.
     pub fn take<C: Command>(&mut self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
@@ -551,30 +552,29 @@ impl<const N: usize> Client<N> {
         self.table().take(ticket.id).map(Event::decoded)
     }
 
-    /// The event of this command, if it has happened. Events of other commands are kept.
+    /// Takes the event of this command, if there is one. Events of other commands are kept.
     ///
-    /// It accepts tickets of any type, also those of [`Request::add_any`]. A silent command has no
-    /// event.
+    /// Tickets of any type are accepted, including those of [`Request::add_any`]. A silent command
+    /// has no event.
     pub fn take_event<C>(&mut self, ticket: &Ticket<C>) -> Option<&Event> {
         self.table().take(ticket.id)
     }
 
-    /// Updates the time. Call it until it returns `None`; the overdue commands then have their
-    /// events.
+    /// Updates the time. Call it until it returns `None`; then all overdue commands have timed out.
     ///
-    /// Noise that looks like the start of a packet holds back what follows. Before a command times
-    /// out, this returns the packets after such noise; handle them like any other. An incomplete
-    /// packet is kept.
+    /// Noise that looks like the start of a packet delays the packets after it. Before a command
+    /// times out, this returns them; handle them like any other packet. An incomplete packet is
+    /// kept.
     pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u32) -> Option<Packet<'p>> {
         self.table_mut().poll(parser, now_ms)
     }
 
-    /// Stops waiting for a command; it gets no event.
+    /// Stops waiting for a command, without an event.
     pub fn cancel<C>(&mut self, ticket: &Ticket<C>) {
         self.table_mut().free(|slot| slot.event.id == ticket.id);
     }
 
-    /// Stops waiting for all commands; the events that happened are kept.
+    /// Stops waiting for all commands; earlier events are kept.
     pub(crate) fn give_up(&mut self) {
         self.table_mut().free(|slot| slot.is(State::Waiting));
     }
@@ -592,7 +592,7 @@ impl<const N: usize> Client<N> {
         self.table().find(ticket.id).map(|slot| &slot.event)
     }
 
-    /// Discards all commands and events. Answers that still arrive for them are treated as data.
+    /// Discards all commands and events. Replies that still arrive for them are treated as data.
     pub fn clear(&mut self) {
         let table = self.table_mut();
         if table.behind > 0 {
@@ -615,7 +615,7 @@ impl Slots {
         self.slots.iter().filter(|slot| slot.is(State::Waiting))
     }
 
-    /// Adds a command to the packet, to be sent later or now.
+    /// Adds a command to the packet; `sent_ms` is the time if the packet is sent at once.
     fn add<C: Command>(
         &mut self,
         command: &C,
@@ -627,7 +627,7 @@ impl Slots {
         Ok(Ticket { id, silent, command: PhantomData })
     }
 
-    /// The part of `add` that does not depend on the type of the command, so that its code exists
+    /// Does the part of `add` that does not depend on the command's type, so that its code exists
     /// once.
     fn enter(
         &mut self,
@@ -637,7 +637,7 @@ impl Slots {
         encode: &dyn Fn(&mut Writer<'_>) -> Result<(), EncodeErrorKind>,
         sent_ms: Option<u32>,
     ) -> Result<u32, RequestError> {
-        // If this command is sent now, those that were added belong to a request that was dropped.
+        // If this command is sent now, commands added before belong to a request that was dropped.
         let free = self
             .slots
             .iter_mut()
@@ -667,7 +667,7 @@ impl Slots {
         Ok(id)
     }
 
-    /// Forgets commands. Those that wait for an answer count as missed.
+    /// Forgets commands. Those that wait for a reply count as missed.
     fn free(&mut self, which: impl Fn(&Slot) -> bool) {
         for slot in self.slots.iter().filter(|slot| which(slot)) {
             if slot.is(State::Waiting) {
@@ -683,7 +683,7 @@ impl Slots {
             return None;
         }
         for _ in self.slots.iter().filter(|slot| slot.is(State::Waiting)) {
-            miss(&mut self.missed); // it may be a command as in a barrier
+            miss(&mut self.missed); // it may be the same command as in a barrier
         }
         self.behind = self.missed.wrapping_add(1);
         self.packet.start(set);
@@ -691,8 +691,7 @@ impl Slots {
         Some(self.packet.packet())
     }
 
-    /// Does the packet answer the last barrier? From then on, no reply belongs to what was sent
-    /// before it.
+    /// Does the packet answer the last barrier? If so, the commands sent before it time out.
     fn passes(&mut self, fields: &Fields<'_>) -> bool {
         let (size, [set, descriptor]) = (self.behind, BARRIER);
         let (mut rest, mut left) = (fields.payload(), size);
@@ -722,7 +721,7 @@ impl Slots {
         true
     }
 
-    /// Looks for answers, and marks the fields that are part of one.
+    /// Looks for replies to commands, and marks the fields that belong to them.
     fn receive(&mut self, mut fields: Fields<'_>) {
         self.taken = [0; 4];
         let (mut at, mut left) = (0, 0);
@@ -744,12 +743,13 @@ impl Slots {
         }
     }
 
-    /// Finds the command that an acknowledge and the field after it answer: the oldest one of its
-    /// kind. If there is one, its event happens. Returns the number of fields in the answer: 2 with
-    /// a response, 0 if there is no such command.
+    /// Finds the oldest command that an acknowledge and the field after it answer, and creates its
+    /// event. Returns the number of fields in the reply: 2 with a response, 0 if there is no such
+    /// command.
     ///
-    /// A response never answers a command that does not ask for it, because it may be the late
-    /// answer to another one; an acknowledge without a response first answers commands that ask for none.
+    /// A response is never matched to a command that does not request one, because it may be the
+    /// late reply to another command. An acknowledge without a response is matched first to
+    /// commands that request none.
     fn answers(&mut self, field: &RawField<'_>, rest: &Fields<'_>) -> u8 {
         // Reads only these two bytes: decoding the whole field would need 100 bytes of code.
         let (command, code) = match (field.descriptor, field.data) {
@@ -781,12 +781,12 @@ impl Slots {
         1_u8.wrapping_add(has_response.into())
     }
 
-    /// The command with this number, if its event has happened.
+    /// Returns the command with this number, if there is an event for it.
     fn find(&self, id: u32) -> Option<&Slot> {
         self.slots.iter().find(|slot| slot.is(State::Done) && slot.event.id == id)
     }
 
-    /// Takes the event of this command, if it has happened.
+    /// Takes the event of this command, if there is one.
     fn take(&self, id: u32) -> Option<&Event> {
         let slot = self.find(id)?;
         slot.state.set(State::Free);
@@ -812,7 +812,7 @@ impl Slots {
         None
     }
 
-    /// Takes the event that happened first, of those that have not been taken.
+    /// Takes the oldest event that has not been taken.
     fn first(&self) -> Option<&Event> {
         let (mut oldest, mut found) = ((0, 0), None);
         for slot in &self.slots {
@@ -828,13 +828,13 @@ impl Slots {
     }
 }
 
-/// Counts one more command without an answer.
+/// Counts one more command without a reply.
 fn miss(missed: &mut u8) {
     *missed = if *missed < BARRIERS { missed.wrapping_add(1) } else { 1 };
 }
 
 impl Slot {
-    /// The result of the command if this acknowledge and the field behind it answer it.
+    /// Returns the command's result if this acknowledge and the field after it answer it.
     fn outcome(
         &self,
         set: u8,
@@ -864,13 +864,13 @@ impl Slot {
         }
     }
 
-    /// The command waits for its answer from now on.
+    /// Marks the command as sent: it waits for its reply from now on.
     fn sent(&mut self, now_ms: u32) {
         self.state.set(State::Waiting);
         self.deadline = after(now_ms, self.deadline);
     }
 
-    /// The command is answered, or given up.
+    /// Creates the event of a command that was answered or has timed out.
     fn happens(&mut self, order: u32) {
         self.state.set(State::Done);
         self.order = order;
@@ -888,7 +888,8 @@ impl<'c> Request<'c> {
     ///
     /// # Errors
     ///
-    /// The command cannot be encoded, the packet is full or of another set, or all slots are taken.
+    /// The command cannot be encoded, the packet is full or of another set, or all slots are in
+    /// use.
     pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
         let set = self.table.packet.set();
         if set != C::SET {
@@ -899,8 +900,8 @@ impl<'c> Request<'c> {
 
     /// Appends a command whose type is known only at run time.
     ///
-    /// Its ticket has no type that could decode an answer; [`Client::take_event`], or
-    /// [`Device::event`](crate::device::Device::event), returns the event for it:
+    /// The ticket has no type that could decode a response. To get the event, pass it to
+    /// [`Client::take_event`] or [`Device::event`](crate::device::Device::event):
     ///
     /// ```
     /// use mip_protocol::device::{Device, DeviceError, Port};
@@ -932,9 +933,9 @@ impl<'c> Request<'c> {
         field.add_to(self).unwrap_or(Err(RequestError::NoCommand))
     }
 
-    /// The packet to send. From now on its commands are pending. Without commands, it is a packet
-    /// without fields, which need not be sent.
-    #[must_use = "the packet is to be sent"]
+    /// Returns the packet to send. From now on its commands are pending. If none were added, the
+    /// packet has no fields, and need not be sent.
+    #[must_use = "the packet must be sent"]
     pub fn send(self, now_ms: u32) -> Packet<'c> {
         for slot in &mut self.table.slots {
             if slot.is(State::Added) {
@@ -953,14 +954,14 @@ pub struct Events<'c, 'p> {
 }
 
 impl<'c, 'p> Events<'c, 'p> {
-    /// The fields of the packet that do not answer a command: data, and unexpected replies.
+    /// Returns the fields of the packet that do not answer a command: data and unexpected replies.
     #[must_use]
     pub fn others(&self) -> Others<'c, 'p> {
         Others { fields: self.fields.clone(), taken: &self.table.taken, at: 0 }
     }
 }
 
-/// The event borrows the client; to keep it longer, clone it.
+/// An event borrows the client; to keep it longer, clone it.
 impl<'c> Iterator for Events<'c, '_> {
     type Item = &'c Event;
 

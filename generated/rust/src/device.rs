@@ -1,42 +1,43 @@
 //! A device at a port: one call for each command, and the data that it sends.
 //!
-//! [`Device`] uses a [`Port`]: `StdPort` is one over anything that reads and writes with the
-//! standard library, `EmbeddedPort` one with the traits of `embedded-io`; any other port needs
-//! three functions. `AsyncDevice` does the same with `embedded-io-async`. Each needs the cargo
-//! feature of its name.
+//! [`Device`] uses a [`Port`]. `StdPort` is a port over anything that reads and writes with the
+//! standard library, and `EmbeddedPort` one over a driver with the traits of `embedded-io`. To use
+//! any other port, implement three functions. `AsyncDevice` does the same with `embedded-io-async`.
+//! Each requires a cargo feature: `std`, `embedded-io` or `embedded-io-async`.
 //!
 //! ```no_run
 //! # #[cfg(feature = "std")]
 //! # fn example(serial: std::net::TcpStream) -> Result<(), Box<dyn std::error::Error>> {
 //! use mip_protocol::device::{Device, StdPort};
 //!
-//! serial.set_read_timeout(Some(std::time::Duration::from_millis(10)))?; // reading must not wait forever
-//! let mut device = Device::new(StdPort::new(serial));
-//! while let Some(packet) = device.next_packet(1000)? {
+//! serial.set_read_timeout(Some(std::time::Duration::from_millis(10)))?; // reading must not wait
+//! forever let mut device = Device::new(StdPort::new(serial)); while let Some(packet) =
+//! device.next_packet(1000)? {
 //!     println!("{packet:?}");
 //! }
 //! # Ok(()) }
 //! ```
 //!
 //! **Commands**: [`Device::request`] sends a command and returns its response, and
-//! [`Device::send_all`] sends several in one packet. A command that the device refuses, does not
-//! answer in time or answers incorrectly is a [`DeviceError::Command`].
+//! [`Device::send_all`] sends several in one packet. If the device rejects a command, does not
+//! answer it in time or answers it incorrectly, the error is [`DeviceError::Command`].
 //!
-//! **Data that arrives while a command waits for its answer** is kept, and [`Device::next_packet`]
+//! **Data that arrives while a command waits for its reply** is kept, and [`Device::next_packet`]
 //! returns it first, in order. There is room for `Q` bytes; if it is full, the oldest packets are
 //! dropped, and [`Device::dropped`] counts them. A device that was set to idle first sends no data.
 //!
-//! **An answer** may arrive in a packet by itself or with others. Before a command times out, bytes
-//! held back by noise are searched.
+//! **A reply** may arrive in a packet by itself or with others. Before a command times out, packets
+//! that noise has delayed are processed.
 //!
-//! **After a command that was not answered**, its answer may still arrive. The next command is
-//! therefore sent behind a barrier (see [`Client::barrier`]), and what arrives before the answer to
-//! the barrier is data: a late answer is never taken for that of another command. This costs a
-//! packet each way, and no further wait. It works as long as the device answers commands in order,
-//! also at another baud rate, and after a port was opened again.
+//! **After a command that was not answered**, its reply may still arrive. A barrier is therefore
+//! sent before the next command (see [`Client::barrier`]), and what arrives before the reply to the
+//! barrier is data, so that a late reply is never matched to another command. This costs a packet
+//! each way, and no further wait. It works as long as the device replies to commands in order, even
+//! after the baud rate was changed or the port was opened again.
 //!
 //! **A command that changes the baud rate** is acknowledged at the old rate. `Device::change_baud`
-//! sends it, and changes the rate of the port, if the specification has the commands for it.
+//! sends it, and sets the port to the new rate. It exists if the specification has the commands for
+//! it.
 
 use core::fmt;
 
@@ -70,8 +71,8 @@ pub trait Port {
     /// The error of the port.
     type Error;
 
-    /// Reads bytes that have arrived to the front of the buffer, and returns their number. It may
-    /// wait for a while if there are none, but must then return 0.
+    /// Reads received bytes into the front of the buffer, and returns their number. It may wait for
+    /// a while if there are none, but must then return 0.
     ///
     /// # Errors
     ///
@@ -85,11 +86,11 @@ pub trait Port {
     /// Returns the errors of the port.
     fn write(&mut self, bytes: &[u8]) -> Result<(), Self::Error>;
 
-    /// A count of milliseconds that only increases, and may wrap around.
+    /// Returns a count of milliseconds that only increases, and may wrap around.
     fn now_ms(&mut self) -> u32;
 
     /// Changes the baud rate, and discards what was received at the old one. Returns `false` if the
-    /// port has no baud rate, or does not support this one.
+    /// port has no baud rate or does not support this one.
     ///
     /// # Errors
     ///
@@ -99,7 +100,7 @@ pub trait Port {
         Ok(false)
     }
 
-    /// The baud rate, if the port has one.
+    /// Returns the baud rate, if the port has one.
     fn baud(&self) -> Option<u32> {
         None
     }
@@ -136,11 +137,11 @@ impl<P: Port + ?Sized> Port for &mut P {
 pub enum DeviceError<E> {
     /// The command was not sent: it cannot be encoded, or too many are waiting.
     Request(RequestError),
-    /// It was sent, and rejected, or not answered correctly.
+    /// The command was sent, but rejected, or not answered in time or correctly.
     Command(CommandError),
     /// The port could not read or write.
     Port(E),
-    /// The port is closed: no more bytes will arrive, or it accepts none.
+    /// The port is closed: no more bytes will arrive, or none are accepted.
     Closed,
     /// The command was not sent: the port has no baud rate that could be changed.
     NoBaudRate,
@@ -176,20 +177,21 @@ impl<E: fmt::Debug + fmt::Display> crate::error::Error for DeviceError<E> {}
 /// The number of bytes that a device reads at a time from its port.
 const CHUNK: usize = 256;
 
-/// After a deadline, the port is read at most this many times, as long as bytes arrive: if the
-/// program was suspended, the answer may be behind the bytes that arrived in the meantime.
+/// After a deadline, the port is read at most this many times, while bytes arrive: if the program
+/// was suspended, the reply may be among the bytes that arrived in the meantime.
 const BACKLOG: u8 = 64;
 
-/// The backlog is read for at most this many milliseconds; bytes that take longer are arriving now.
+/// The backlog is read for at most this many milliseconds; bytes after that have only just arrived.
 const CATCH_UP: u32 = 100;
 
-/// Ends waiting after the deadline, when nothing more arrives, or when the backlog is used up.
+/// Is the wait over? It is if the deadline has passed and no more arrives or the backlog is used
+/// up.
 fn is_over(late: bool, came: bool, backlog: &mut u8) -> bool {
     *backlog = backlog.saturating_sub(late.into());
     late && (!came || *backlog == 0)
 }
 
-/// The result of a read of a blocking device after a deadline.
+/// Decides when a blocking device stops reading after a deadline.
 struct Waited {
     backlog: u8,
     since: Option<u32>,
@@ -200,13 +202,13 @@ impl Waited {
         Self { backlog: BACKLOG, since: None }
     }
 
-    /// Ends waiting, also if reading takes long: then these bytes are not a backlog.
+    /// Is the wait over? It is also over if reading takes long, because that is no backlog.
     fn is_over(&mut self, deadline: u32, now_ms: u32, came: bool) -> bool {
         if !has_passed(deadline, now_ms) {
             *self = Self::new();
             return false;
         }
-        // If the program was stopped during this read, what has arrived is still to be read.
+        // If the program was suspended during this read, received bytes may still wait to be read.
         let stopped = self.since.is_none() && now_ms.wrapping_sub(deadline) >= CATCH_UP;
         let since = *self.since.get_or_insert(now_ms);
         is_over(true, (came || stopped) && now_ms.wrapping_sub(since) < CATCH_UP, &mut self.backlog)
@@ -226,7 +228,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         Self { client, parser: Parser::new(), data: Queue::new() }
     }
 
-    /// The part of a chunk to read into: it always fits into an empty queue.
+    /// Returns the part of a chunk to read into, which always fits into an empty queue.
     #[allow(clippy::unused_self)]
     fn part<'c>(&self, chunk: &'c mut [u8; CHUNK]) -> &'c mut [u8] {
         let size = Q.saturating_sub(MAX_PACKET).clamp(1, CHUNK);
@@ -243,7 +245,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         found
     }
 
-    /// Lets commands time out, after processing what noise holds back.
+    /// Times out overdue commands, after processing packets that noise has delayed.
     fn tick(&mut self, now_ms: u32) {
         while let Some(packet) = self.client.poll(&mut self.parser, now_ms) {
             sort(&mut self.client, &mut self.data, &packet);
@@ -260,8 +262,8 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         found
     }
 
-    /// Forgets what was received in part, and all commands; a barrier precedes the next one. Data
-    /// that was kept remains.
+    /// Discards an incomplete packet and all commands; a barrier will precede the next command.
+    /// Data that was kept remains.
     #[cfg(feature = "open")]
     fn restart(&mut self) {
         while let Some(packet) = self.parser.flush() {
@@ -271,7 +273,7 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
         self.client.clear();
     }
 
-    /// The outcome of a command that is no longer waiting.
+    /// Takes the outcome of a command that no longer waits.
     fn result<C: Command, E>(&mut self, ticket: &Ticket<C>) -> Result<C::Response, DeviceError<E>> {
         Ok(self.client.take(ticket).unwrap_or(Answer::TimedOut).into_result()?)
     }
@@ -360,7 +362,7 @@ pub struct Device<P, const N: usize = 8, const Q: usize = 4096> {
 }
 
 impl<P: Port> Device<P> {
-    /// A device with the default memory and time-out; nothing is sent or read.
+    /// Creates a device with the default memory and time-out; nothing is sent or read.
     #[must_use]
     pub const fn new(port: P) -> Self {
         Self::with_client(port, Client::new())
@@ -368,28 +370,29 @@ impl<P: Port> Device<P> {
 }
 
 impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
-    /// A device with a client of another time-out or size: `let device: Device<_, 1, 600> = …`.
+    /// Creates a device whose client has another time-out or size:
+    /// `let device: Device<_, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, client: Client<N>) -> Self {
         Self { port, core: Core::new(client) }
     }
 
-    /// The port.
+    /// Borrows the port.
     pub const fn port(&self) -> &P {
         &self.port
     }
 
-    /// The port, for example to set its baud rate.
+    /// Borrows the port, for example to set its baud rate.
     pub fn port_mut(&mut self) -> &mut P {
         &mut self.port
     }
 
-    /// The port; bytes read but not returned are lost.
+    /// Returns the port. Bytes that were read but not yet returned are lost.
     pub fn into_port(self) -> P {
         self.port
     }
 
-    /// The parser, which counts the bytes that are not part of a packet.
+    /// Borrows the parser, which counts the bytes that are not part of a packet.
     pub const fn parser(&self) -> &Parser {
         &self.core.parser
     }
@@ -403,13 +406,13 @@ impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
 impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// Sends a command, waits until the device has carried it out, and returns its response.
     ///
-    /// The type of the command states what that is: `()` for a command without response, and an
-    /// `Option` if its function is known only at run time. If devices do not answer the command, it
-    /// does not wait.
+    /// The command's type determines the type of the response: `()` for a command without one, and
+    /// an `Option` if its function is known only at run time. If devices do not answer the command,
+    /// it does not wait.
     ///
     /// # Errors
     ///
-    /// The command is not sent, refused, not answered, or the port fails.
+    /// The command cannot be sent, is rejected or not answered, or the port fails.
     pub fn request<C: Command>(
         &mut self,
         command: &C,
@@ -421,14 +424,14 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         self.core.result(&ticket)
     }
 
-    /// Sends several commands of one descriptor set in one packet, and waits for all answers.
+    /// Sends several commands of one descriptor set in one packet, and waits for all replies.
     ///
-    /// The closure adds them, and returns any value, usually their tickets. [`Device::answer`]
-    /// returns the outcome of each. If it adds none, nothing is sent.
+    /// The closure adds the commands, and returns any value, usually their tickets. If it adds
+    /// none, nothing is sent. [`Device::answer`] returns the outcome of each.
     ///
     /// # Errors
     ///
-    /// Returns the error of the closure, or that of the port.
+    /// Returns the error of the closure or of the port.
     pub fn send_all<T>(
         &mut self,
         set: u8,
@@ -445,15 +448,15 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(tickets)
     }
 
-    /// The answer to one command of [`Device::send_all`]; it is available until the next command.
-    /// That of an earlier one is [`Answer::TimedOut`].
+    /// Returns the answer to a command of [`Device::send_all`], until the next command is sent. For
+    /// an earlier command, it returns [`Answer::TimedOut`].
     pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
         self.core.answer(ticket)
     }
 
-    /// Like [`Device::answer`], with the response not decoded, for tickets of any type, also those
-    /// of [`Request::add_any`]. `None` for an earlier command, and if the device does not answer
-    /// the command.
+    /// Like [`Device::answer`], but without decoding the response, and for tickets of any type,
+    /// including those of [`Request::add_any`]. Returns `None` for an earlier command, and if the
+    /// device does not answer the command.
     pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
         self.core.client.known_event(ticket)
     }
@@ -480,8 +483,8 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(())
     }
 
-    /// Sends pings, two at most, until any packet arrives: bytes of another baud rate may damage the
-    /// answer to the first. What arrives is discarded.
+    /// Sends up to two pings until any packet arrives, because bytes of another baud rate may spoil
+    /// the first one. What arrives is discarded.
     #[allow(dead_code)] // without the features of command sets
     pub(crate) fn is_heard<C: Command>(
         &mut self,
@@ -520,7 +523,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         while self.core.data.pop().is_some() {}
     }
 
-    /// Receives data for some time, and keeps it.
+    /// Receives data for a number of milliseconds, and keeps it.
     #[allow(dead_code)] // without the features of command sets
     pub(crate) fn pass(&mut self, wait_ms: u32) -> Result<(), DeviceError<P::Error>> {
         let end = after(self.port.now_ms(), wait_ms);
@@ -539,12 +542,12 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         Ok(count > 0)
     }
 
-    /// The next packet with data or other fields that do not answer a command; `None` if none
-    /// arrives within this number of milliseconds, at most 2³¹ - 1 (24.8 days). With 0, it reads
-    /// what has already arrived.
+    /// Returns the next packet with data or other fields that do not answer a command, or `None` if
+    /// none arrives within this number of milliseconds, at most 2³¹ - 1 (24.8 days). With 0, it
+    /// reads what has already arrived.
     ///
     /// If the time ends in the middle of a packet, that packet is kept, unless its data already
-    /// contains a whole packet: then it is taken for noise, and the inner one is returned.
+    /// contains a whole packet: then it was noise, and the inner packet is returned.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
     ///

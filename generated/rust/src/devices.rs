@@ -18,17 +18,18 @@ pub struct Profile {
     pub description: &'static str,
     /// Other names.
     pub also: &'static [&'static str],
-    /// The number of the model, if it is known.
+    /// Its model number, if that is known.
     pub model_number: Option<u16>,
     /// The generation of devices that it belongs to, if that is known.
     pub generation: Option<u8>,
     /// The manual that describes it, if one is known.
     pub manual: Option<&'static str>,
-    /// Statements on what is unknown about it. If there are any, it may have more than is listed.
+    /// Statements on what is unknown about it. If there are any, it may support more than is
+    /// listed.
     pub incomplete: &'static [&'static str],
-    /// The commands and data fields that it certainly or probably has.
+    /// The commands and data fields that it certainly or probably supports.
     pub fields: &'static [Supported],
-    /// The commands and data fields that it is known not to have.
+    /// The commands and data fields that it is known not to support.
     pub refuses: &'static [Supported],
     /// The firmware that some of these fields require.
     pub firmware: &'static [Firmware],
@@ -61,13 +62,13 @@ pub enum Support {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Evidence {
-    /// The statement about them.
+    /// The answer.
     pub answer: Support,
-    /// Why, in words.
+    /// The reason for the answer.
     pub why: &'static str,
 }
 
-/// A field that a device certainly or probably has, or does not have.
+/// A field that a device certainly or probably supports, or does not support.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Supported {
@@ -79,7 +80,7 @@ pub struct Supported {
     pub name: &'static str,
     /// The function selectors that the device accepts; empty if the field has none.
     pub functions: &'static [FunctionSelector],
-    /// The certainty of the statement, and its sources.
+    /// Whether the device supports it, and why that is believed.
     pub evidence: &'static Evidence,
 }
 
@@ -91,7 +92,7 @@ pub struct Firmware {
     pub set: u8,
     /// The field descriptor.
     pub descriptor: u8,
-    /// The versions that have it: `> 1.0.07` or `>= 1.0, < 1.1`.
+    /// The versions that support it: `> 1.0.07` or `>= 1.0, < 1.1`.
     pub versions: &'static str,
 }
 
@@ -101,7 +102,7 @@ pub struct Firmware {
 pub struct BaseRate {
     /// The descriptor set.
     pub set: u8,
-    /// The rate in Hz, which a decimation divides; 0 if data is sent as it arrives.
+    /// The rate in Hz, before decimation; 0 if data is sent as it arrives.
     pub hertz: f64,
 }
 
@@ -133,7 +134,7 @@ pub struct Limit {
     pub unit: Option<&'static str>,
     /// The limited quantity.
     pub description: &'static str,
-    /// The firmware versions that have it, if not all have: `>= 1.0.04`.
+    /// The firmware versions that it applies to, if not all: `>= 1.0.04`.
     pub firmware: Option<&'static str>,
 }
 
@@ -143,37 +144,37 @@ pub struct Limit {
 pub struct Variant {
     /// The parameter by its name in the specification, `set.field.parameter`.
     pub parameter: &'static str,
-    /// The type that names its values or bits, if that differs.
+    /// The type that defines its values or bits on this device, if that differs.
     pub read_as: Option<&'static str>,
     /// The difference.
     pub difference: &'static str,
 }
 
 impl Profile {
-    /// The device with this id.
+    /// Returns the device with this id.
     #[must_use]
     pub fn by_id(id: &str) -> Option<&'static Self> {
         ALL.iter().copied().find(|device| device.id == id)
     }
 
-    /// The device with this id, title or other name.
+    /// Returns the device with this id, title or other name.
     #[must_use]
     pub fn find(name: &str) -> Option<&'static Self> {
         let called = |d: &&Self| d.id == name || d.title == name || d.also.contains(&name);
         ALL.iter().copied().find(called)
     }
 
-    /// The device of this model number; `None` if it is unknown, for example that of a newer
-    /// device.
+    /// Returns the device with this model number; `None` if it is unknown, for example because the
+    /// device is newer than this crate.
     #[must_use]
     pub fn by_model(number: u16) -> Option<&'static Self> {
         ALL.iter().copied().find(|device| device.model_number == Some(number))
     }
 
-    /// Does the device have a field in packets of this set? If the profile is complete, this is
-    /// [`Support::No`] for fields that it does not list.
+    /// Returns whether the device supports a field in packets of this set. For a field that a
+    /// complete profile does not list, this is [`Support::No`].
     ///
-    /// Shared fields are supported in every data set.
+    /// A shared field is found in every data set.
     #[must_use]
     pub fn support(&self, set: u8, descriptor: u8) -> Support {
         match self.field(set, descriptor) {
@@ -183,8 +184,7 @@ impl Profile {
         }
     }
 
-    /// The entry of the profile for a field in packets of this set; its evidence states how certain
-    /// it is, and why.
+    /// Returns the profile's entry for a field in packets of this set, with its evidence.
     #[must_use]
     pub fn field(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
         let matches = |f: &&Supported| f.set == set || (f.set == 0xFF && set >= 0x80);
@@ -192,37 +192,37 @@ impl Profile {
         said.find(|f| f.descriptor == descriptor && matches(f))
     }
 
-    /// Does it certainly or probably have this field, in one of the sets in which the field occurs?
-    /// For a single set, use [`Profile::support`].
+    /// Does the device certainly or probably support this field, in any set in which it occurs? For
+    /// a single set, use [`Profile::support`].
     #[must_use]
     pub fn has<T: crate::Field>(&self) -> bool {
         let found = |set: &u8| self.support(*set, T::DESCRIPTOR);
         T::SETS.iter().map(found).any(|x| matches!(x, Support::Yes | Support::Probable))
     }
 
-    /// The firmware versions that have a field; `None` if all have it, or if it is not known.
+    /// Returns the firmware versions that support a field; `None` if all do, or if that is unknown.
     #[must_use]
     pub fn firmware_of(&self, set: u8, descriptor: u8) -> Option<&'static str> {
         let mut said = self.firmware.iter();
         said.find(|f| (f.set, f.descriptor) == (set, descriptor)).map(|f| f.versions)
     }
 
-    /// The base rate of a descriptor set in Hz; 0 if data is sent as it arrives.
+    /// Returns the base rate of a descriptor set in Hz; 0 if data is sent as it arrives.
     #[must_use]
     pub fn base_rate(&self, set: u8) -> Option<f64> {
         self.base_rates.iter().find(|rate| rate.set == set).map(|rate| rate.hertz)
     }
 
-    /// A limit by its name.
+    /// Returns the limit with this name.
     #[must_use]
     pub fn limit(&self, name: &str) -> Option<f64> {
         self.limits.iter().find(|limit| limit.name == name).map(|limit| limit.value)
     }
 }
 
-/// The model number in the device information: its model and serial numbers begin with it.
+/// Returns the number with which a model or serial number of the device information begins.
 ///
-/// Spaces may precede it, and a dot, a dash, a space, a NUL or the end of the text follows it.
+/// Spaces may precede it; a dot, dash, space, NUL or the end of the text must follow it.
 ///
 /// ```
 /// use mip_protocol::devices::model_number;

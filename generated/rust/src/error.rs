@@ -37,10 +37,10 @@ pub struct DecodeError {
 pub enum DecodeErrorKind {
     /// The data ends before the last required value: the numbers of bytes needed and present.
     Truncated,
-    /// A count exceeds the number of elements that follow, or that a field can hold: the count, and
-    /// the maximum.
+    /// A count exceeds the number of elements that follow, or that a field can contain: the count
+    /// and the maximum.
     Count,
-    /// A constant has another value: the required value, and the actual one.
+    /// A constant has the wrong value: the required value and the actual one.
     Constant,
 }
 
@@ -51,7 +51,7 @@ pub enum DecodeErrorKind {
 pub struct EncodeError {
     /// The kind of error.
     pub kind: EncodeErrorKind,
-    /// The name of the field in the specification, `family.field`; empty if only its bytes are known.
+    /// The field's name in the specification, `family.field`; empty if only its bytes are known.
     pub field: &'static str,
     /// The required value; see the kind.
     pub need: usize,
@@ -64,29 +64,29 @@ pub struct EncodeError {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum EncodeErrorKind {
-    /// A value is `None` although the function requires it or a later value is present: the number
-    /// of values that belong together, and of those that are present.
+    /// A value is `None` although the function requires it or a later value is present: how many
+    /// values belong together, and how many of them are present.
     Missing,
-    /// There are more elements than a list or their counter can hold: the number of those given, and
-    /// the maximum.
+    /// There are more elements than the list or their counter can hold: their number and the
+    /// maximum.
     Count,
     /// A union does not contain the member that its tag selects.
     Tag,
     /// The data does not fit into a field, a packet or the caller's buffer: the number of bytes
-    /// needed, at least, and of those free.
+    /// needed (at least) and free.
     Length,
-    /// The field does not occur in the descriptor set of the packet: a set in which it occurs, and
-    /// that of the packet.
+    /// The field does not occur in the packet's descriptor set: a set in which it occurs, and the
+    /// packet's set.
     Set,
 }
 
-/// The data of a field is invalid: [`Reader::error`](crate::Reader::error) returns the reason.
+/// The data of a field is invalid; [`Reader::error`](crate::Reader::error) returns the reason.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Invalid;
 
 impl DecodeError {
-    /// An error in this field.
+    /// Adds the name of the field.
     #[must_use]
     pub(crate) const fn new(
         kind: DecodeErrorKind,
@@ -109,13 +109,13 @@ impl EncodeError {
         Self { kind, field, need, got }
     }
 
-    /// The error for bytes that do not fit.
+    /// Creates the error for bytes that do not fit.
     #[must_use]
     pub(crate) const fn length(field: &'static str, need: usize, got: usize) -> Self {
         Self::new(EncodeErrorKind::Length, field, need, got)
     }
 
-    /// The error for a field that occurs in one set, and a packet of another.
+    /// Creates the error for a field in a packet of a set in which it does not occur.
     #[must_use]
     pub(crate) const fn set(field: &'static str, need: u8, got: u8) -> Self {
         Self::new(EncodeErrorKind::Set, field, need as usize, got as usize)
@@ -127,7 +127,7 @@ impl fmt::Display for DecodeErrorKind {
         f.write_str(match self {
             Self::Truncated => "the data ends too early",
             Self::Count => "a count does not match the data that follows",
-            Self::Constant => "a constant has another value",
+            Self::Constant => "a constant has the wrong value",
         })
     }
 }
@@ -137,7 +137,7 @@ impl fmt::Display for EncodeErrorKind {
         f.write_str(match self {
             Self::Missing => "a value is missing",
             Self::Count => "there are more elements than can be counted",
-            Self::Tag => "a union does not contain the member that its tag names",
+            Self::Tag => "a union does not contain the member that its tag selects",
             Self::Length => "the bytes do not fit",
             Self::Set => "the field does not occur in the descriptor set of the packet",
         })

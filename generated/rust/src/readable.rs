@@ -1,5 +1,5 @@
-//! Values in formats that people read, such as JSON: names of values and bits, and NaN with its
-//! bits. Other formats contain the numbers.
+//! Values in human-readable formats such as JSON: names of values and bits, and NaN with its bits.
+//! Other formats contain the numbers.
 
 #![allow(dead_code)] // few parts of the specification use all of it
 
@@ -13,7 +13,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::bits::{Bits, Hexadecimal, Storage};
 use crate::list::{Item, List};
 
-/// A value that has a text of its own in a readable format.
+/// A value with its own form in human-readable formats.
 pub(crate) trait Readable: Sized {
     fn write<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error>;
     fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error>;
@@ -34,7 +34,7 @@ pub(crate) fn deserialize<'de, T: Readable, D: Deserializer<'de>>(
     T::read(deserializer)
 }
 
-/// A part of a value, in a form that `serde` accepts.
+/// A part of a value, for which `serde`'s traits are implemented.
 struct Part<T>(T);
 
 impl<T: Readable> Serialize for Part<&T> {
@@ -62,7 +62,7 @@ impl<T: Readable> Readable for Option<T> {
 
 // --------------------------------------------------------------------------- sequences
 
-/// Arrays of any length; `serde` itself supports at most 32 items.
+/// Supports arrays of any length; `serde` itself supports at most 32 items.
 impl<T: Readable + Item, const N: usize> Readable for [T; N] {
     fn write<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut tuple = serializer.serialize_tuple(N)?;
@@ -235,7 +235,7 @@ impl<T: Named> Visitor<'_> for Name<T> {
 
 // --------------------------------------------------------------------------- bits
 
-/// A bitfield: what [`crate::bits::text`] writes, or its number.
+/// A bitfield: the text that [`crate::bits::text`] writes, or its number.
 pub(crate) trait Flags: Copy {
     type Storage: Storage + Hexadecimal + Serialize + for<'de> Deserialize<'de>;
 
@@ -285,7 +285,7 @@ impl<T: Flags> Bitfield<T> {
         (storage.get(first, last) & number == number).then_some(())
     }
 
-    /// Adds `ready`, `level=3` or `0x40`.
+    /// Adds the bits of a word such as `ready`, `level=3` or `0x40`.
     fn add_word(storage: &mut T::Storage, word: &str) -> Option<()> {
         if let Some(digits) = word.strip_prefix("0x") {
             return digits.bytes().rev().zip((0_u16..).step_by(4)).try_for_each(

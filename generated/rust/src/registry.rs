@@ -3,8 +3,8 @@
 //! [`AnyField::decode`] finds the type of a field and decodes it. A [`Visitor`] processes each type
 //! without a value as large as the largest field.
 //!
-//! A program that does not use this module does not contain it. It lists the fields of the
-//! descriptor sets whose cargo features are enabled.
+//! The registry lists the fields of the descriptor sets whose cargo features are enabled. It adds
+//! nothing to a program that does not use it.
 
 use core::fmt;
 
@@ -46,7 +46,7 @@ struct Occurrence {
 }
 
 impl FieldInfo {
-    /// The field of this name, or of this name in one of its sets: `set.field`.
+    /// Finds the field with this name, which may be its name in one of its sets: `set.field`.
     #[must_use]
     pub fn by_name(name: &str) -> Option<&'static Self> {
         let called = |info: &&Self| {
@@ -55,7 +55,7 @@ impl FieldInfo {
         FIELDS.iter().find(called)
     }
 
-    /// Its descriptor set, if there is only one.
+    /// Returns its descriptor set, if it occurs in only one.
     #[must_use]
     pub const fn set(&self) -> Option<u8> {
         match *self.sets {
@@ -70,14 +70,14 @@ impl FieldInfo {
         self.sets.contains(&set)
     }
 
-    /// Its name in a set, `set.field`, if it occurs there. A field of all data sets, or of all
-    /// command sets, has the same name everywhere.
+    /// Returns its name in a set, `set.field`, if it occurs there. A field of all data sets, or of
+    /// all command sets, has the same name everywhere.
     #[must_use]
     pub fn name_in(&self, set: u8) -> Option<&'static str> {
         self.occurs_in(set).then(|| self.occurrence(set).map_or(self.name, |found| found.name))
     }
 
-    /// Its title in a set, if it occurs there.
+    /// Returns its title in a set, if it occurs there.
     #[must_use]
     pub fn title_in(&self, set: u8) -> Option<&'static str> {
         self.occurs_in(set).then(|| self.occurrence(set).map_or(self.title, |found| found.title))
@@ -87,16 +87,17 @@ impl FieldInfo {
         self.occurrences.iter().find(|found| found.set == set)
     }
 
-    /// The description of this field; if its descriptor has several layouts, that of the data.
+    /// Returns the description of this field; if its descriptor has several layouts, of the one
+    /// that fits the data.
     #[inline]
     #[must_use]
     pub fn of(field: &RawField<'_>) -> Option<&'static Self> {
         visit(field, Describe)
     }
 
-    /// Its values, in the order of the packet: those that the type of the field holds.
+    /// Returns the descriptions of its values, in wire order, without constants and counters.
     ///
-    /// It searches for the field. If you know its type, use [`Listed::PARAMETERS`].
+    /// This searches for the field. If you know its type, use [`Listed::PARAMETERS`].
     #[must_use]
     pub fn parameters(&self) -> &'static [ParameterInfo] {
         let mut all = FIELDS.iter().zip(fields::PARAMETERS);
@@ -106,7 +107,8 @@ impl FieldInfo {
 
 /// The description of a value of a field or of a structure.
 ///
-/// A program contains them only if it uses [`FieldInfo::parameters`] or [`Listed::PARAMETERS`].
+/// A program contains the descriptions only if it uses [`FieldInfo::parameters`] or
+/// [`Listed::PARAMETERS`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub struct ParameterInfo {
@@ -114,12 +116,12 @@ pub struct ParameterInfo {
     pub name: &'static str,
     /// The names of the elements of a vector; otherwise empty.
     pub elements: &'static [&'static str],
-    /// The unit of all elements, or that of each: `["m/s"]`, `["deg", "deg", "m"]`; `["1"]` for a
-    /// plain number; empty if it has none, or if another value decides it.
+    /// The unit of all elements, or of each: `["m/s"]`, `["deg", "deg", "m"]`; `["1"]` for a plain
+    /// number; empty if there is none or another value determines it.
     pub units: &'static [&'static str],
-    /// The frame of reference, if there is one and no other value decides it.
+    /// The frame of reference, if there is one and no other value determines it.
     pub frame: Option<&'static str>,
-    /// The values of a structure, or of each structure of an array; of a union its alternatives.
+    /// The values of a structure, or of each structure in an array; the alternatives of a union.
     pub members: &'static [ParameterInfo],
 }
 
@@ -138,10 +140,10 @@ pub trait Listed:
     /// The description of the field.
     const INFO: FieldInfo;
 
-    /// The descriptions of its values, in the order of the packet.
+    /// The descriptions of its values, in wire order.
     const PARAMETERS: &'static [ParameterInfo];
 
-    /// Converts the field to one of any type.
+    /// Converts the field to an [`AnyField`].
     #[must_use]
     fn into_any(self) -> AnyField;
 }
@@ -181,22 +183,22 @@ pub trait Visitor {
     /// The result.
     type Output;
 
-    /// Processes a field of type `T`, not yet decoded; `field.set` is the descriptor set of its packet.
+    /// Processes a field of type `T`, not yet decoded; `field.set` is the descriptor set of its
+    /// packet.
     fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output;
 
     /// Processes a field that the registry does not list.
     fn unknown(self, field: &RawField<'_>) -> Self::Output;
 }
 
-/// A field that the specification lacks, and what a visitor does with it: a row of the table for
-/// [`visit_with`].
+/// A field of your own, and what a visitor does with it: a row of the table for [`visit_with`].
 pub struct Own<V: Visitor> {
     is: fn(&RawField<'_>) -> bool,
     visit: fn(V, &RawField<'_>) -> V::Output,
 }
 
 impl<V: Visitor> Own<V> {
-    /// A row for the fields of type `T`.
+    /// Creates a row for the fields of type `T`.
     #[must_use]
     pub const fn of<T: Field>(visit: fn(V, &RawField<'_>) -> V::Output) -> Self {
         Self { is: |field| field.is::<T>(), visit }
@@ -209,8 +211,8 @@ impl<V: Visitor> fmt::Debug for Own<V> {
     }
 }
 
-/// Like [`visit`], but also with fields of your own, which come first: they replace those that the
-/// registry lists for the same descriptor.
+/// Like [`visit`], but also processes fields of your own, which replace those that the registry
+/// lists for the same descriptor.
 ///
 /// ```
 /// use mip_protocol::registry::{visit_with, Listed, Own, Visitor};
@@ -272,8 +274,8 @@ pub fn visit_with<V: Visitor>(field: &RawField<'_>, own: &[Own<V>], visitor: V) 
     }
 }
 
-/// A field of any type that was decoded, and the descriptor set of its packet: one type may occur
-/// in several, each for another sensor or receiver.
+/// A decoded field of any type, and its packet's descriptor set. One type may occur in several
+/// sets, each for another sensor or receiver.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -283,19 +285,19 @@ pub struct Decoded {
     pub set: u8,
     /// The field.
     pub field: AnyField,
-    /// The number of bytes left over, as newer firmware may append some.
+    /// The number of bytes left over, because newer firmware may append some.
     pub left_over: usize,
 }
 
 impl Decoded {
-    /// The name of the field in its set, `set.field`.
+    /// Returns the field's name in its set, `set.field`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         let info = self.field.info();
         info.name_in(self.set).unwrap_or(info.name)
     }
 
-    /// The title of the field in its set.
+    /// Returns the field's title in its set.
     #[must_use]
     pub fn title(&self) -> &'static str {
         let info = self.field.info();
@@ -310,7 +312,7 @@ impl<C: Listed, const FUNCTION: u8> From<Call<C, FUNCTION>> for AnyField {
 }
 
 impl AnyField {
-    /// Decodes a field; `None` if it is unknown.
+    /// Decodes a field; returns `None` if it is unknown.
     ///
     /// [`AnyField::decode_with_trailing`] also returns the descriptor set, and how many bytes are
     /// left over.
@@ -320,8 +322,8 @@ impl AnyField {
         visit(field, Decode)
     }
 
-    /// Decodes a field, and returns the number of bytes left over, as newer firmware may append
-    /// some; `None` if it is unknown.
+    /// Decodes a field, and counts the bytes left over, because newer firmware may append some;
+    /// returns `None` if the field is unknown.
     #[inline]
     #[must_use]
     pub fn decode_with_trailing(field: &RawField<'_>) -> Option<Result<Decoded, DecodeError>> {
@@ -332,7 +334,7 @@ impl AnyField {
 struct Decode;
 
 impl Visitor for Decode {
-    // The whole answer, so that each type writes its value right where the caller wants it.
+    // The caller's whole result, so that each type writes its value directly to its destination.
     type Output = Option<Result<AnyField, DecodeError>>;
 
     #[inline]
@@ -372,7 +374,7 @@ impl Visitor for DecodeWithTrailing {
     }
 }
 
-/// The result of both after an error, compiled once for all types.
+/// Creates the result of both visitors after an error, compiled once for all types.
 #[cold]
 #[inline(never)]
 fn wrong<T>(reader: Reader<'_>, field: &'static str) -> Option<Result<T, DecodeError>> {
@@ -401,7 +403,7 @@ fn from_value<T: Listed>(
     T::from_value(value).map(T::into_any)
 }
 
-/// The row of each set in a table: that of the first range that contains it, counted from 1.
+/// Returns the row of each set in a table, counted from 1: the first range that contains the set.
 #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // evaluated at compile time
 const fn rows(ranges: &[&[(u8, u8)]]) -> [u8; 256] {
     let (mut rows, mut row, mut family) = ([0; 256], 0, 0);
@@ -435,7 +437,7 @@ const fn count(ranges: &[&[(u8, u8)]]) -> usize {
     count
 }
 
-/// Further traits of types, by features of the crate.
+/// Further traits of the types, depending on the crate's features.
 mod bounds {
     /// Prevents other crates from implementing [`Listed`](super::Listed), to which methods may be
     /// added.

@@ -5,10 +5,10 @@ use core::iter::FusedIterator;
 use crate::packet::Packet;
 use crate::parser::{behind, judge, noise, Candidate};
 
-/// The packets in these bytes, for example a log that was read as a whole.
+/// Iterates over the packets in these bytes, for example of a log that was read as a whole.
 ///
-/// They are those that a [`Parser`](crate::Parser) would find, with a
-/// [`flush`](crate::Parser::flush) at the end, and borrow the bytes; nothing is copied.
+/// They are the packets that a [`Parser`](crate::Parser) would find, with a
+/// [`flush`](crate::Parser::flush) at the end. They borrow the bytes; nothing is copied.
 ///
 /// ```
 /// use mip_protocol::{packets, Packet};
@@ -28,20 +28,20 @@ pub const fn packets(bytes: &[u8]) -> Packets<'_> {
 #[must_use = "iterators are lazy and do nothing unless consumed"]
 pub struct Packets<'a> {
     rest: &'a [u8],
-    /// The bytes from the first candidate that the end cuts off, unless a packet was found behind
-    /// it.
+    /// The bytes from the first incomplete candidate on, unless a packet was found after it.
     open: &'a [u8],
     skipped: usize,
 }
 
 impl<'a> Packets<'a> {
-    /// The number of bytes so far that are not part of a packet, without those of the remainder.
+    /// Returns the number of bytes so far that are not part of a packet, without the remainder.
     #[must_use]
     pub const fn skipped(&self) -> usize {
         self.skipped
     }
 
-    /// The bytes that have not been searched yet; at the end, those of an incomplete packet.
+    /// Returns the bytes that have not been searched yet; at the end, those of an incomplete
+    /// packet.
     #[must_use]
     pub const fn remainder(&self) -> &'a [u8] {
         if self.open.is_empty() {
@@ -68,7 +68,7 @@ impl<'a> Iterator for Packets<'a> {
 }
 
 impl<'a> Packets<'a> {
-    /// Searches for a packet that is not at the front.
+    /// Searches for a packet after the front.
     fn search(&mut self) -> Option<Packet<'a>> {
         let (mut rest, given) = (self.rest, self.rest.len());
         let mut open: &[u8] = &[];

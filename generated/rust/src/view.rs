@@ -1,4 +1,4 @@
-//! Fields that are read from their bytes, without copying them.
+//! Reads fields in place, without copying their bytes.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -8,7 +8,7 @@ use crate::error::{DecodeError, DecodeErrorKind};
 use crate::field::Field;
 use crate::list::Item;
 
-/// A field or a structure whose values are always at the same places.
+/// A field or a structure whose values are at fixed offsets.
 pub trait Viewed: Wire {}
 
 /// The bytes of a field or a structure, with a method for each of its values.
@@ -31,9 +31,9 @@ pub struct View<'a, T> {
     of: PhantomData<fn() -> T>,
 }
 
-// Functions, because the methods of a view are named after the values of the field.
+// Functions rather than methods, because a view's methods are named after the field's values.
 
-/// A view of the bytes of a field, if there are enough.
+/// Creates a view of a field's bytes, if there are enough.
 #[inline]
 pub(crate) fn open<T: Field + Viewed>(data: &[u8]) -> Result<View<'_, T>, DecodeError> {
     if data.len() < T::SIZE {
@@ -43,13 +43,13 @@ pub(crate) fn open<T: Field + Viewed>(data: &[u8]) -> Result<View<'_, T>, Decode
     Ok(View { data, of: PhantomData })
 }
 
-/// The value at this place.
+/// Reads the value at this offset.
 #[inline]
 pub(crate) fn value<T, V: Wire + Item>(view: &View<'_, T>, at: usize) -> V {
     Reader::new(behind(view.data, at)).read().unwrap_or(V::BLANK) // all bytes are there
 }
 
-/// The structure at this place.
+/// Creates a view of the structure at this offset.
 #[allow(dead_code)] // few sets have structures
 #[inline]
 pub(crate) fn part<'a, T, V: Viewed>(view: &View<'a, T>, at: usize) -> View<'a, V> {

@@ -3,7 +3,7 @@
 //! [`Wire`] is implemented by all types with a wire format: numbers, enumerations, bitfields,
 //! structures and fields. [`Reader`] and [`Writer`] work on borrowed bytes and never panic.
 
-// The reader and the writer know the error, which is the same for all methods.
+// All methods have the same errors, which the reader and the writer describe.
 #![allow(clippy::missing_errors_doc)]
 
 use core::fmt;
@@ -17,8 +17,7 @@ use crate::packet::MAX_FIELD_DATA;
 pub trait Wire: Sized {
     /// The maximum size in bytes; types of fixed size always have this size.
     const SIZE: usize;
-    /// Does it have this size whatever the bytes are? Then the only possible error is too few
-    /// bytes.
+    /// Does every value have this size? Then too few bytes are the only possible error.
     const FIXED: bool = false;
 
     /// Reads one value.
@@ -33,10 +32,10 @@ pub trait Union: Sized {
     /// The type of the tag.
     type Tag;
 
-    /// Reads the alternative of a tag.
+    /// Reads the alternative that a tag selects.
     fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, Invalid>;
 
-    /// Writes it if it is the alternative of this tag.
+    /// Writes the value if it is the alternative that the tag selects.
     fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind>;
 }
 
@@ -48,7 +47,7 @@ pub trait Counted: Wire {
 
 /// Reads values from the front of a field's data.
 ///
-/// It remembers what was wrong: its functions return only [`Invalid`], which is small and fast, and
+/// It remembers the last error: its functions return only [`Invalid`], which is small and fast, and
 /// [`Reader::error`] returns the details.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
@@ -61,7 +60,7 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Starts at the front of the data.
+    /// Creates a reader that starts at the front of the data.
     #[inline]
     #[must_use]
     pub const fn new(data: &'a [u8]) -> Self {
@@ -76,7 +75,7 @@ impl<'a> Reader<'a> {
         self.data.len()
     }
 
-    /// The last error, as the error of this field.
+    /// Returns the last error, as an error of a field of this type.
     #[must_use]
     #[inline]
     pub fn error(&self, field: &'static str) -> DecodeError {
@@ -106,14 +105,14 @@ impl<'a> Reader<'a> {
         if count <= self.data.len() {
             return Ok(());
         }
-        (self.kind, self.need) = (DecodeErrorKind::Truncated, count); // not counting what was read
+        (self.kind, self.need) = (DecodeErrorKind::Truncated, count); // without bytes already read
         Err(Invalid)
     }
 
-    // Every value is read with these. They are inlined, so that the checks vanish where there are
-    // surely enough bytes.
+    // Every value is read with these two. They are inlined, so that the compiler removes checks
+    // that cannot fail.
 
-    /// The next `count` bytes.
+    /// Reads the next `count` bytes.
     #[inline(always)]
     pub fn take(&mut self, count: usize) -> Result<&'a [u8], Invalid> {
         self.require(count)?;
@@ -126,19 +125,19 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The next `N` bytes.
+    /// Reads the next `N` bytes.
     #[inline(always)]
     pub fn bytes<const N: usize>(&mut self) -> Result<[u8; N], Invalid> {
         <[u8; N]>::try_from(self.take(N)?).map_err(|_| Invalid)
     }
 
-    /// The next value.
+    /// Reads the next value.
     #[inline]
     pub fn read<T: Wire>(&mut self) -> Result<T, Invalid> {
         T::decode_from(self)
     }
 
-    /// Checks that the next value is this one.
+    /// Checks that the next value is this constant.
     #[inline]
     #[allow(dead_code)] // few sets have constants
     pub(crate) fn constant<T: Wire + Number>(&mut self, value: T) -> Result<(), Invalid> {
@@ -149,19 +148,19 @@ impl<'a> Reader<'a> {
         Err(self.wrong(DecodeErrorKind::Constant, need as usize, got as usize))
     }
 
-    /// As many items as a counter states.
+    /// Reads as many items as a counter states.
     #[inline]
     pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, Invalid> {
         L::decode_counted(usize::try_from(count.into()).unwrap_or(usize::MAX), self)
     }
 
-    /// The alternative of a tag.
+    /// Reads the alternative that a tag selects.
     #[inline]
     pub fn union<U: Union>(&mut self, tag: U::Tag) -> Result<U, Invalid> {
         U::decode_as(tag, self)
     }
 
-    /// The alternative of a tag, as a group by itself; absent without the tag.
+    /// Reads the alternative that a tag selects, as a group by itself; it is absent if the tag is.
     #[inline]
     pub fn some_union<U: Union>(
         &mut self,
@@ -174,13 +173,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A value that is a group by itself.
+    /// Reads a value that is a group by itself.
     #[inline]
     pub fn some<T: Wire>(&mut self, required: bool) -> Result<Option<T>, Invalid> {
         self.group(required, Self::read)
     }
 
-    /// A group of values that are present or absent together: read if it is required or complete.
+    /// Reads a group of values that are present or absent together, if it is required or complete.
     ///
     /// After an absent group, all groups that may be absent are absent.
     #[inline]
@@ -198,7 +197,7 @@ impl<'a> Reader<'a> {
         }
         let mark = self.data;
         match read(self) {
-            // An empty union takes no bytes: same as absent.
+            // An empty union has no bytes, so it is the same as an absent one.
             Ok(value) if self.data.len() < mark.len() => Ok(Some(value)),
             Err(Invalid) if self.kind != DecodeErrorKind::Truncated => Err(Invalid),
             _ => {
@@ -222,14 +221,14 @@ pub struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// Starts at the front of the buffer.
+    /// Creates a writer that starts at the front of the buffer.
     #[inline]
     #[must_use]
     pub fn new(buffer: &'a mut [u8]) -> Self {
         Self { size: buffer.len(), free: buffer, ended: false, need: 0, got: 0 }
     }
 
-    /// Writes no more than a field can hold.
+    /// Creates a writer that writes no more than a field can contain.
     #[inline]
     #[must_use]
     pub(crate) fn of_field(buffer: &'a mut [u8]) -> Self {
@@ -237,7 +236,7 @@ impl<'a> Writer<'a> {
         Self::new(buffer.get_mut(..most).unwrap_or_default())
     }
 
-    /// The number of bytes written to a field, or the last error as that of the field.
+    /// Returns the number of bytes written to a field, or the last error as an error of that field.
     #[inline]
     pub fn finish(
         &self,
@@ -328,7 +327,7 @@ impl<'a> Writer<'a> {
         Err(self.wrong(EncodeErrorKind::Count, count, most.wrapping_sub(1)))
     }
 
-    /// Decides about a group of one value: returns it if it is present and allowed.
+    /// Returns a value that is a group by itself if it is to be written: present and allowed.
     #[inline]
     pub fn optional<'v, T>(
         &mut self,

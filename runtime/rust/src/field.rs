@@ -7,16 +7,15 @@ use crate::view::{self, View, Viewed};
 use core::fmt;
 use core::ops::{Deref, RangeInclusive};
 
-/// The type of one layout of one field descriptor, in whichever descriptor sets it occurs.
+/// A type of field: one layout of one field descriptor, in every descriptor set in which it occurs.
 ///
-/// The set of a received field is that of its packet: [`Packet::set`](crate::Packet::set),
-/// [`RawField::set`].
+/// For the set of a received field, see [`Packet::set`](crate::Packet::set) or [`RawField::set`].
 pub trait Field: Wire {
     /// The descriptor sets in which it occurs, in ascending order.
     const SETS: &'static [u8];
     /// The field descriptor.
     const DESCRIPTOR: u8;
-    /// The name in the specification, `family.field`. A family with one set has its name.
+    /// The name in the specification, `family.field`. The name of a family of one set is the set's.
     const NAME: &'static str;
     /// Constants inside the data, as offset and bytes; they distinguish layouts of one descriptor.
     const CONSTANTS: &'static [(usize, &'static [u8])] = &[];
@@ -34,18 +33,20 @@ pub trait Field: Wire {
     ///
     /// # Errors
     ///
-    /// A required value is missing, a count exceeds what follows, or a constant has another value.
+    /// A required value is missing, a count exceeds what follows, or a constant has the wrong
+    /// value.
     #[inline]
     fn decode(data: &[u8]) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(data);
         Self::decode_from(&mut reader).map_err(|_| reader.error(Self::NAME))
     }
 
-    /// Decodes, and returns the number of bytes left over, as newer firmware may append some.
+    /// Like [`Field::decode`], but also returns the number of bytes left over, because newer
+    /// firmware may append some.
     ///
     /// # Errors
     ///
-    /// Returns those of [`Field::decode`].
+    /// Returns the errors of [`Field::decode`].
     #[inline]
     fn decode_with_trailing(data: &[u8]) -> Result<(Self, usize), DecodeError> {
         let mut reader = Reader::new(data);
@@ -55,7 +56,7 @@ pub trait Field: Wire {
         }
     }
 
-    /// Encodes the data of the field to the front of the buffer and returns its length.
+    /// Encodes the field's data into the front of the buffer, and returns its length.
     ///
     /// # Errors
     ///
@@ -67,11 +68,11 @@ pub trait Field: Wire {
         writer.finish(done, Self::NAME)
     }
 
-    /// The data of the field in a `Vec`.
+    /// Encodes the field's data into a `Vec`.
     ///
     /// # Errors
     ///
-    /// Returns those of [`Field::encode`].
+    /// Returns the errors of [`Field::encode`].
     #[cfg(feature = "alloc")]
     fn to_vec(&self) -> Result<alloc::vec::Vec<u8>, EncodeError> {
         let mut buffer = [0; crate::packet::MAX_FIELD_DATA];
@@ -86,14 +87,14 @@ pub trait OneSet: Field {
     const SET: u8;
 }
 
-/// A field that a device acknowledges, perhaps with a response after the acknowledge.
+/// A field that the device acknowledges, with or without a response after the acknowledge.
 pub trait Command: OneSet {
-    /// The result of a request: `()`, the type of the response, or an enumeration of several. If a
-    /// command has a function that is known only at run time, an `Option` of it.
+    /// The result of a request: `()`, the type of the response, or an enumeration of several types.
+    /// For a command whose function is known only at run time, it is an `Option` of this.
     type Response: Response;
     /// The descriptors of its responses, whatever its function is.
     const RESPONSES: &'static [u8] = Self::Response::DESCRIPTORS;
-    /// The time that a device may take to reply, if longer than usual.
+    /// The time that a device may take to reply, in ms, if longer than usual.
     const TIMEOUT_MS: Option<u32> = None;
 
     /// Will the device acknowledge it?
@@ -102,20 +103,20 @@ pub trait Command: OneSet {
         true
     }
 
-    /// The check for the response that it requests with these values.
+    /// Returns the check for the response that it requests with these values.
     #[must_use]
     fn response_check(&self) -> Option<ResponseCheck> {
         None
     }
 }
 
-/// A command with the function `FUNCTION`, from one of its constructors; its usual names are
-/// [`Read`](crate::protocol::Read), [`Write`](crate::protocol::Write) and so on. Its type
-/// determines its response.
+/// A command with the function `FUNCTION`, made by one of the command's constructors. It is usually
+/// written [`Read<C>`](crate::protocol::Read), [`Write<C>`](crate::protocol::Write) and so on. Its
+/// type determines the response.
 ///
-/// A call can be sent or searched wherever a field can: `field.get::<Read<PpsSourceControl>>()`
-/// is `None` for other functions. Its values can be read like those of the command; to change them,
-/// convert it to the command, which may have any function: [`Call::into_command`].
+/// It can be sent and searched like any field: `field.get::<Read<PpsSourceControl>>()` is `None`
+/// for other functions. Its values can be read like the command's; to change them, convert it with
+/// [`Call::into_command`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(transparent))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -131,7 +132,7 @@ impl<C, const FUNCTION: u8> Call<C, FUNCTION> {
         Self(command)
     }
 
-    /// The command, which can be changed.
+    /// Returns the command, whose values and function can be changed.
     #[must_use]
     pub fn into_command(self) -> C {
         self.0
@@ -213,10 +214,10 @@ impl<C: Takes<FUNCTION>, const FUNCTION: u8> Command for Call<C, FUNCTION> {
     }
 }
 
-/// Recognizes a response, and returns whether it can be decoded; `None` for other fields.
+/// Recognizes a response: returns whether it can be decoded, and `None` for other fields.
 pub type ResponseCheck = fn(&RawField<'_>) -> Option<bool>;
 
-/// The check for one type of response.
+/// Checks for one type of response.
 #[must_use]
 pub fn check<R: Field>(field: &RawField<'_>) -> Option<bool> {
     if R::FIXED && R::CONSTANTS.is_empty() {
@@ -230,13 +231,13 @@ pub trait ResponseOf<C: Command>: Field {}
 
 /// The responses of a command.
 pub trait Response: Sized {
-    /// Their descriptors.
+    /// The descriptors of the responses.
     const DESCRIPTORS: &'static [u8];
 
     /// Decodes a field if it is such a response.
     fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>>;
 
-    /// The value for an acknowledge without a response; `None` if a response is required.
+    /// Returns the value for an acknowledge without a response; `None` if a response is required.
     #[inline]
     #[must_use]
     fn absent() -> Option<Self> {
@@ -302,12 +303,12 @@ pub enum Role {
     Command,
     /// Sent by the device to answer a command.
     Response,
-    /// Sent by the device by itself.
+    /// Sent by the device without a request, for example periodically.
     Data,
 }
 
 impl Role {
-    /// The word that the specification uses.
+    /// Returns the specification's word for the role.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -344,8 +345,7 @@ impl<'a> RawField<'a> {
         T::occurs_in(self.set) && self.descriptor == T::DESCRIPTOR && self.has_layout_of::<T>()
     }
 
-    /// Can the data have the layout of this type, as far as it reaches? The constants and the size
-    /// decide.
+    /// Can the data, as far as present, have this type's layout? Checks the constants and the size.
     #[inline]
     #[must_use]
     pub fn has_layout_of<T: Field>(&self) -> bool {
@@ -359,14 +359,14 @@ impl<'a> RawField<'a> {
         })
     }
 
-    /// Decodes it, if it is a field of this type.
+    /// Decodes the field if it is of this type.
     #[inline]
     #[must_use]
     pub fn get<T: Field>(&self) -> Option<Result<T, DecodeError>> {
         self.is::<T>().then(|| T::decode(self.data))
     }
 
-    /// Reads its values in place, if it is a field of this type.
+    /// Returns a view of the field, to read values in place, if it is of this type.
     #[inline]
     #[must_use]
     pub fn view<T: Field + Viewed>(&self) -> Option<Result<View<'a, T>, DecodeError>> {
@@ -376,9 +376,9 @@ impl<'a> RawField<'a> {
 
 /// Runs the arm for the type of a field, with the decoded value.
 ///
-/// Like a chain of [`RawField::get`], it looks at each field once, while
+/// Like a chain of [`RawField::get`], it looks at each field once, whereas
 /// [`Packet::find`](crate::Packet::find) searches the packet for each type. It returns a `Result`:
-/// a field that cannot be decoded is an error. Without an arm `_`, nothing happens for other types.
+/// a field that cannot be decoded is an error. Without an arm `_`, other types are ignored.
 ///
 /// ```
 /// use mip_protocol::{dispatch, protocol::Acknowledge, DecodeError, RawField};
@@ -425,7 +425,7 @@ macro_rules! dispatch {
     };
 }
 
-/// `N` consecutive numbers, from the first one.
+/// Returns `N` consecutive numbers, starting with `first`.
 #[allow(clippy::indexing_slicing)] // evaluated at compile time
 pub(crate) const fn run<const N: usize>(first: u8) -> [u8; N] {
     let (mut numbers, mut at, mut number) = ([0; N], 0, first);

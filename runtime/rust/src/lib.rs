@@ -22,12 +22,12 @@
 #![allow(deprecated, clippy::large_enum_variant)]
 // Clippy's pedantic lints report nothing else:
 #![allow(
-    // sums wrap, and bits and sizes are known to fit;
+    // sums may wrap, and bits and sizes are known to fit;
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
     clippy::cast_precision_loss,
     clippy::cast_sign_loss,
-    // texts and numbers are those of the specification;
+    // texts and numbers are taken from the specification;
     clippy::doc_markdown,
     clippy::unreadable_literal,
     // macros and traits use the same signatures for all types;

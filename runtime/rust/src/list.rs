@@ -19,8 +19,8 @@ use crate::error::{DecodeErrorKind, EncodeErrorKind, Invalid};
 /// assert_eq!(list, [1, 2, 3, 4]);
 /// ```
 ///
-/// Slices and iterators may have more items than fit. This does not panic: the list holds the first
-/// `N`, is marked as [overflowed](List::overflowed), and a field that contains it is not encoded
+/// A slice or iterator with more items than fit does not cause a panic: the list holds the first
+/// `N` and is marked as [overflowed](List::overflowed), and encoding a field that contains it fails
 /// ([`EncodeErrorKind::Count`]). [`List::from_slice`] and [`List::push`] fail at once.
 ///
 /// ```
@@ -40,7 +40,7 @@ const OVERFLOWED: usize = !(usize::MAX >> 1);
 
 /// The elements of a [`List`] or an array: all numbers, enumerations, bitfields and structures.
 pub trait Item: Sized {
-    /// The value of places that are not used yet.
+    /// The value of unused items.
     const BLANK: Self;
 }
 
@@ -61,7 +61,7 @@ impl<T> Item for Option<T> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct CapacityError {
-    /// The number of items given; one more than fit, if the rest was not counted.
+    /// The number of items given, or one more than fit if the rest was not counted.
     pub need: usize,
     /// The number of items that the list can hold.
     pub got: usize,
@@ -76,14 +76,14 @@ impl fmt::Display for CapacityError {
 error!(CapacityError);
 
 impl<T: Item, const N: usize> List<T, N> {
-    /// An empty list.
+    /// Creates an empty list.
     #[inline]
     #[must_use]
     pub const fn new() -> Self {
         Self { items: [T::BLANK; N], given: 0 }
     }
 
-    /// A list of these items.
+    /// Creates a list of these items.
     ///
     /// # Errors
     ///
@@ -129,7 +129,7 @@ impl<T, const N: usize> List<T, N> {
         self.given = 0;
     }
 
-    /// Was it given more items than it can hold? Then it holds the first ones.
+    /// Was the list given more items than it can hold? If so, it holds only the first ones.
     #[must_use]
     pub const fn overflowed(&self) -> bool {
         self.given & OVERFLOWED != 0
@@ -140,20 +140,20 @@ impl<T, const N: usize> List<T, N> {
         self.given & !OVERFLOWED
     }
 
-    /// The number of items that it can hold.
+    /// Returns the number of items that the list can hold.
     #[must_use]
     pub const fn capacity(&self) -> usize {
         N
     }
 
-    /// The items.
+    /// Returns the items.
     #[inline]
     #[must_use]
     pub fn as_slice(&self) -> &[T] {
         self.items.get(..self.count()).unwrap_or_default()
     }
 
-    /// The items, mutable.
+    /// Returns the items, mutable.
     #[inline]
     #[must_use]
     pub fn as_mut_slice(&mut self) -> &mut [T] {
@@ -267,7 +267,7 @@ impl<T: PartialEq, const N: usize> PartialEq<List<T, N>> for Vec<T> {
     }
 }
 
-/// Evaluated at compile time: an array that is too long does not build.
+/// A check at compile time that an array fits.
 struct Fits<const M: usize, const N: usize>;
 
 impl<const M: usize, const N: usize> Fits<M, N> {
@@ -327,7 +327,7 @@ impl<T, const N: usize> Extend<T> for List<T, N> {
         for item in items {
             if self.push(item).is_err() {
                 self.given |= OVERFLOWED;
-                return; // the rest need not be read: there are known to be too many
+                return; // the number of further items does not matter
             }
         }
     }
@@ -367,7 +367,7 @@ impl<'a, T, const N: usize> IntoIterator for &'a mut List<T, N> {
     }
 }
 
-/// The items only. If they are counted, the count is another value of the field.
+/// Encodes only the items. A counter is another value of the field.
 impl<T: Wire + Item, const N: usize> Wire for List<T, N> {
     const SIZE: usize = T::SIZE.saturating_mul(N);
 
@@ -442,7 +442,7 @@ where
     }
 }
 
-/// serde supports arrays of at most 32 items; longer ones go through a [`List`].
+/// Serializes arrays through a [`List`], because serde itself supports at most 32 items.
 #[cfg(feature = "serde")]
 #[allow(dead_code)]
 pub(crate) mod long_array {
@@ -498,7 +498,7 @@ pub(crate) mod long_array {
         D: Deserializer<'de>,
     {
         let list = L::List::deserialize(deserializer)?;
-        L::from_list(list).ok_or_else(|| D::Error::custom("the array has a wrong length"))
+        L::from_list(list).ok_or_else(|| D::Error::custom("the array has the wrong length"))
     }
 }
 

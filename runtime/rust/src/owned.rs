@@ -6,9 +6,9 @@ use core::fmt;
 
 use crate::packet::{Packet, PacketBuilder, PacketError};
 
-/// A packet that owns its bytes, so that it can be kept, or sent to another thread.
+/// A packet that owns its bytes, so that it can be kept or sent to another thread.
 ///
-/// A packet is not checked again:
+/// Conversions from and to [`Packet`] do not check the packet again:
 ///
 /// ```
 /// use mip_protocol::{packets, Packet, PacketBuf};
@@ -24,13 +24,13 @@ pub struct PacketBuf {
 }
 
 impl PacketBuf {
-    /// All bytes of the packet.
+    /// Returns all bytes of the packet.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 
-    /// The packet, to read it.
+    /// Borrows the packet, to read it.
     #[must_use]
     pub fn packet(&self) -> Packet<'_> {
         Packet::trusted(&self.bytes)

@@ -1,4 +1,4 @@
-//! Packets: building them, and reading them without copying.
+//! Builds packets, and reads them without copying.
 
 use core::fmt;
 use core::ops::RangeInclusive;
@@ -21,13 +21,13 @@ pub(crate) const HEADER: usize = 4;
 pub(crate) const OVERHEAD: usize = HEADER + 2;
 const FIELD_HEADER: usize = 2;
 
-/// Data of a fixed size up to this one is summed before it is written to memory.
+/// Data of a fixed size up to this number of bytes is summed before it is written to memory.
 const SMALL: usize = 32;
 
-/// True where speed matters more than size: not on microcontrollers.
+/// True if speed matters more than size: on 64-bit systems, but not on microcontrollers.
 pub(crate) const HOST: bool = cfg!(target_pointer_width = "64");
 
-/// The two checksum bytes of a packet: sums over header and payload.
+/// Computes the two checksum bytes of a packet: sums over header and payload.
 #[must_use]
 #[inline]
 pub fn checksum(bytes: &[u8]) -> [u8; 2] {
@@ -39,7 +39,7 @@ pub fn checksum(bytes: &[u8]) -> [u8; 2] {
     small(bytes)
 }
 
-/// The same, byte by byte: small.
+/// Computes a checksum byte by byte, with little code.
 #[inline(never)] // most packets are summed by `words`, where this code would only take space
 fn small(bytes: &[u8]) -> [u8; 2] {
     sums([0, 0], bytes)
@@ -55,10 +55,11 @@ fn sums([mut a, mut b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
     [a, b]
 }
 
-/// Continues a checksum, four bytes at a time: the size of most values, which are still in registers.
+/// Continues a checksum four bytes at a time: most values have that size, and are still in
+/// registers.
 #[inline]
 fn quads([a, b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
-    // Two lanes of 16 bits; the rest is as in words.
+    // Two lanes of 16 bits; otherwise as in `words`.
     const LANES: u32 = 0x00FF_00FF;
     let (mut even, mut odd, mut before) = (0_u32, 0_u32, 0_u32);
     let quads = bytes.chunks_exact(4);
@@ -79,8 +80,8 @@ fn quads([a, b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
     sums([a.wrapping_add(first as u8), b], rest)
 }
 
-/// The same, sixteen bytes at a time: fast. `None` if there are too few, or so many that lanes
-/// overflow.
+/// Computes a checksum sixteen bytes at a time, which is fast. Returns `None` if there are too few
+/// bytes, or so many that lanes overflow.
 #[inline]
 fn words(bytes: &[u8]) -> Option<[u8; 2]> {
     // Four lanes of 16 bits, of which only the low eight matter.
@@ -92,9 +93,9 @@ fn words(bytes: &[u8]) -> Option<[u8; 2]> {
         Some(u64::from_le_bytes(bytes.try_into().ok()?))
     };
     let halves = |word: u64| (word & LANES, word >> 8 & LANES);
-    // The first word is filled up with zeros in front, which change nothing.
+    // The first word is padded with zeros in front, which change nothing.
     let first = word(0)? << (size.wrapping_mul(8).wrapping_neg() % 64);
-    // Sums of bytes by their place in a word, and the sum of what they were before each word.
+    // Sums of bytes by their position in a word, and the sum of these sums before each word.
     let ((mut even, mut odd), mut before) = (halves(first), 0_u64);
     let mut at = (size.wrapping_sub(1) % 8).wrapping_add(1);
     while let Some(pair) = bytes.get(at..at.wrapping_add(16)) {
@@ -112,8 +113,8 @@ fn words(bytes: &[u8]) -> Option<[u8; 2]> {
         (even, odd) = (even.wrapping_add(even_1), odd.wrapping_add(odd_1));
     }
     let (even, odd) = (even & LANES, odd & LANES);
-    // The highest lane of a product is the sum of the lanes, each times its weight: those of even
-    // bytes are 8, 6, 4 and 2, those of odd ones less by one.
+    // The highest lane of a product is the sum of all lanes times their weights: 8, 6, 4 and 2 for
+    // even bytes, and one less for odd ones.
     let both = even.wrapping_add(odd);
     let a = both.wrapping_mul(SUM);
     let b = before
@@ -192,12 +193,12 @@ impl<'a> Packet<'a> {
         }
     }
 
-    /// Takes bytes that are known to be a packet.
+    /// Creates a packet from bytes that are known to be one.
     pub(crate) const fn trusted(bytes: &'a [u8]) -> Self {
         Self { bytes }
     }
 
-    /// All bytes of the packet.
+    /// Returns all bytes of the packet.
     #[must_use]
     pub const fn bytes(&self) -> &'a [u8] {
         self.bytes
@@ -209,7 +210,7 @@ impl<'a> Packet<'a> {
         self.bytes.get(2).copied().unwrap_or_default()
     }
 
-    /// The payload: the fields, one after another.
+    /// Returns the payload: the fields, one after another.
     #[must_use]
     pub fn payload(&self) -> &'a [u8] {
         self.bytes.get(HEADER..self.bytes.len().saturating_sub(2)).unwrap_or_default()
@@ -224,28 +225,28 @@ impl<'a> Packet<'a> {
         }
     }
 
-    /// The first field of this type, decoded; `None` if the packet has none.
+    /// Decodes the first field of this type; `None` if the packet contains none.
     ///
-    /// A type that occurs in several descriptor sets is found in packets of each of them;
-    /// [`Packet::set`] returns which one it is.
+    /// A type that occurs in several descriptor sets is found in packets of each; for the packet's
+    /// set, call [`Packet::set`].
     ///
-    /// A field of this type that runs past the payload is an error
-    /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), even if the part in the packet could be decoded.
+    /// A field of this type that extends past the payload is an error
+    /// ([`Truncated`](crate::DecodeErrorKind::Truncated)), even if the part in the packet could be
+    /// decoded.
     #[inline]
     #[must_use]
     pub fn find<T: Field>(&self) -> Option<Result<T, DecodeError>> {
         self.search::<T>().map(|found| found.and_then(|field| T::decode(field.data)))
     }
 
-    /// The first field of this type, to read its values in place; otherwise like
-    /// [`Packet::find`].
+    /// Like [`Packet::find`], but returns a view, to read values in place.
     #[inline]
     #[must_use]
     pub fn view<T: Field + Viewed>(&self) -> Option<Result<View<'a, T>, DecodeError>> {
         self.search::<T>().map(|found| found.and_then(|field| view::open(field.data)))
     }
 
-    /// The first field of this type, not yet decoded.
+    /// Returns the first field of this type, not yet decoded.
     #[inline]
     fn search<T: Field>(&self) -> Option<Result<RawField<'a>, DecodeError>> {
         let mut fields = self.fields();
@@ -310,12 +311,12 @@ impl<'a> Fields<'a> {
         self.payload = &[];
     }
 
-    /// The bytes of this and all further fields.
+    /// Returns the bytes of all remaining fields.
     pub(crate) const fn payload(&self) -> &'a [u8] {
         self.payload
     }
 
-    /// The next field, if there is one that is not malformed.
+    /// Returns the next field, if there is one and it is not malformed.
     #[inline]
     pub(crate) fn sound(&mut self) -> Option<RawField<'a>> {
         let [length @ 2..=255, descriptor, ..] = *self.payload else { return None };
@@ -325,8 +326,8 @@ impl<'a> Fields<'a> {
         Some(RawField { set: self.set, descriptor, data })
     }
 
-    /// After the last sound field: the error of the field that runs past the payload, if the part
-    /// that is present matches the searched one.
+    /// Returns the error for a last field that extends past the payload, if its present part
+    /// matches the searched one.
     #[cold]
     fn cut(
         &self,
@@ -347,7 +348,7 @@ impl<'a> Fields<'a> {
 impl<'a> Iterator for Fields<'a> {
     type Item = Result<RawField<'a>, FieldLengthError>;
 
-    // Without this, each field costs a call that returns it in memory: half of the speed of decoding.
+    // Without this, each field costs a call that returns it in memory, which halves decoding speed.
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {
         if let Some(field) = self.sound() {
@@ -361,19 +362,19 @@ impl<'a> Iterator for Fields<'a> {
 
 impl core::iter::FusedIterator for Fields<'_> {}
 
-/// Builds a packet from fields. It holds a valid packet at any time.
+/// Builds a packet from fields. It contains a valid packet at any time.
 ///
-/// A field that does not fit is an error, and leaves the packet unchanged. A builder also owns its
-/// packet: [`From`] copies a received packet into it, without checking it again.
+/// Adding a field that does not fit is an error, and leaves the packet unchanged. A builder owns
+/// its packet, so it can also keep a received one: [`From`] copies that without checking it again.
 #[derive(Clone)]
 pub struct PacketBuilder {
     bytes: [u8; MAX_PACKET],
 }
 
 impl PacketBuilder {
-    /// A packet of this descriptor set, without fields.
+    /// Begins a packet of this descriptor set, without fields.
     ///
-    /// No packet has set 0 or 0xFF, and [`Packet::new`] accepts none: a builder with such a set
+    /// No packet has set 0 or 0xFF, and [`Packet::new`] rejects them: a builder with such a set
     /// accepts no field, and its packet must not be sent.
     #[must_use]
     pub const fn new(set: u8) -> Self {
@@ -384,16 +385,16 @@ impl PacketBuilder {
         Self { bytes }
     }
 
-    /// The checksum of a packet without fields.
+    /// Computes the checksum of a packet without fields.
     #[inline]
     const fn sums_of_header(set: u8) -> [u8; 2] {
         let [first, second] = SYNC;
         let sum = first.wrapping_add(second).wrapping_add(set);
-        // Each byte counts as often as bytes of the header follow it, and once more.
+        // The second sum counts each byte once, and once more for each header byte after it.
         [sum, sum.wrapping_mul(2).wrapping_add(first.wrapping_mul(2)).wrapping_add(second)]
     }
 
-    /// Memory to start a packet in.
+    /// Zeroed memory in which a packet can be begun.
     pub(crate) const BLANK: Self = Self { bytes: [0; MAX_PACKET] };
 
     /// Begins the next packet, with another set.
@@ -404,14 +405,14 @@ impl PacketBuilder {
         self.seal(Self::sums_of_header(set));
     }
 
-    /// A packet with only this field, which occurs in one set.
+    /// Builds a packet with only this field, which must occur in one set only.
     ///
     /// For a field of several sets, begin the packet with [`PacketBuilder::new`], and
     /// [push](PacketBuilder::push) the field.
     ///
     /// # Errors
     ///
-    /// Returns those of [`PacketBuilder::push`].
+    /// Returns the errors of [`PacketBuilder::push`].
     pub fn with<T: OneSet>(field: &T) -> Result<Self, EncodeError> {
         let mut builder = Self::new(T::SET);
         builder.push(field)?;
@@ -437,8 +438,7 @@ impl PacketBuilder {
             return Err(EncodeError::set(T::NAME, set, self.set()));
         }
         if HOST && T::FIXED && T::SIZE <= SMALL {
-            // The data stays in registers: reading back what was just written to memory takes
-            // longer.
+            // The data stays in registers, because reading it back from memory takes longer.
             let mut data = [0; SMALL];
             field.encode(&mut data)?;
             let data = data.get(..T::SIZE).unwrap_or_default();
@@ -449,7 +449,7 @@ impl PacketBuilder {
         Ok(())
     }
 
-    /// Like `push`, but compiled once for all types; the set is that of the packet.
+    /// Like `push`, but compiled once for all types; the caller has compared the sets.
     pub(crate) fn push_by(
         &mut self,
         name: &'static str,
@@ -473,8 +473,8 @@ impl PacketBuilder {
         self.append("", self.set(), descriptor, data)
     }
 
-    /// Removes all fields, to build the next packet of the set: a loop with one builder clears the memory
-    /// of a packet only once.
+    /// Removes all fields, to build the next packet of the set. A loop with one builder clears a
+    /// packet's memory only once.
     #[inline]
     pub fn clear(&mut self) {
         let [_, _, set, payload, ..] = &mut self.bytes;
@@ -483,27 +483,27 @@ impl PacketBuilder {
         self.seal(sums);
     }
 
-    /// The bytes to send.
+    /// Returns the bytes to send.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
         self.bytes.get(..self.end().saturating_add(2)).unwrap_or_default()
     }
 
-    /// The packet as it is now.
+    /// Returns the packet as it is now.
     #[must_use]
     pub fn packet(&self) -> Packet<'_> {
         Packet { bytes: self.bytes() }
     }
 
-    /// The offset of the checksum.
+    /// Returns the offset of the checksum.
     #[inline]
     fn end(&self) -> usize {
         let [_, _, _, payload, ..] = self.bytes;
         HEADER.saturating_add(payload.into())
     }
 
-    /// The space for the data of a further field, whose header will replace the checksum. Until the
-    /// field is closed, the packet is unchanged.
+    /// Returns the space for the data of another field, whose header will replace the checksum.
+    /// Until the field is closed, the packet is unchanged.
     #[inline]
     fn free(&mut self, field: &'static str, set: u8) -> Result<&mut [u8], EncodeError> {
         if matches!(self.set(), 0 | 0xFF) {
@@ -539,7 +539,7 @@ impl PacketBuilder {
         Ok(())
     }
 
-    /// Adds a field whose data is already in place.
+    /// Adds a field whose data is already in the packet.
     #[inline]
     fn close(&mut self, descriptor: u8, length: usize) {
         let start = self.end();
@@ -548,10 +548,10 @@ impl PacketBuilder {
         self.seal(sums(before, field));
     }
 
-    /// Writes the header of a further field, and returns the checksum before it, and the header.
+    /// Writes the header of another field. Returns the checksum before it, and the header.
     ///
-    /// The checksum continues from the last one. Its second sum adds up the first one after each
-    /// byte, so the growth of the payload length counts once for each byte since then.
+    /// The checksum continues from the previous one. Because its second sum adds the first one
+    /// after each byte, the increase of the payload length counts once for each byte since then.
     #[inline]
     fn head(&mut self, descriptor: u8, length: usize) -> ([u8; 2], [u8; 2]) {
         let end = self.end().min(MAX_PACKET);

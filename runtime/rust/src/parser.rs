@@ -8,9 +8,9 @@ use crate::protocol::SYNC;
 
 /// Finds the packets in a stream that arrives in chunks of any size.
 ///
-/// Garbage, other protocols, false syncs and broken packets never hide a packet: after a bad
-/// candidate the search continues one byte after its sync. Nothing is allocated. A packet that lies
-/// inside a chunk is checked and returned there; only one that is cut by its end is copied.
+/// Noise, other protocols, false sync bytes and damaged packets never hide a packet: after a bad
+/// candidate, the search continues one byte after its first sync byte. Nothing is allocated. A
+/// packet within a chunk is checked and returned in place; only one that spans chunks is copied.
 ///
 /// ```
 /// use mip_protocol::Parser;
@@ -25,15 +25,15 @@ use crate::protocol::SYNC;
 /// If all bytes are in memory, [`packets`](crate::packets) is simpler.
 #[derive(Clone)]
 pub struct Parser {
-    /// A candidate that the end of a chunk has cut, or the packet that was returned last.
+    /// A candidate that continues in the next chunk, or the packet that was returned last.
     buffer: [u8; MAX_PACKET],
     length: u16,
     /// The size of the packet in the buffer that was returned last.
     done: u16,
     /// The number of further bytes needed to judge the candidate in the buffer; 0 after a packet.
     missing: u16,
-    /// The low word and the high one: with the alignment of 64 bits, clearing the memory of a parser
-    /// and of a client is not the same function on microcontrollers.
+    /// The low and the high word. With 64-bit alignment, a microcontroller would need different
+    /// functions to clear the memory of a parser and of a client.
     skipped: [u32; 2],
 }
 
@@ -41,7 +41,7 @@ pub struct Parser {
 pub(crate) enum Candidate {
     Whole(usize),
     Bad,
-    /// Undecided until this many bytes are available.
+    /// Cannot be judged until this many bytes are available.
     Open(usize),
 }
 
@@ -66,18 +66,18 @@ pub(crate) fn judge(bytes: &[u8]) -> Candidate {
     }
 }
 
-/// Do bytes end with the checksum of those before?
+/// Do the bytes end with the checksum of the bytes before?
 #[inline(never)] // inlined, it would be repeated wherever packets are searched
 fn has_checksum(bytes: &[u8]) -> bool {
     matches!(*bytes, [ref head @ .., a, b] if [a, b] == checksum(head))
 }
 
-/// The first byte, and those up to the next that may begin a packet.
+/// Returns the number of bytes up to the next one, after the first, that may begin a packet.
 pub(crate) fn noise(bytes: &[u8]) -> usize {
     bytes.iter().skip(1).take_while(|b| **b != SYNC[0]).count().wrapping_add(1)
 }
 
-/// The bytes after the first ones.
+/// Returns the bytes after the first `count`.
 pub(crate) fn behind(bytes: &[u8], count: usize) -> &[u8] {
     bytes.get(count..).unwrap_or_default()
 }
@@ -95,34 +95,35 @@ impl Default for Parser {
 }
 
 impl Parser {
-    /// A new parser.
+    /// Creates a parser.
     #[must_use]
     pub const fn new() -> Self {
         Self { buffer: [0; MAX_PACKET], length: 0, done: 0, missing: 0, skipped: [0; 2] }
     }
 
-    /// The number of bytes so far that are not part of a packet, without those that are held back.
+    /// Returns the number of bytes so far that are not part of a packet, without pending ones.
     #[must_use]
     pub const fn skipped(&self) -> u64 {
         let [low, high] = self.skipped;
         (high as u64) << 32 | low as u64
     }
 
-    /// The number of bytes that are held back until more arrive.
+    /// Returns the number of bytes that are held back until more arrive.
     #[must_use]
     pub const fn pending(&self) -> usize {
         self.length.saturating_sub(self.done) as usize
     }
 
-    /// Takes a chunk, for a function that is called with each packet: see [`Feed`].
+    /// Accepts a chunk. Call a method of the returned [`Feed`] with a function that handles
+    /// packets.
     #[inline]
     pub fn feed<'p, 'i>(&'p mut self, chunk: &'i [u8]) -> Feed<'p, 'i> {
         Feed { parser: self, chunk }
     }
 
-    /// The next packet of a chunk, or `None` at its end.
+    /// Returns the next packet of a chunk, or `None` at its end.
     ///
-    /// It removes from the front of the chunk what it has searched, so that a loop needs a variable:
+    /// Removes the searched bytes from the front of the chunk, so a loop needs a variable for it:
     ///
     /// ```
     /// # use mip_protocol::Parser;
@@ -134,12 +135,12 @@ impl Parser {
     /// }
     /// ```
     ///
-    /// Call it until it returns `None`. If you stop earlier, the variable has the part that was not
-    /// reached, to be passed later.
+    /// Call it until it returns `None`. If you stop earlier, the variable contains the bytes that
+    /// were not searched, to be passed later.
     ///
-    /// A packet may be in the parser's buffer, which is needed for the next one: it cannot be kept
-    /// while the next is requested. To keep it, copy it, for example into a
-    /// [`PacketBuilder`](crate::PacketBuilder) or a `PacketBuf`.
+    /// A packet cannot be kept while the next one is requested, because it may be in the parser's
+    /// buffer. To keep it, copy it, for example into a [`PacketBuilder`](crate::PacketBuilder) or a
+    /// `PacketBuf`.
     ///
     /// ```compile_fail
     /// # use mip_protocol::Parser;
@@ -192,8 +193,8 @@ impl Parser {
         }
     }
 
-    /// Discards the pending candidate only if a whole packet follows its first bytes, and returns
-    /// that packet: the candidate was noise. Otherwise nothing changes.
+    /// Discards the pending candidate if a whole packet begins within it, because it was noise, and
+    /// returns that packet. Otherwise nothing changes.
     pub fn look_behind(&mut self) -> Option<Packet<'_>> {
         (self.holds() || self.holds_behind()).then(|| self.packet())
     }
@@ -203,7 +204,7 @@ impl Parser {
         self.step(&[]).0 > 0
     }
 
-    /// Is there one behind the first bytes of the candidate, which is then noise?
+    /// Is there a packet within the candidate, which is then noise?
     pub(crate) fn holds_behind(&mut self) -> bool {
         let mut rest = self.held();
         while let [_, behind @ ..] = rest {
@@ -221,7 +222,7 @@ impl Parser {
 
     /// Discards the pending candidate, for example at the end of a file.
     ///
-    /// Packets inside it are not lost: call it until it returns `None`.
+    /// Packets within it are not lost: call this until it returns `None`.
     pub fn flush(&mut self) -> Option<Packet<'_>> {
         while !self.holds() {
             if self.length == 0 {
@@ -235,8 +236,8 @@ impl Parser {
         Some(self.packet())
     }
 
-    /// Searches for a packet. Returns its size, or 0, and how many bytes of the input are left. It
-    /// is in the buffer if `done` is set, else it is the last of the bytes that were searched.
+    /// Searches for a packet. Returns its size, or 0, and how many bytes of the input are left. The
+    /// packet is in the buffer if `done` is set; otherwise it ends where the searched bytes end.
     pub(crate) fn step(&mut self, given: &[u8]) -> (usize, usize) {
         let mut input = given;
         if self.done > 0 {
@@ -303,12 +304,12 @@ impl Parser {
         true
     }
 
-    /// Whether the packet that was found last is in the buffer.
+    /// Is the packet that was found last in the buffer?
     pub(crate) const fn is_done(&self) -> bool {
         self.done > 0
     }
 
-    /// The packet in the buffer that was found last.
+    /// Returns the packet in the buffer that was found last.
     pub(crate) fn packet(&self) -> Packet<'_> {
         Packet::trusted(self.buffer.get(..self.done.into()).unwrap_or_default())
     }
@@ -331,7 +332,7 @@ impl Parser {
         self.length = short(rest.len());
     }
 
-    /// Takes the first bytes of a candidate of this size, if nothing is held back.
+    /// Stores the first bytes of a candidate of this size, if nothing is held back.
     #[cold] // rare, compared with whole packets
     fn hold(&mut self, bytes: &[u8], size: usize) {
         if bytes.is_empty() {
@@ -344,8 +345,8 @@ impl Parser {
         }
     }
 
-    /// Takes the missing bytes. If they make the candidate a packet, nothing is held back any more:
-    /// returns the size of the packet, which is at the front of the buffer. Else returns 0, and they
+    /// Adds the missing bytes. If they complete a packet, returns its size; the packet is at the
+    /// front of the buffer, and nothing is held back any more. Otherwise returns 0, and the bytes
     /// are still missing.
     #[inline]
     fn complete(&mut self, bytes: &[u8]) -> usize {
@@ -362,7 +363,7 @@ impl Parser {
         0
     }
 
-    /// Takes some of the missing bytes.
+    /// Adds some of the missing bytes.
     #[inline]
     fn extend(&mut self, bytes: &[u8]) {
         let start = usize::from(self.length);
@@ -375,7 +376,7 @@ impl Parser {
         }
     }
 
-    /// Takes the missing bytes, as far as they are there. Returns those behind.
+    /// Adds the missing bytes, as far as present. Returns the bytes after them.
     fn fill<'i>(&mut self, input: &'i [u8]) -> &'i [u8] {
         let start = usize::from(self.length);
         let count = usize::from(self.missing).min(input.len());
@@ -387,7 +388,7 @@ impl Parser {
     }
 }
 
-/// Copies to the first places.
+/// Copies bytes to the front.
 #[inline]
 pub(crate) fn copy(places: &mut [u8], bytes: &[u8]) {
     // On microcontrollers, `memcpy` may be larger than the parser.
@@ -402,14 +403,14 @@ pub(crate) fn copy(places: &mut [u8], bytes: &[u8]) {
     }
 }
 
-/// Numbers of bytes in the buffer are small.
+/// Converts a number of bytes in the buffer, which always fits.
 const fn short(count: usize) -> u16 {
     count as u16
 }
 
 /// A chunk and the parser that searches it; from [`Parser::feed`].
 ///
-/// It has no method that returns one packet: that would feed the chunk again for each packet.
+/// It has no method that returns one packet, because a loop would feed the chunk again each time.
 ///
 /// ```compile_fail
 /// # let mut parser = mip_protocol::Parser::new();
@@ -417,7 +418,7 @@ const fn short(count: usize) -> u16 {
 /// while let Some(packet) = parser.feed(chunk).next() {}
 /// ```
 #[derive(Debug)]
-#[must_use = "it searches the chunk only if it is told what to do with the packets"]
+#[must_use = "the chunk is searched only by `for_each` or `try_for_each`"]
 pub struct Feed<'p, 'i> {
     parser: &'p mut Parser,
     chunk: &'i [u8],
@@ -434,8 +435,7 @@ impl Feed<'_, '_> {
 
     /// Calls a function with each packet of the chunk, until the first error.
     ///
-    /// After an error, what follows in the chunk is not searched. [`Parser::next`] leaves it to the
-    /// caller.
+    /// After an error, the rest of the chunk is not searched. If you need it, use [`Parser::next`].
     ///
     /// # Errors
     ///

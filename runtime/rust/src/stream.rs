@@ -35,43 +35,43 @@ impl<R: fmt::Debug> fmt::Debug for PacketReader<R> {
 }
 
 impl<R> PacketReader<R> {
-    /// Reads from a source, which need not be buffered.
+    /// Creates a reader of a source, which need not be buffered.
     pub const fn new(source: R) -> Self {
         Self { source, parser: Parser::new(), chunk: [0; 4096], start: 0, end: 0 }
     }
 
-    /// The parser, which counts the skipped bytes and those of a packet that is not complete.
+    /// Borrows the parser, which counts the skipped bytes and those of an incomplete packet.
     pub const fn parser(&self) -> &Parser {
         &self.parser
     }
 
-    /// The source.
+    /// Borrows the source.
     pub const fn get_ref(&self) -> &R {
         &self.source
     }
 
-    /// The source, for example to send commands to a port.
+    /// Borrows the source, for example to send commands to a port.
     pub fn get_mut(&mut self) -> &mut R {
         &mut self.source
     }
 
-    /// The source; bytes read but not returned are lost.
+    /// Returns the source. Bytes that were read but not yet returned are lost.
     pub fn into_inner(self) -> R {
         self.source
     }
 }
 
 impl<R: Read> PacketReader<R> {
-    /// The next packet, or `None` if the source has no more bytes: at the end of a file, or after
-    /// the time-out of some ports.
+    /// Returns the next packet, or `None` if the source has no more bytes: at the end of a file, or
+    /// after the time-out of some ports.
     ///
-    /// An incomplete packet is kept in either case, and also after an error; call it again when
-    /// there may be more. Only if its data already contains a whole packet, and the source has no
-    /// more bytes, is it taken for noise: then the inner packet is returned.
+    /// An incomplete packet is kept then, and also after an error; call this again when there may
+    /// be more. If its data already contains a whole packet when the source has no more bytes, it
+    /// was noise: the inner packet is returned.
     ///
     /// # Errors
     ///
-    /// The errors of the source, except [`Interrupted`](io::ErrorKind::Interrupted).
+    /// Returns the errors of the source, except [`Interrupted`](io::ErrorKind::Interrupted).
     pub fn next_packet(&mut self) -> io::Result<Option<Packet<'_>>> {
         loop {
             let rest = self.chunk.get(self.start..self.end).unwrap_or_default();

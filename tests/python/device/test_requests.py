@@ -586,7 +586,7 @@ def test_a_device_that_is_closed_while_its_port_is_opened(kind: Kind) -> None:
             return port
 
         own._again = opened_later if kind.waits else opened
-        with pytest.raises(mip.PortClosed, match="while it was opened again"):
+        with pytest.raises(mip.PortClosed, match="while it was being opened again"):
             device.reopen(20)
         assert device.closed and list(device) == []
         with pytest.raises(mip.PortClosed):

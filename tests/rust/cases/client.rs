@@ -322,9 +322,9 @@ fn answers_as_results() {
     let refused = answer(&Reply::new().ack(5, AckCode::INVALID_PARAMETER));
     let error = refused.into_result().unwrap_err();
     assert_eq!(error, CommandError::Refused(AckCode::INVALID_PARAMETER));
-    assert_eq!(error.to_string(), "the device refused the command: invalid parameter (3)");
+    assert_eq!(error.to_string(), "the device rejected the command: invalid parameter (3)");
     let unknown = CommandError::Refused(AckCode(0x77)).to_string();
-    assert_eq!(unknown, "the device refused the command: code 119");
+    assert_eq!(unknown, "the device rejected the command: code 119");
     let bare = answer(&Reply::new().ack(5, AckCode::OK));
     assert_eq!(bare.into_result(), Err(CommandError::MissingResponse));
     let mut short = Reply::new().ack(5, AckCode::OK);

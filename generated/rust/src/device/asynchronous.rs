@@ -12,19 +12,19 @@ use crate::client::{Event, Request, Ticket};
 use crate::packet::Packet;
 use crate::parser::{behind, Parser};
 
-/// A device at a port with the traits of `embedded-io-async`; the asynchronous form of
-/// [`Device`](super::Device). It needs no particular executor.
+/// A device at a port with the traits of `embedded-io-async`: the asynchronous form of
+/// [`Device`](super::Device), for any executor.
 ///
-/// `sleep` is a function that returns a future, which waits for a number of milliseconds:
+/// `sleep` is a function that returns a future that waits for a number of milliseconds:
 /// `|ms| Timer::after_millis(ms.into())` of `embassy-time`, or
 /// `|ms| tokio::time::sleep(Duration::from_millis(ms.into()))`.
 ///
-/// Dropping a future cancels the command in the client, but not in the device; its answer is treated
-/// as data, because the next command is sent behind a barrier. Whether bytes are lost depends on the
-/// port.
+/// Dropping a future cancels the command in the client, but not in the device. The reply is then
+/// treated as data, because a barrier precedes the next command. Whether bytes are lost depends on
+/// the port.
 ///
-/// Errors of the kind [`Interrupted`](ErrorKind::Interrupted) do not end a command, nor does reading
-/// end it with [`TimedOut`](ErrorKind::TimedOut). A port whose `write` returns 0 is
+/// A command continues after an [`Interrupted`](ErrorKind::Interrupted) error, and after a
+/// [`TimedOut`](ErrorKind::TimedOut) error of a read. A port whose `write` returns 0 is
 /// [`Closed`](DeviceError::Closed).
 #[derive(Clone, Debug)]
 pub struct AsyncDevice<P, S, const N: usize = 8, const Q: usize = 4096> {
@@ -34,7 +34,7 @@ pub struct AsyncDevice<P, S, const N: usize = 8, const Q: usize = 4096> {
 }
 
 impl<P, S> AsyncDevice<P, S> {
-    /// A device with the default memory and time-out; nothing is sent or read.
+    /// Creates a device with the default memory and time-out; nothing is sent or read.
     #[must_use]
     pub const fn new(port: P, sleep: S) -> Self {
         Self::with_client(port, sleep, Client::new())
@@ -42,29 +42,29 @@ impl<P, S> AsyncDevice<P, S> {
 }
 
 impl<P, S, const N: usize, const Q: usize> AsyncDevice<P, S, N, Q> {
-    /// A device with a client of another time-out or size:
+    /// Creates a device whose client has another time-out or size:
     /// `let device: AsyncDevice<_, _, 1, 600> = …`.
     #[must_use]
     pub const fn with_client(port: P, sleep: S, client: Client<N>) -> Self {
         Self { port, sleep, core: Core::new(client) }
     }
 
-    /// The port.
+    /// Borrows the port.
     pub const fn port(&self) -> &P {
         &self.port
     }
 
-    /// The port, for example to set its baud rate.
+    /// Borrows the port, for example to set its baud rate.
     pub fn port_mut(&mut self) -> &mut P {
         &mut self.port
     }
 
-    /// The port; bytes read but not returned are lost.
+    /// Returns the port. Bytes that were read but not yet returned are lost.
     pub fn into_port(self) -> P {
         self.port
     }
 
-    /// The parser, which counts the bytes that are not part of a packet.
+    /// Borrows the parser, which counts the bytes that are not part of a packet.
     pub const fn parser(&self) -> &Parser {
         &self.core.parser
     }
@@ -83,13 +83,13 @@ where
 {
     /// Sends a command, waits until the device has carried it out, and returns its response.
     ///
-    /// The type of the command states what that is: `()` for a command without response, and an
-    /// `Option` if its function is known only at run time. If devices do not answer the command, it
-    /// does not wait.
+    /// The command's type determines the type of the response: `()` for a command without one, and
+    /// an `Option` if its function is known only at run time. If devices do not answer the command,
+    /// it does not wait.
     ///
     /// # Errors
     ///
-    /// The command is not sent, refused, not answered, or the port fails.
+    /// The command cannot be sent, is rejected or not answered, or the port fails.
     pub async fn request<C: Command>(
         &mut self,
         command: &C,
@@ -98,14 +98,14 @@ where
         self.core.result(&ticket)
     }
 
-    /// Sends several commands of one descriptor set in one packet, and waits for all answers.
+    /// Sends several commands of one descriptor set in one packet, and waits for all replies.
     ///
-    /// The closure adds them, and returns any value, usually their tickets. [`AsyncDevice::answer`]
-    /// returns the outcome of each. If it adds none, nothing is sent.
+    /// The closure adds the commands, and returns any value, usually their tickets. If it adds
+    /// none, nothing is sent. [`AsyncDevice::answer`] returns the outcome of each.
     ///
     /// # Errors
     ///
-    /// Returns the error of the closure, or that of the port.
+    /// Returns the error of the closure or of the port.
     pub async fn send_all<T>(
         &mut self,
         set: u8,
@@ -117,7 +117,7 @@ where
         }
         let mut request = self.core.client.request(set);
         let tickets = add(&mut request)?;
-        let packet = request.send(0); // time counts from here
+        let packet = request.send(0); // times are relative to this moment
         if !packet.payload().is_empty() {
             write(&mut self.port, packet.bytes()).await?;
         }
@@ -136,21 +136,21 @@ where
         Ok(tickets)
     }
 
-    /// The answer to one command of [`AsyncDevice::send_all`]; it is available until the next
-    /// command. That of an earlier one is [`Answer::TimedOut`].
+    /// Returns the answer to a command of [`AsyncDevice::send_all`], until the next command is
+    /// sent. For an earlier command, it returns [`Answer::TimedOut`].
     pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Answer<C::Response> {
         self.core.answer(ticket)
     }
 
-    /// Like [`AsyncDevice::answer`], with the response not decoded, for tickets of any type, also
-    /// those of [`Request::add_any`]. `None` for an earlier command, and if the device does not
-    /// answer the command.
+    /// Like [`AsyncDevice::answer`], but without decoding the response, and for tickets of any
+    /// type, including those of [`Request::add_any`]. Returns `None` for an earlier command, and if
+    /// the device does not answer the command.
     pub fn event<C>(&self, ticket: &Ticket<C>) -> Option<&Event> {
         self.core.client.known_event(ticket)
     }
 
-    /// The next packet with data or other fields that do not answer a command; `None` if none
-    /// arrives within this number of milliseconds.
+    /// Returns the next packet with data or other fields that do not answer a command, or `None` if
+    /// none arrives within this number of milliseconds.
     ///
     /// Continuation packets are returned one by one, as the device sends them.
     ///
@@ -175,7 +175,7 @@ where
     }
 }
 
-/// Writes all bytes. Not `write_all`, which panics if the port accepts none.
+/// Writes all bytes, unlike `write_all` without a panic if the port accepts none.
 async fn write<P: Write>(port: &mut P, mut bytes: &[u8]) -> Result<(), DeviceError<P::Error>> {
     while !bytes.is_empty() {
         match port.write(bytes).await {
@@ -193,7 +193,7 @@ async fn write<P: Write>(port: &mut P, mut bytes: &[u8]) -> Result<(), DeviceErr
     }
 }
 
-/// Lets other futures run once: otherwise a timer may never end.
+/// Yields to other futures once; otherwise a timer may never fire.
 async fn pause() {
     let mut again = true;
     poll_fn(|context| {
@@ -206,7 +206,7 @@ async fn pause() {
     .await;
 }
 
-/// Reads once; false if the time ran out and no more is to be read.
+/// Reads once. Returns false if the time is over and there is no more to read.
 async fn read<P: Read, const N: usize, const Q: usize>(
     port: &mut P,
     core: &mut Core<N, Q>,
@@ -218,8 +218,8 @@ async fn read<P: Read, const N: usize, const Q: usize>(
     let (count, late) = {
         let mut read = pin!(port.read(part));
         poll_fn(|context| {
-            // The time comes first, in case the program is stopped in between. It is not polled
-            // again after it is over.
+            // The timer is polled first, in case the program is suspended in between, and not again
+            // after it has fired.
             let late = *backlog < BACKLOG || sleep.as_mut().poll(context).is_ready();
             let count = read.as_mut().poll(context);
             match count {
@@ -231,7 +231,7 @@ async fn read<P: Read, const N: usize, const Q: usize>(
         .await
     };
     let nothing = matches!(&count, Some(Err(error)) if is_nothing(error));
-    // After an interruption there may be more.
+    // After an interrupted read, there may be more.
     let empty = matches!(&count, Some(Err(error)) if error.kind() == ErrorKind::TimedOut);
     let over = is_over(late, count.is_some() && !empty, backlog);
     match count {
@@ -250,7 +250,7 @@ async fn read<P: Read, const N: usize, const Q: usize>(
     }
 }
 
-/// Does this error of reading only mean that there is no data yet?
+/// Does this read error only mean that there is no data yet?
 fn is_nothing(error: &impl Error) -> bool {
     matches!(error.kind(), ErrorKind::Interrupted | ErrorKind::TimedOut)
 }

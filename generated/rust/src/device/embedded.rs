@@ -1,4 +1,4 @@
-//! Ports of `embedded-io`.
+//! Ports with the traits of `embedded-io`.
 
 use core::fmt;
 
@@ -9,9 +9,9 @@ use crate::parser::behind;
 
 /// A port over a driver with the traits of `embedded-io`, and a clock.
 ///
-/// [`ReadReady`] is needed because [`Read`] waits until bytes arrive, possibly forever. Errors of the
-/// kind [`Interrupted`](ErrorKind::Interrupted), and of reading also
-/// [`TimedOut`](ErrorKind::TimedOut), only mean that there is no data yet; it is tried again.
+/// [`ReadReady`] is required because [`Read`] waits until bytes arrive, possibly forever. A read
+/// that fails with [`Interrupted`](ErrorKind::Interrupted) or [`TimedOut`](ErrorKind::TimedOut)
+/// counts as no data yet, and an interrupted write is repeated.
 #[derive(Clone, Debug)]
 pub struct EmbeddedPort<T, F> {
     io: T,
@@ -19,18 +19,18 @@ pub struct EmbeddedPort<T, F> {
 }
 
 impl<T, F> EmbeddedPort<T, F> {
-    /// A port, and a function that counts milliseconds, and may wrap around.
+    /// Creates a port from a driver and a function that counts milliseconds, which may wrap around.
     #[must_use]
     pub const fn new(io: T, now_ms: F) -> Self {
         Self { io, now_ms }
     }
 
-    /// The driver.
+    /// Borrows the driver.
     pub const fn get_ref(&self) -> &T {
         &self.io
     }
 
-    /// The driver, for example to set its baud rate.
+    /// Borrows the driver, for example to set its baud rate.
     pub fn get_mut(&mut self) -> &mut T {
         &mut self.io
     }
@@ -74,7 +74,7 @@ impl<T: Read + ReadReady + Write, F: FnMut() -> u32> Port for EmbeddedPort<T, F>
         })
     }
 
-    // Not `write_all`, which panics if the driver accepts no bytes.
+    // `write_all` would panic if the driver accepts no bytes.
     fn write(&mut self, mut bytes: &[u8]) -> Result<(), Self::Error> {
         while !bytes.is_empty() {
             match self.io.write(bytes) {

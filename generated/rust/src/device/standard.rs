@@ -1,20 +1,21 @@
-//! Ports of the standard library.
+//! Ports that use the traits of the standard library.
 
 use std::io::{self, ErrorKind, Read, Write};
 use std::time::{Duration, Instant};
 
 use super::Port;
 
-/// A port over anything that reads and writes, with the clock of the system.
+/// A port over anything that reads and writes, with the system's clock.
 ///
-/// A read without data may wait or not, and may return 0 or an error: of the kinds
+/// A read without data may wait or return at once. It may return 0 or an error of the kind
 /// [`TimedOut`](ErrorKind::TimedOut), [`WouldBlock`](ErrorKind::WouldBlock) or
-/// [`Interrupted`](ErrorKind::Interrupted). It must return at some point, because only then can a
-/// command time out: set a time-out of the port, for example 10 ms. Writes must wait.
+/// [`Interrupted`](ErrorKind::Interrupted). Commands can time out only when it returns, so set a
+/// time-out of the port, for example 10 ms. Writes must block.
 ///
-/// Because 0 may mean that nothing has arrived yet, it is not an error: with a TCP connection that the
-/// other side has closed, commands time out, and [`next_packet`](super::Device::next_packet) returns
-/// `None`, until a write fails. Where it matters, write a [`Port`] that returns an error for 0.
+/// A read of 0 bytes is not an error, because it may mean that nothing has arrived yet. If the
+/// other end closes a TCP connection, commands therefore time out and
+/// [`next_packet`](super::Device::next_packet) returns `None`, until a write fails. To detect this,
+/// implement a [`Port`] that returns an error for 0.
 #[derive(Clone, Debug)]
 pub struct StdPort<T> {
     io: T,
@@ -22,23 +23,23 @@ pub struct StdPort<T> {
 }
 
 impl<T> StdPort<T> {
-    /// A port, for example of the crate `serialport`.
+    /// Creates a port, for example from one of the crate `serialport`.
     #[must_use]
     pub fn new(io: T) -> Self {
         Self { io, start: Instant::now() }
     }
 
-    /// The object that reads and writes.
+    /// Borrows the object that reads and writes.
     pub const fn get_ref(&self) -> &T {
         &self.io
     }
 
-    /// The object that reads and writes, for example to set its baud rate.
+    /// Borrows the object that reads and writes, for example to set its baud rate.
     pub fn get_mut(&mut self) -> &mut T {
         &mut self.io
     }
 
-    /// The object that reads and writes.
+    /// Returns the object that reads and writes.
     pub fn into_inner(self) -> T {
         self.io
     }
@@ -62,7 +63,7 @@ impl<T: Read + Write> Port for StdPort<T> {
                 _ => return Err(error),
             },
         }
-        // It may not have waited at all.
+        // The read may have returned without waiting.
         std::thread::sleep(Duration::from_millis(1));
         Ok(0)
     }

@@ -42,7 +42,7 @@ macro_rules! bitfield {
                     $crate::bits::Number::from_bits($crate::bits::Storage::get(self.0, $first, last))
                 }
 
-                /// Sets or clears it; excess bits of a number are dropped.
+                /// Sets or clears the flag, or sets the number without its excess bits.
                 #[doc = concat!("See [`", stringify!($name), "::", stringify!($get), "`].")]
                 #[inline]
                 pub fn $set(&mut self, value: $value) {
@@ -51,7 +51,7 @@ macro_rules! bitfield {
                     $crate::bits::Storage::set(&mut self.0, $first, last, bits);
                 }
 
-                /// A copy with it set or cleared.
+                /// Returns a copy with another value of the flag or number.
                 #[doc = concat!("See [`", stringify!($name), "::", stringify!($get), "`].")]
                 #[inline]
                 #[must_use]
@@ -95,32 +95,32 @@ macro_rules! bitfield {
     };
 }
 
-/// The methods of every bitfield as a set of bits; unknown bits are treated like others.
+/// The methods of every bitfield as a set of bits; unnamed bits are treated like others.
 macro_rules! bit_sets {
     ($name:ident: $storage:tt) => {
         impl $name {
-            /// No bit is set.
+            /// Returns a bitfield without any bit set.
             #[inline]
             #[must_use]
             pub const fn empty() -> Self {
                 Self::NO_BITS
             }
 
-            /// All bits that have a name.
+            /// Returns a bitfield with all named bits set.
             #[inline]
             #[must_use]
             pub const fn all() -> Self {
                 Self::ALL_BITS
             }
 
-            /// The bits as they are on the wire.
+            /// Returns the bits as they are on the wire.
             #[inline]
             #[must_use]
             pub const fn bits(&self) -> $storage {
                 self.0
             }
 
-            /// These bits; `None` if any of them has no name.
+            /// Converts bits; returns `None` if any of them has no name.
             #[inline]
             #[must_use]
             pub const fn from_bits(bits: $storage) -> ::core::option::Option<Self> {
@@ -131,21 +131,21 @@ macro_rules! bit_sets {
                 }
             }
 
-            /// The given bits that have a name.
+            /// Converts bits, dropping those without a name.
             #[inline]
             #[must_use]
             pub const fn from_bits_truncate(bits: $storage) -> Self {
                 Self(bits).intersection(Self::ALL_BITS)
             }
 
-            /// These bits, including those without a name.
+            /// Converts bits, keeping those without a name.
             #[inline]
             #[must_use]
             pub const fn from_bits_retain(bits: $storage) -> Self {
                 Self(bits)
             }
 
-            /// The bit, or the bits of the number, with this name in the specification.
+            /// Returns the bits of the flag or number with this name in the specification.
             #[inline]
             #[must_use]
             pub fn from_name(name: &str) -> ::core::option::Option<Self> {
@@ -164,7 +164,7 @@ macro_rules! bit_sets {
                 $crate::bits::is_none!($storage, self.0)
             }
 
-            /// Are all bits set that have a name?
+            /// Are all named bits set?
             #[inline]
             #[must_use]
             pub const fn is_all(&self) -> bool {
@@ -209,52 +209,52 @@ macro_rules! bit_sets {
                 *self = if value { self.union(bits) } else { self.difference(bits) };
             }
 
-            /// The bits that are set in either.
+            /// Returns the bits that are set in either.
             #[inline]
             #[must_use]
             pub const fn union(self, other: Self) -> Self {
                 Self($crate::bits::merge!($storage, or, self.0, other.0))
             }
 
-            /// The bits that are set in both.
+            /// Returns the bits that are set in both.
             #[inline]
             #[must_use]
             pub const fn intersection(self, other: Self) -> Self {
                 Self($crate::bits::merge!($storage, and, self.0, other.0))
             }
 
-            /// The bits that are set in this one, but not in the other.
+            /// Returns the bits that are set here and not in `other`.
             #[inline]
             #[must_use]
             pub const fn difference(self, other: Self) -> Self {
                 Self($crate::bits::merge!($storage, and_not, self.0, other.0))
             }
 
-            /// The bits that are set in exactly one.
+            /// Returns the bits that are set in exactly one of the two.
             #[inline]
             #[must_use]
             pub const fn symmetric_difference(self, other: Self) -> Self {
                 Self($crate::bits::merge!($storage, xor, self.0, other.0))
             }
 
-            /// The named bits that are not set.
+            /// Returns the named bits that are not set.
             #[inline]
             #[must_use]
             pub const fn complement(self) -> Self {
                 Self::ALL_BITS.difference(self)
             }
 
-            /// The bits that are set, one name after another; those without a name come last.
+            /// Iterates over the bits that are set, one item per name; unnamed bits come last.
             #[inline]
             #[must_use]
             pub fn iter(&self) -> $crate::bits::Iter<Self> {
                 $crate::bits::Iter::new(*self, Self::BITS)
             }
 
-            /// The bits that are set, with their names.
+            /// Iterates over the bits that are set, with their names.
             ///
-            /// A number that is not 0 is returned with its bits. Bits returned with one name are
-            /// not returned with another.
+            /// A number of several bits is included if it is not 0. Bits that belong to several
+            /// names are returned only once.
             #[inline]
             #[must_use]
             pub fn iter_names(&self) -> $crate::bits::IterNames<Self> {

@@ -1,7 +1,8 @@
-//! Fields: their sets and descriptors, and how commands are answered.
+//! Fields: their sets and descriptors, and the responses to commands.
 
-/// The descriptor sets in which a field occurs: one, several, or a range; the constants and the sizes
-/// that distinguish it from others with its descriptor; and the commands that a response answers.
+/// Implements the traits of a field, from the descriptor sets in which it occurs (one, several, or
+/// a range), the constants and sizes that distinguish it from others with its descriptor, and the
+/// commands that a response answers.
 macro_rules! field {
     (
         $name:ident: $descriptor:literal, $text:literal;
@@ -54,8 +55,8 @@ macro_rules! one_set {
     ($name:ident $($several:tt)+) => {};
 }
 
-/// The answers to a command: its response, the responses for its functions, the layouts of a
-/// response, and when there is no answer.
+/// Implements `Command`, from the command's response, the responses for its functions, the layouts
+/// of a response, and the condition under which the device does not answer.
 macro_rules! command {
     (
         $name:ident -> $response:ty;
@@ -117,7 +118,7 @@ macro_rules! takes {
     )+};
 }
 
-/// The check for a response that may have several layouts.
+/// A check for a response that may have several layouts.
 macro_rules! check {
     ($reply:ident) => {
         $crate::field::check::<$reply>

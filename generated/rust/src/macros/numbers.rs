@@ -1,4 +1,4 @@
-//! Enumerations, vectors, and the common parts of all newtypes.
+//! Enumerations, vectors, and the implementations that all newtypes share.
 
 /// An enumeration that preserves unnamed values.
 macro_rules! open_enum {
@@ -16,10 +16,10 @@ macro_rules! open_enum {
         impl $name {
             $($(#[$value_meta])* pub const $value: Self = Self($literal);)*
 
-            /// All values that have a name.
+            /// All named values.
             pub const VALUES: &'static [Self] = &[$(Self::$value),*];
 
-            /// The name of the value in the specification, if it has one.
+            /// Returns the value's name in the specification, if it has one.
             #[inline]
             #[must_use]
             pub const fn name(self) -> ::core::option::Option<&'static str> {
@@ -90,7 +90,7 @@ macro_rules! open_enum {
     };
 }
 
-/// The form of a newtype in the formats of `serde`.
+/// Implements the traits of `serde` for a newtype.
 #[cfg(feature = "serde")]
 macro_rules! readable {
     ($name:ident $write:ident $read:ident) => {
@@ -129,7 +129,7 @@ macro_rules! vector {
         }
 
         impl $name {
-            /// The elements in wire order.
+            /// Returns the elements in wire order.
             #[inline]
             #[must_use]
             pub const fn to_array(self) -> [$number; $count] {
@@ -175,7 +175,7 @@ macro_rules! vector {
             }
         }
 
-        /// Written as an array, as in the trees of values.
+        /// Serializes as an array, as in a tree of values.
         #[cfg(feature = "serde")]
         impl serde::Serialize for $name {
             fn serialize<S: serde::Serializer>(
@@ -213,7 +213,7 @@ macro_rules! vector {
     };
 }
 
-/// The common parts of all newtypes of a number or bytes.
+/// The implementations that all newtypes of a number or bytes share.
 macro_rules! newtype {
     ($name:ident: $inner:ty) => {
         impl ::core::convert::From<$inner> for $name {

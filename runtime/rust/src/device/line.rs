@@ -10,22 +10,22 @@ use serialport::SerialPort;
 
 use super::{Device, DeviceError, Port};
 
-/// While nothing arrives, a read returns after this time, so that commands can time out.
+/// A read without data returns after this time, so that commands can time out.
 const READ: Duration = Duration::from_millis(10);
-/// The time-out for connecting, and for writing.
+/// The time-out for connecting and for writing.
 const WRITE: Duration = Duration::from_secs(5);
-/// The baud rate of a port whose place names none.
+/// The baud rate of a port whose address contains none.
 const USUAL: u32 = 115_200;
-/// The pause before a lost port is tried again.
+/// The pause between attempts to open a lost port.
 const PAUSE: Duration = Duration::from_millis(100);
-/// A log's clock jumps by this at its end, so that nothing waits for more.
+/// A log's clock advances by this at its end, so that nothing waits for more.
 const END: u32 = 1 << 30;
 
-/// A serial port, a TCP connection, or a log, at a place that is written as text:
+/// A serial port, a TCP connection or a log, opened by its address:
 ///
-/// - `serial:/dev/ttyACM0`, `serial:COM3:460800`, perhaps with a baud rate;
-/// - `tcp:192.168.1.20:9000`, a host and a port;
-/// - `file:log.bin`, bytes that were recorded. It accepts no commands. After its last packet,
+/// - `serial:/dev/ttyACM0`, `serial:COM3:460800`: a serial port, optionally with its baud rate;
+/// - `tcp:192.168.1.20:9000`: a host and a port;
+/// - `file:log.bin`: recorded bytes. A log accepts no commands. After its last packet,
 ///   [`Device::next_packet`](super::Device::next_packet) returns `None` at once.
 pub struct Line {
     way: Way,
@@ -45,11 +45,11 @@ enum Way {
 }
 
 impl<const N: usize, const Q: usize> Device<Line, N, Q> {
-    /// Opens the port again, after a call has failed with [`DeviceError::Port`]: tries every 100 ms
-    /// for up to this time. Data that was kept is still there.
+    /// Opens the port again after a call has failed with [`DeviceError::Port`], trying every 100 ms
+    /// for up to this time. Data that waits to be read is kept.
     ///
-    /// The command that waited was not answered. The device may have restarted, and then sends
-    /// nothing until `stream` starts its data again.
+    /// The command that was waiting remains unanswered. The device may have restarted; then it
+    /// sends nothing until you call `stream` again.
     ///
     /// # Errors
     ///
@@ -65,7 +65,7 @@ impl Line {
     ///
     /// # Errors
     ///
-    /// The place is not one of these ([`ErrorKind::InvalidInput`]), or the port cannot be opened.
+    /// The address is of no known kind ([`ErrorKind::InvalidInput`]), or the port cannot be opened.
     pub fn open(place: &str) -> io::Result<Self> {
         let (way, baud) = Self::way(place)?;
         Ok(Self { way, place: place.to_owned(), baud, start: Instant::now(), log_ms: 0 })
@@ -84,12 +84,12 @@ impl Line {
         })
     }
 
-    /// Opens the port again, after it was lost, at the baud rate that it had: tries every 100 ms
-    /// for up to this time. [`Device::reopen`] calls it.
+    /// Opens a lost port again, at its last baud rate, trying every 100 ms for up to this time.
+    /// [`Device::reopen`] calls this.
     ///
     /// # Errors
     ///
-    /// That of the last attempt.
+    /// Returns the error of the last attempt.
     pub fn reopen(&mut self, within: Duration) -> io::Result<()> {
         let (began, rate) = (Instant::now(), self.baud());
         self.way = Way::Lost; // it is closed first
@@ -105,7 +105,7 @@ impl Line {
         }
     }
 
-    /// The baud rate that the place names.
+    /// Returns the baud rate in the address.
     #[must_use]
     pub const fn named_baud(&self) -> Option<u32> {
         self.baud
@@ -187,7 +187,8 @@ impl Port for Line {
 
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         match &mut self.way {
-            // Not flushed: that would wait, perhaps for ever, until a pseudo-terminal is read.
+            // Not flushed, because that would wait until a pseudo-terminal is read, perhaps
+            // forever.
             Way::Serial(port) => port.write_all(bytes),
             Way::Tcp(stream) => stream.write_all(bytes),
             Way::Log(_) => Err(io::Error::new(ErrorKind::Unsupported, "a log accepts no commands")),
@@ -209,7 +210,7 @@ impl Port for Line {
             Err(error) if error.kind() == ErrorKind::InvalidInput => return Ok(false),
             Err(error) => return Err(error),
         }
-        port.clear(serialport::ClearBuffer::Input)?; // bytes of another rate
+        port.clear(serialport::ClearBuffer::Input)?; // received at the old rate
         Ok(true)
     }
 

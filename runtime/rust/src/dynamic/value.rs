@@ -1,4 +1,4 @@
-//! The tree of values, and conversion of types to it and back.
+//! The tree of values, and conversions of types to it and back.
 
 use alloc::borrow::Cow;
 use alloc::string::String;
@@ -43,11 +43,11 @@ pub enum ValueError {
     Missing,
     /// A number does not fit or has the wrong type.
     Range,
-    /// A counter differs from the number of elements, or there are too many or too few of them.
+    /// The number of elements is wrong: it differs from the counter, or is too high or too low.
     Count,
     /// A union does not contain the member that its tag selects.
     Tag,
-    /// A value is not the text, list or record that is required.
+    /// A value is not of the required kind: text, list or record.
     Kind,
 }
 
@@ -58,8 +58,8 @@ impl fmt::Display for ValueError {
             Self::Missing => "a value is missing",
             Self::Range => "a number does not fit",
             Self::Count => "the number of elements is wrong",
-            Self::Tag => "a union does not contain the member that its tag names",
-            Self::Kind => "a value is of another kind",
+            Self::Tag => "a union does not contain the member that its tag selects",
+            Self::Kind => "a value is of the wrong kind",
         })
     }
 }
@@ -68,30 +68,30 @@ error!(ValueError);
 
 /// Conversion to a [`Value`].
 pub trait ToValue {
-    /// The value as a tree.
+    /// Converts the value to a tree.
     fn to_value(&self) -> Value;
 }
 
 /// Conversion from a [`Value`].
 ///
-/// A float may also be given as text that holds its bits: `"0x3e7a63a0"`.
+/// A float may also be text with its bits: `"0x3e7a63a0"`.
 pub trait FromValue: Sized {
-    /// The value of a tree.
+    /// Converts a tree to a value.
     ///
     /// # Errors
     ///
-    /// The value has another kind, or a member is missing or unknown.
+    /// The value is of the wrong kind, or a member is missing or unknown.
     fn from_value(value: &Value) -> Result<Self, ValueError>;
 }
 
 /// Conversion of a union from a [`Value`] and its tag.
 pub(crate) trait Alternative: Union {
-    /// The alternative of the tag.
+    /// Converts a tree to the alternative that the tag selects.
     fn of_value(tag: Self::Tag, value: &Value) -> Result<Self, ValueError>;
 }
 
 impl Value {
-    /// The items of an array.
+    /// Returns the items of an array.
     #[must_use]
     pub fn as_list(&self) -> Option<&[Value]> {
         match self {
@@ -100,7 +100,7 @@ impl Value {
         }
     }
 
-    /// The text.
+    /// Returns the text, if it is one.
     #[must_use]
     pub fn as_text(&self) -> Option<&str> {
         match self {
@@ -109,7 +109,7 @@ impl Value {
         }
     }
 
-    /// The named values.
+    /// Returns the named values of a record.
     #[must_use]
     pub fn as_record(&self) -> Option<&Record> {
         match self {
@@ -118,7 +118,7 @@ impl Value {
         }
     }
 
-    /// The number, of any type.
+    /// Returns the number, of any type.
     #[must_use]
     pub fn as_f64(&self) -> Option<f64> {
         match self {
@@ -129,7 +129,7 @@ impl Value {
         }
     }
 
-    /// A record that has only values of these steps.
+    /// Returns the record; an error if it has a value that these steps do not name.
     pub(crate) fn record(&self, steps: &[&[&str]]) -> Result<&Record, ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
         if record.names().all(|name| steps.iter().any(|step| step.contains(&name))) {
@@ -139,7 +139,7 @@ impl Value {
         }
     }
 
-    /// The only member of a union.
+    /// Converts the only member of a union.
     pub(crate) fn member<T: FromValue>(&self, name: &str) -> Result<T, ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
         match record.values.as_slice() {
@@ -158,7 +158,7 @@ impl Value {
         }
     }
 
-    /// The number of items or characters.
+    /// Counts the items or characters.
     fn count(&self) -> Option<usize> {
         match self {
             Self::List(items) => Some(items.len()),
@@ -169,7 +169,7 @@ impl Value {
 }
 
 impl Record {
-    /// A record without values.
+    /// Creates a record without values.
     #[must_use]
     pub const fn new() -> Self {
         Self { values: Vec::new() }
@@ -180,18 +180,18 @@ impl Record {
         self.values.push((name.into(), value));
     }
 
-    /// The value with this name.
+    /// Returns the value with this name.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&Value> {
         self.iter().find(|(found, _)| *found == name).map(|(_, value)| value)
     }
 
-    /// The names, in order.
+    /// Iterates over the names, in order.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.iter().map(|(name, _)| name)
     }
 
-    /// Names and values, in order.
+    /// Iterates over names and values, in order.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &Value)> {
         self.values.iter().map(|(name, value)| (name.as_ref(), value))
     }
@@ -227,22 +227,22 @@ impl Record {
         }
     }
 
-    /// A required value.
+    /// Converts a required value.
     pub(crate) fn take<T: FromValue>(&self, name: &str) -> Result<T, ValueError> {
         T::from_value(self.need(name)?)
     }
 
-    /// The tree of a required value.
+    /// Returns the tree of a required value.
     pub(crate) fn need(&self, name: &str) -> Result<&Value, ValueError> {
         self.get(name).ok_or(ValueError::Missing)
     }
 
-    /// A value that may be absent.
+    /// Converts a value that may be absent.
     pub(crate) fn take_some<T: FromValue>(&self, name: &str) -> Result<Option<T>, ValueError> {
         self.get(name).map(T::from_value).transpose()
     }
 
-    /// The alternative of a tag.
+    /// Converts the alternative that a tag selects.
     pub(crate) fn take_union<U: Alternative>(
         &self,
         name: &str,
@@ -251,7 +251,7 @@ impl Record {
         U::of_value(tag, self.need(name)?)
     }
 
-    /// The alternative of a tag, where both may be absent.
+    /// Converts the alternative that a tag selects, if both may be absent.
     pub(crate) fn take_some_union<U: Alternative>(
         &self,
         name: &str,
@@ -274,7 +274,7 @@ impl Record {
         }
     }
 
-    /// The same where both may be absent, but only together.
+    /// Like `check_count`, if both may be absent, but only together.
     pub(crate) fn check_some_count(&self, counter: &str, array: &str) -> Result<(), ValueError> {
         match (self.get(counter), self.get(array)) {
             (None, None) => Ok(()),

@@ -1,6 +1,6 @@
-//! Reading and writing the steps of a record, which [`record!`] describes.
+//! Reads and writes the steps of a record, which [`record!`] describes.
 
-/// Is a value required? It is for these functions; for none if it is optional.
+/// Is a value required by the selected function? Without functions, the value is optional.
 macro_rules! required {
     ($selected:ident) => {
         false

@@ -12,8 +12,8 @@
 /// - `[name: u16 = 7]`: a constant;
 /// - `[(a, b) for WRITE { [a] [b] }]`: members that are present or absent together.
 ///
-/// A name that differs from that of the specification is followed by the latter: `[type_ "type"]`.
-/// A record without steps has its members on the wire in order.
+/// A name that differs from the specification's is followed by that: `[type_ "type"]`. Without
+/// steps, the members are on the wire in order.
 macro_rules! record {
     ($(#[$meta:meta])* pub struct $name:ident;) => {
         unit!([$([$meta])*] $name);
@@ -58,7 +58,7 @@ macro_rules! record {
         wire!($name { $selector $($member)* } $size, false; [$selects selects] $([$($step)*])*);
 
         impl $name {
-            /// A command that has only its selector.
+            /// Creates a command with only its selector.
             #[inline]
             const fn bare($selector: $selector_type) -> Self {
                 Self { $selector, $($member: None,)* }
@@ -103,8 +103,8 @@ macro_rules! members {
     };
 }
 
-/// The codec of a record: its members, its maximum size, whether this is its only size, and its
-/// steps.
+/// Implements `Wire` for a record, from its members, its maximum size, whether that is its only
+/// size, and its steps.
 macro_rules! wire {
     ($name:ident { $($member:ident)* } $size:expr, $fixed:expr; $([$($step:tt)*])*) => {
         impl $crate::Wire for $name {
@@ -140,7 +140,7 @@ macro_rules! wire {
 
 /// Constructors: their arguments, and the values of other members that follow from them.
 ///
-/// Those of a command with a function selector return a [`Call`](crate::Call) of that function.
+/// For a command with a function selector, they return a [`Call`](crate::Call) with that function.
 macro_rules! constructors {
     (
         $name:ident
@@ -207,7 +207,7 @@ macro_rules! constructor {
     };
 }
 
-/// A tuple of all values converts to a structure.
+/// Converts a tuple of all values to a structure.
 macro_rules! tuple {
     ($name:ident $($member:ident: $type:ty),+) => {
         impl ::core::convert::From<($($type,)+)> for $name {
@@ -248,7 +248,7 @@ macro_rules! setters {
     };
 }
 
-/// A union: its alternatives by the values of its tag, with the names of their members.
+/// A union: its alternatives by the tag's values, with the names of their members.
 macro_rules! union {
     (
         $(#[$meta:meta])*
@@ -267,7 +267,7 @@ macro_rules! union {
         #[non_exhaustive]
         pub enum $name {
             $($(#[$variant_meta])* $variant $(($type))?,)*
-            /// No member, for a tag that the specification does not know.
+            /// No member, for a tag that the specification does not define.
             #[cfg_attr(feature = "serde", serde(rename = "other"))]
             Other($tag),
         }
@@ -283,7 +283,7 @@ macro_rules! union {
         }
 
         impl $name {
-            /// The tag that selects it.
+            /// Returns the tag that selects this alternative.
             #[inline]
             #[must_use]
             pub const fn tag(&self) -> $tag {
@@ -333,7 +333,7 @@ macro_rules! union {
     };
 }
 
-/// The values of a record that are always at the same places: their types and offsets.
+/// The values of a record at fixed offsets, with their types.
 macro_rules! view {
     ($name:ident $($member:ident $(: $type:ty)? $(as $part:ty)?, at $at:literal;)*) => {
         impl $crate::Viewed for $name {}
@@ -344,7 +344,7 @@ macro_rules! view {
     };
 }
 
-/// The method for one of them; for a structure, it returns a view.
+/// A view's method for one value; for a structure, it returns a view.
 macro_rules! viewed {
     ($name:ident $member:ident: $type:ty, $at:literal) => {
         #[doc = concat!("See [`", stringify!($name), "::", stringify!($member), "`].")]
@@ -364,7 +364,7 @@ macro_rules! viewed {
     };
 }
 
-/// Structures can be items of lists.
+/// Implements `Item`, so that structures can be items of lists.
 macro_rules! item {
     ($name:ident { $($member:ident)* }) => {
         impl $crate::list::Item for $name {

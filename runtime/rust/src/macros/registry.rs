@@ -1,7 +1,7 @@
 //! The tables of all fields and devices.
 
-/// All fields, by the descriptor sets of their family: their descriptions, and one type that can hold
-/// any of them.
+/// All fields, by their family's descriptor sets: their descriptions, and a type that can hold any
+/// of them.
 macro_rules! registry {
     ($(
         #[cfg($when:meta)]
@@ -32,7 +32,7 @@ macro_rules! registry {
         /// A field of any type.
         ///
         /// It is as large as the largest field, several hundred bytes, so borrow it rather than
-        /// move it. A [`Visitor`] gets each field as its own type.
+        /// move it. A [`Visitor`] avoids this, because it is called with each field's own type.
         #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -83,7 +83,7 @@ macro_rules! registry {
             }
         )*)*
 
-        /// The types of fields as numbers, to find each with one jump.
+        /// Field types as numbers, to select each with one jump.
         #[derive(Clone, Copy)]
         #[repr(u16)]
         enum Id {
@@ -142,11 +142,11 @@ macro_rules! registry {
             IDS.get(usize::from(set)).copied().unwrap_or(unknown)
         }
 
-        /// The functions that call a visitor for each type, by its number: one jump, and less code
-        /// than a match.
+        /// The functions that call a visitor for each type, by the type's number: one jump, and
+        /// less code than a match.
         ///
-        /// The parts of a field are passed in registers, and become a field in memory only where a
-        /// visitor needs one.
+        /// The parts of a field are passed in registers; a field is created in memory only if the
+        /// visitor needs it.
         struct Visits<V>(core::marker::PhantomData<V>);
 
         impl<V: Visitor> Visits<V> {
@@ -159,8 +159,8 @@ macro_rules! registry {
             ];
         }
 
-        /// Calls the visitor with the type of a field; if there are several layouts, with that of
-        /// the data.
+        /// Calls the visitor with the type of a field; if there are several layouts, with the one
+        /// that fits the data.
         #[inline] // so that the row is looked up once for all fields of a packet
         pub fn visit<V: Visitor>(field: &RawField<'_>, visitor: V) -> V::Output {
             let RawField { set, descriptor, data } = *field;
@@ -204,10 +204,10 @@ macro_rules! registry {
             visitor.unknown(field)
         }
 
-        // Inline, so that only a program that uses them compiles them: they contain the codecs of all
-        // fields, and take longer than the rest of the crate.
+        // Inline, so that they are compiled only in programs that use them: they contain the codecs
+        // of all fields, and take longer to compile than the rest of the crate.
         impl AnyField {
-            /// Encodes the data of the field to the front of the buffer and returns its length.
+            /// Encodes the field's data into the front of the buffer, and returns its length.
             ///
             /// # Errors
             ///
@@ -239,7 +239,7 @@ macro_rules! registry {
                 }
             }
 
-            /// The description of the field.
+            /// Returns the description of the field.
             #[must_use]
             pub const fn info(&self) -> &'static FieldInfo {
                 match self {
@@ -250,7 +250,7 @@ macro_rules! registry {
                 }
             }
 
-            /// The field as a tree of values.
+            /// Converts the field to a tree of values.
             #[cfg(feature = "dynamic")]
             #[inline]
             #[must_use]
@@ -264,11 +264,12 @@ macro_rules! registry {
                 }
             }
 
-            /// The field of this name, or of this name in one of its sets, with the values of a tree.
+            /// Converts a tree of values to the field with this name, which may be its name in one
+            /// of its sets.
             ///
             /// # Errors
             ///
-            /// There is no such field, or the tree does not have its values.
+            /// There is no such field, or the tree does not contain its values.
             #[cfg(feature = "dynamic")]
             #[inline]
             pub fn from_value(
@@ -287,7 +288,7 @@ macro_rules! registry {
     };
 }
 
-/// The descriptions of values: name, elements, units, frame, and what is inside.
+/// The descriptions of values: name, elements, units, frame, and members.
 macro_rules! parameters {
     ($(
         $name:literal
@@ -306,7 +307,7 @@ macro_rules! parameters {
     };
 }
 
-/// The text for all sets, unless a set has its own.
+/// A set's own text, or the text for all sets.
 macro_rules! own {
     ($common:literal) => {
         $common

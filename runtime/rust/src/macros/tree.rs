@@ -80,7 +80,7 @@ macro_rules! put {
     };
 }
 
-/// The same for values that may be absent.
+/// Like `put`, for values that may be absent.
 macro_rules! put_some {
     ($record:ident $member:ident $($name:literal)? $(by $count:ident)?) => {
         $record.put_some(spec_name!($member $($name)?), $member);
@@ -95,7 +95,7 @@ macro_rules! put_some {
     ($record:ident $constant:ident: $number:ident = $value:literal) => {};
 }
 
-/// Takes the values of a step from a tree, into variables with the names of the members.
+/// Converts the values of a step from a tree, into variables with the names of the members.
 macro_rules! take {
     ($record:ident $member:ident $($name:literal)? $(selects)? $(by $count:ident)?) => {
         let $member = $record.take(spec_name!($member $($name)?))?;
@@ -127,7 +127,7 @@ macro_rules! take {
     };
 }
 
-/// The same for values that may be absent.
+/// Like `take`, for values that may be absent.
 macro_rules! take_some {
     ($record:ident $member:ident $($name:literal)? $(by $count:ident)?) => {
         let $member = $record.take_some(spec_name!($member $($name)?))?;
