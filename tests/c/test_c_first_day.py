@@ -112,7 +112,7 @@ def test_tcp(stream: Path) -> None:
     code, _, error = ran(stream, place)
     assert code == 1 and error == f"{place}: Connection refused\n"
     assert ran(stream, "no.such.host.invalid:1")[0] == 1
-    assert ran(stream, "h" * 300 + ":1")[2].endswith(": the name of the host is too long\n")
+    assert ran(stream, "h" * 300 + ":1")[2].endswith(": the host name is too long\n")
 
 
 def test_a_device_with_the_older_commands(stream: Path) -> None:

@@ -1,4 +1,4 @@
-/* Serial ports and TCP connections of Windows. Link with ws2_32. */
+/* Serial ports and TCP connections on Windows. Link with ws2_32. */
 #ifdef _WIN32
 #ifndef _WIN32_WINNT
 #define _WIN32_WINNT 0x0601
@@ -38,7 +38,7 @@ static bool write_serial(void *user, const uint8_t *bytes, size_t size) {
     return true;
 }
 
-/** Waits until a socket can be read or written; negative if it is gone. */
+/** Waits until a socket can be read or written; returns a negative number if it is lost. */
 static int wait_for(SOCKET socket, short event, int wait) {
     WSAPOLLFD one;
     one.fd = socket;
@@ -104,7 +104,7 @@ static bool set_mode(HANDLE port, uint32_t baud) {
     mode.ByteSize = 8;
     mode.Parity = NOPARITY;
     mode.StopBits = ONESTOPBIT;
-    /* A read returns what there is at once, and waits only for the first byte. */
+    /* A read returns available bytes at once, and waits only for the first one. */
     times.ReadIntervalTimeout = MAXDWORD;
     times.ReadTotalTimeoutMultiplier = MAXDWORD;
     times.ReadTotalTimeoutConstant = MIP_LINE_WAIT;
@@ -169,7 +169,7 @@ void mip_line_open_tcp(struct mip_line *line, const char *host, const char *numb
     memset(&wanted, 0, sizeof(wanted));
     wanted.ai_socktype = SOCK_STREAM;
     if (WSAStartup(MAKEWORD(2, 2), &about) != 0) {
-        line->error = "there is no network";
+        line->error = "the network is not available";
         return;
     }
     if (getaddrinfo(host, number, &wanted, &found) != 0) {
@@ -207,5 +207,5 @@ void mip_line_close(struct mip_line *line) {
 }
 
 #else
-typedef int mip_not_windows; /* C has no empty files */
+typedef int mip_not_windows; /* C does not allow an empty file */
 #endif

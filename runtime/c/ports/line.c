@@ -1,17 +1,17 @@
 /* Derives the kind of line from a name, and opens it again. */
 #include "open.h"
 
-/** Milliseconds to wait before a port is opened again. */
+/** Milliseconds between attempts to open a port again. */
 #define PAUSE 100
 
-/** Connects to HOST:PORT, or to [ADDRESS]:PORT with an address of IPv6. */
+/** Connects to HOST:PORT, or to [ADDRESS]:PORT with an IPv6 address. */
 static void open_address(struct mip_line *line, const char *name, const char *colon) {
     char host[256];
     const size_t length = (size_t)(colon - name);
     const size_t bracket = length > 1 && name[0] == '[' && colon[-1] == ']';
     const size_t bare = length - 2 * bracket;
     if (bare >= sizeof(host)) {
-        line->error = "the name of the host is too long";
+        line->error = "the host name is too long";
         return;
     }
     memcpy(host, name + bracket, bare);

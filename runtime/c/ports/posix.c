@@ -75,7 +75,7 @@ uint32_t mip_line_pause(uint32_t wait) {
 
 /* ------------------------------------------------------------------------------- serial ports */
 
-/** The constant of the system for a baud rate; B0 if it has none. */
+/** Returns the system's constant for a baud rate; B0 if it has none. */
 static speed_t speed_of(uint32_t baud) {
     static const struct {
         uint32_t baud;
@@ -107,13 +107,13 @@ static speed_t speed_of(uint32_t baud) {
         }
     }
 #ifdef __APPLE__
-    return baud; /* any rate is its own number */
+    return baud; /* the constant of a rate is the rate itself */
 #else
     return B0;
 #endif
 }
 
-/** Sets raw mode, 8N1, at this rate. Sets errno on an error. */
+/** Sets raw mode, 8N1, at this rate. On an error, sets errno. */
 static bool set_mode(int file, uint32_t baud) {
     const speed_t speed = speed_of(baud);
     struct termios mode;
@@ -147,7 +147,7 @@ void mip_line_open_serial(struct mip_line *line, const char *name, uint32_t baud
         line->error = strerror(errno);
         return;
     }
-    if (flock(file, LOCK_EX | LOCK_NB) != 0) { /* two readers would each get a part */
+    if (flock(file, LOCK_EX | LOCK_NB) != 0) { /* two readers would each receive only a part */
         line->error = "the port is in use by another program";
     } else if (!set_mode(file, baud)) {
         line->error =
@@ -216,5 +216,5 @@ void mip_line_close(struct mip_line *line) {
 }
 
 #else
-typedef int mip_not_posix; /* C has no empty files */
+typedef int mip_not_posix; /* C does not allow an empty file */
 #endif

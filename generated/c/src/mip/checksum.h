@@ -1,6 +1,6 @@
 /**
  * @file
- * The checksum, for the parser, which checks packets without a call, and for mip_checksum.
+ * The checksum, inline for the parser, and for mip_checksum.
  */
 #ifndef MIP_CHECKSUM_H
 #define MIP_CHECKSUM_H
@@ -12,7 +12,7 @@
  * do. */
 #include "mip/core.h"
 
-/** Byte by byte: the smallest. */
+/** Byte by byte: the smallest code. */
 #define MIP_CHECKSUM_PLAIN 0
 /** Eight bytes at a time: portable. */
 #define MIP_CHECKSUM_WORDS 1
@@ -59,7 +59,7 @@ static inline struct mip_sums plain(const uint8_t *bytes, size_t size) {
 /** Four lanes of 16 bits, of which only the low eight matter. */
 #define LANES UINT64_C(0x00FF00FF00FF00FF)
 
-/** Compilers make one load of this where the host allows it. */
+/** Loads eight bytes in big-endian order; compilers reduce this to one load where possible. */
 static inline uint64_t load(const uint8_t *p) {
     return (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 | (uint64_t)p[3] << 24 |
            (uint64_t)p[4] << 32 | (uint64_t)p[5] << 40 | (uint64_t)p[6] << 48 |
@@ -71,9 +71,9 @@ static inline struct mip_sums words(const uint8_t *bytes, size_t size) {
     if (size < 8) {
         return plain(bytes, size);
     }
-    /* The first word is filled up with zeros in front, which change nothing. */
+    /* The first word is padded with zeros in front, which change nothing. */
     const uint64_t first = load(bytes) << (64 - 8 * size) % 64;
-    uint64_t even = first & LANES; /* sums of bytes by their place in a word */
+    uint64_t even = first & LANES; /* sums of bytes by their position in a word */
     uint64_t odd = (first >> 8) & LANES;
     uint64_t before = 0; /* the sum of the sums before each word */
     size_t left = (size - 1) / 8;
@@ -92,7 +92,7 @@ static inline struct mip_sums words(const uint8_t *bytes, size_t size) {
         even &= LANES;
         odd &= LANES;
     }
-    /* The highest lane of a product is the sum of the lanes, each times its weight. */
+    /* The highest lane of a product is the sum of all lanes times their weights. */
     const uint64_t a = (even + odd) * UINT64_C(0x0001000100010001);
     const uint64_t b = before * UINT64_C(0x0008000800080008) + even * UINT64_C(0x0008000600040002) +
                        odd * UINT64_C(0x0007000500030001);
@@ -104,8 +104,8 @@ static inline struct mip_sums words(const uint8_t *bytes, size_t size) {
 
 #if MIP_CHECKSUM == MIP_CHECKSUM_SSE2 || MIP_CHECKSUM == MIP_CHECKSUM_NEON
 
-/** Sixteen lanes of eight bits, which may overflow. The last block is the last sixteen bytes
- * without those that are done: this replaces them by zeros. */
+/** Returns a mask for the last block, sixteen lanes of eight bits: it zeroes the bytes that earlier
+ * blocks have summed. */
 static inline const uint8_t *mask(size_t rest) {
     static const uint8_t bytes[32] = {0,    0,    0,    0,    0,    0,    0,    0,
                                       0,    0,    0,    0,    0,    0,    0,    0,
@@ -133,7 +133,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     const __m128i zero = _mm_setzero_si128();
     const uint8_t *last = bytes + (size - 16);
     const size_t rest = size % 16;
-    __m128i done = block(bytes); /* sums of bytes by their place in a block */
+    __m128i done = block(bytes); /* sums of bytes by their position in a block */
     __m128i before = zero;       /* the sum of the sums before each block */
     for (size_t at = 16; at + 16 <= size; at += 16) {
         before = _mm_add_epi8(before, done);
@@ -147,7 +147,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     const __m128i behind = _mm_mul_epu32(_mm_sad_epu8(done, zero), _mm_set1_epi32((int)rest));
     const __m128i b =
         _mm_add_epi32(_mm_add_epi32(inside, behind), _mm_slli_epi32(_mm_sad_epu8(before, zero), 4));
-    /* Both sums in one number: b has less than 20 bits, and only eight bits of a matter. */
+    /* Both sums in one number: b has fewer than 20 bits, and only eight bits of a matter. */
     __m128i both = _mm_add_epi32(b, _mm_slli_epi32(_mm_sad_epu8(a, zero), 24));
     both = _mm_add_epi32(both, _mm_shuffle_epi32(both, _MM_SHUFFLE(1, 0, 3, 2)));
     both = _mm_add_epi32(both, _mm_shuffle_epi32(both, _MM_SHUFFLE(2, 3, 0, 1)));
@@ -175,7 +175,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
     }
     const uint8_t *last = bytes + (size - 16);
     const size_t rest = size % 16;
-    uint8x16_t done = vdupq_n_u8(0); /* sums of bytes by their place in a block */
+    uint8x16_t done = vdupq_n_u8(0); /* sums of bytes by their position in a block */
     uint8x16_t before = done;        /* the sum of the sums before each block */
     do {
         before = vaddq_u8(before, done);
@@ -192,7 +192,7 @@ static inline struct mip_sums vectors(const uint8_t *bytes, size_t size) {
 
 #endif
 
-/** The checksum of some bytes. */
+/** Computes the checksum of some bytes. */
 MIP_INLINE uint16_t mip_sum(const uint8_t *bytes, size_t size) {
 #if MIP_CHECKSUM == MIP_CHECKSUM_PLAIN
     const struct mip_sums s = plain(bytes, size);

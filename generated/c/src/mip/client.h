@@ -11,7 +11,7 @@
  *     mip_client_expect(&request, &mip_..._response_codec, &response);
  *     ... send mip_builder_finish(&builder) ...
  *     while (request.state == MIP_REQUEST_WAITING) {
- *         ... read, at most, `size` bytes to `data` ...
+ *         ... read up to `size` bytes into `data` ...
  *         while (mip_parser_next(&parser, &data, &size, &packet) ||
  *                mip_client_poll(&client, &parser, now, &packet)) {
  *             mip_client_receive(&client, &packet);
@@ -34,25 +34,24 @@ extern "C" {
 /** The bytes of the longest barrier: 63 commands. */
 #define MIP_MAX_BARRIER (6 + 2 * 63)
 
-/** For `value` of a response: any value but 0. */
+/** A response's `value`: any value except 0. */
 #define MIP_NOT_ZERO 0xFF
 
 /**
- * A way in which a device answers a command, and one test of a byte of the command. Responses that
- * are linked by `more` belong together: each is a layout that may be sent if all of their tests
- * hold.
+ * A response to a command, and a test of one byte of the command. Responses that are linked by
+ * `more` belong together: if all of their tests hold, the device may send any of their layouts.
  */
 struct mip_response {
     /** The wire format of the response, if its descriptor has several; else NULL. */
     const struct mip_codec *layout;
     /** Its descriptor; 0 if the device leaves the command unanswered. */
     uint8_t descriptor;
-    /** The tested byte, by its offset in the field, whose first byte, the length, is never 0. A
-     * missing byte counts as 0. */
+    /** The offset of the tested byte in the field. The field begins with its length, which is never
+     * 0. A missing byte counts as 0. */
     uint8_t at;
     /** The value that it must have, or MIP_NOT_ZERO. */
     uint8_t value;
-    /** Does the next one belong to this one? */
+    /** Does the next response belong to this one? */
     bool more;
 };
 
@@ -62,11 +61,11 @@ struct mip_exchange {
     uint8_t descriptor_set;
     /** Descriptor of the command. */
     uint8_t descriptor;
-    /** Quarters of a second that a device may take to answer; 0: no longer than usual. */
+    /** The time that a device may take to reply, in quarters of a second; 0: the usual time. */
     uint8_t timeout;
     /** The number of responses. */
     uint8_t response_count;
-    /** The first of them whose tests hold is sent; if there is none, only an acknowledge. */
+    /** The device sends the first response whose tests hold; if none do, only an acknowledge. */
     const struct mip_response *responses;
 };
 
@@ -80,11 +79,11 @@ struct mip_command {
     bool selects;
 };
 
-/** No answer yet. */
+/** The device has not answered yet. */
 #define MIP_REQUEST_WAITING 0
 /** The device has carried out the command, and sent its response, if it has one. */
 #define MIP_REQUEST_ACKNOWLEDGED 1
-/** The device has refused the command; `code` is the reason. */
+/** The device has rejected the command; `code` is the reason. */
 #define MIP_REQUEST_REFUSED 3
 /** The device did not answer in time. */
 #define MIP_REQUEST_TIMED_OUT 4
@@ -92,7 +91,7 @@ struct mip_command {
 #define MIP_REQUEST_SILENT 2
 /** The caller has cancelled the request. */
 #define MIP_REQUEST_CANCELLED 7
-/** The device has acknowledged the command without sending its response. */
+/** The device has acknowledged the command without its response. */
 #define MIP_REQUEST_MISSING_RESPONSE 5
 /** The device has sent a response that cannot be decoded; `error` is the reason. */
 #define MIP_REQUEST_UNDECODABLE 6
@@ -105,8 +104,8 @@ struct mip_request {
     const struct mip_exchange *exchange;
     /** The response that it requests; NULL if it requests none. */
     const struct mip_response *asked;
-    /** The wire format of the response, if the caller expects one, or if it is one of several
-     * layouts and has been received; else NULL. */
+    /** The wire format of the response: the one that the caller expects, or of several layouts the
+     * one received; else NULL. */
     const struct mip_codec *codec;
     /** Where the response is stored; NULL if the caller does not need it. */
     void *response;
@@ -116,22 +115,22 @@ struct mip_request {
     uint8_t state;
     /** The acknowledge code of the answer, if there is one: a value of enum mip_ack_code. */
     uint8_t code;
-    /** A mip_error: what is wrong with the response; its structure is then zeroed. */
+    /** A mip_error: why the response cannot be decoded; its structure is then zeroed. */
     uint8_t error;
     /** Has the response been stored? */
     bool responded;
-    /** The barrier that must be answered first, by the payload of its answer. 0: none. */
+    /** The barrier that must be answered first, identified by its reply's payload size. 0: none. */
     uint8_t behind;
 };
 
-/** The commands that are waiting for an answer, oldest first. */
+/** The commands that wait for a reply, oldest first. */
 struct mip_client {
     /** The oldest request that waits; NULL if none does. */
     struct mip_request *waiting;
-    /** Milliseconds that a device may take to answer; at most MIP_MAX_TIMEOUT. */
+    /** Milliseconds that a device may take to reply; at most MIP_MAX_TIMEOUT. */
     uint32_t timeout;
-    /** The barrier to be sent next, by the payload of its answer: four bytes for each command, and
-     * one command more than there were requests without an answer since the last one. 0: none. */
+    /** The next barrier to send, identified by its reply's payload size: four bytes per command. It
+     * has one command more than there were unanswered requests since the last one. 0: none. */
     uint8_t missed;
     /** The barrier that was sent, in the same form, until it is answered. 0: none. */
     uint8_t behind;
@@ -140,48 +139,48 @@ struct mip_client {
 /** Initializes a client: no request is waiting, and the time-out is MIP_DEFAULT_TIMEOUT. */
 MIP_API void mip_client_init(struct mip_client *client);
 
-/** Adds a command to a packet. A function selector that was left 0 is MIP_ERROR_MISSING: no device
- * answers it. On an error the packet is unchanged. */
+/** Adds a command to a packet. If its function selector is still 0, which no device answers, the
+ * error is MIP_ERROR_MISSING. On an error the packet is unchanged. */
 MIP_CHECKED MIP_API mip_error mip_command_encode(const struct mip_command *command,
                                                  const void *value, struct mip_builder *packet);
 
 /**
- * Adds a command to a packet and waits for its answer. `now` is the time in milliseconds, which may
+ * Adds a command to a packet and waits for its reply. `now` is the time in milliseconds, which may
  * wrap around. On an error the packet is unchanged and the request is cancelled. `value` is the
- * structure of the command, or NULL if it has no parameters. A request that still waits in this
- * client is cancelled first; one that waits in another client must be cancelled there before.
+ * command's structure, or NULL if it has no parameters. A request that still waits in this client
+ * is cancelled first; if it waits in another client, cancel it there before.
  */
 MIP_CHECKED MIP_API mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                                              struct mip_builder *packet,
                                              const struct mip_command *command, const void *value,
                                              uint32_t now);
 
-/** The response that a command requests, or the first of several layouts; NULL if it requests none,
- * and one with descriptor 0 if the device leaves the command unanswered.
- * `field` begins with the length of the command. */
+/** Returns the response that a command requests, or the first of several layouts; NULL if it
+ * requests none, and one with descriptor 0 if the device leaves the command unanswered. `field`
+ * begins with the command's length. */
 MIP_API const struct mip_response *mip_requested(const struct mip_exchange *exchange,
                                                  const uint8_t *field);
 
-/** Waits for the answer to a command that the caller has written. The request must be zero but for
- * `exchange`, `asked`, and, set before or afterwards, `codec` and `response`. */
+/** Waits for the reply to a command that the caller has written. The request must be zero except
+ * `exchange`, `asked`, and `codec` and `response`, which may also be set afterwards. */
 MIP_API void mip_client_wait(struct mip_client *client, struct mip_request *request, uint32_t now);
 
 /**
- * Sets where the response is stored. Call it right after mip_client_add. False, and nothing is
- * stored, if the command with its values does not request this response.
+ * Sets where the response is stored. Call this right after mip_client_add. If the command with its
+ * values does not request this response, returns false, and nothing will be stored.
  *
- * If devices answer in different layouts, state which one this device has; if it sends another one,
- * the request is undecodable with MIP_ERROR_LAYOUT. If you do not know, take the field from
- * mip_client_next and decode it by the `codec` of the request, which then is the layout received.
+ * If devices answer in different layouts, pass the codec of your device's layout; if the device
+ * sends another one, the state is MIP_REQUEST_UNDECODABLE with MIP_ERROR_LAYOUT. If you do not know
+ * the layout, get the field from mip_client_next, and decode it by the request's `codec`, which is
+ * then the layout received.
  */
 MIP_API bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec,
                                void *response);
 
 /**
- * Both in one: adds a command, and sets where its response is stored. The structure of the response
- * is zeroed first, and stays zeroed if the command with these values does not request it;
- * `response` may be NULL. The generated functions mip_send_... call this with the types of each
- * command.
+ * Does both: adds a command, and sets where its response is stored. The response's structure is
+ * zeroed first, and stays zeroed if the command with these values does not request it. `response`
+ * may be NULL. The generated functions mip_send_... call this with the types of each command.
  */
 MIP_CHECKED MIP_API mip_error mip_client_send(struct mip_client *client,
                                               struct mip_request *request,
@@ -191,63 +190,64 @@ MIP_CHECKED MIP_API mip_error mip_client_send(struct mip_client *client,
                                               uint32_t now);
 
 /**
- * Processes a received packet. True if it answered any request; the answered requests are no longer
- * waiting. Data has no effect.
+ * Processes a received packet. Returns true if it answered any request; such requests no longer
+ * wait. Data has no effect.
  *
- * An answer belongs to the oldest waiting request of the command whose descriptor it echoes, if its
- * response is of a type that the request expects. MIP has no other mark: without a barrier, the
- * late answer to a request that has timed out or was cancelled answers the next one of the same
- * command, even if that one asks for other values, for example for another descriptor set.
+ * A reply is matched to the oldest waiting request of the command whose descriptor it echoes, if
+ * its response is of a type that the request expects. Nothing else in MIP identifies it: without a
+ * barrier, the late reply to a request that has timed out or was cancelled would answer the next
+ * request of the same command, even if that asks for other values, for example of another
+ * descriptor set.
  */
 MIP_API bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
 
 /**
  * Writes the barrier that must be sent before the next packet of commands, and returns its size;
- * mostly 0, as no answer is late. `bytes` has room for MIP_MAX_BARRIER. Call it before the first
- * mip_client_add of each packet, and send these bytes, so that a late answer is never taken for
- * another one:
+ * 0 if every earlier command was answered. `bytes` must have room for MIP_MAX_BARRIER. Call this
+ * before the first mip_client_add of each packet, and send these bytes, so that a late reply is
+ * never matched to another request:
  *
  *     size = mip_client_barrier(&client, bytes);
  *     ... send these bytes, if there are any ...
  *     mip_builder_start(...);
  *     mip_client_add(...);
  *
- * It is a packet of several commands that change nothing (MIP_BARRIER_DESCRIPTOR). The device
- * answers in order, and the commands of one packet in one packet: their number identifies the
- * barrier. Until then, no answer belongs to the requests after it, and from then on, none to those
- * before it, which have timed out. A request whose barrier is not answered times out, although the
- * device may have carried it out.
+ * A barrier is a packet of several commands that change nothing (MIP_BARRIER_DESCRIPTOR). The
+ * device replies in order, and to all commands of a packet in one packet; their number identifies
+ * the barrier. Before the reply to the barrier, no reply is matched to a request sent after it;
+ * after that, none is matched to a request sent before it, which has timed out. If the barrier is
+ * not answered, the requests after it time out, although the device may have carried them out.
  */
 MIP_API size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes);
 
-/** Is a packet the answer to a barrier before waiting requests? mip_client_receive calls this; call
- * it yourself before mip_client_next, and ignore the packet if it is. */
+/** Is this packet the reply to a barrier? mip_client_receive calls this. Before mip_client_next,
+ * call it yourself, and ignore the packet if it returns true. */
 MIP_API bool mip_client_passes(struct mip_client *client, const struct mip_packet *packet);
 
-/** Counts a command that was sent without a request, and whose answer may still arrive: the next
- * packet must be sent after a barrier. */
+/** Counts a command that was sent without a request, and whose reply may still arrive, so that a
+ * barrier precedes the next packet. */
 MIP_API void mip_client_miss(struct mip_client *client);
 
 /**
- * The same step by step, for callers that also use the other fields of the packet: continues a
- * walk, from its start or any other point. False at the end. Otherwise, either `*answered` is the
- * request that was answered, and `*field` its response or, without one, the acknowledge; or
- * `*answered` is NULL, and `*field` is a field that does not answer a request.
+ * Does the same as mip_client_receive field by field, for callers that also use the other fields of
+ * the packet: continues a walk, from its start or any other point. Returns false at the end.
+ * Otherwise, either `*answered` is the request that was answered, and `*field` its response or,
+ * without one, the acknowledge; or `*answered` is NULL, and `*field` does not answer a request.
  *
  *     struct mip_walk walk = mip_walk_packet(&packet);
  *     while (mip_client_next(&client, &walk, &answered, &field)) { ... }
  *
- * After mip_client_barrier, call mip_client_passes first.
+ * If you send barriers, call mip_client_passes first.
  */
 MIP_API bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
                              struct mip_request **answered, struct mip_field *field);
 
 /**
- * Updates the time. Call it when mip_parser_next has returned false, until both do; then the
- * overdue requests have timed out. Before that, it searches the bytes that the parser holds back,
- * because noise that looks like the start of a packet may hide an answer: it returns true if it
- * finds a packet, which the caller handles like any other. An incomplete packet is kept. `parser`
- * is the parser of the packets, or NULL.
+ * Updates the time. Call this when mip_parser_next has returned false, until both return false;
+ * then all overdue requests have timed out. Before a request times out, this searches the bytes
+ * that the parser holds back, because noise that looks like the start of a packet may hide a reply.
+ * If it finds a packet, it returns true; handle that packet like any other. An incomplete packet is
+ * kept. `parser` is the parser that finds the packets, or NULL.
  */
 MIP_API bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
                              struct mip_packet *packet);

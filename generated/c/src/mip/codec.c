@@ -3,13 +3,13 @@
 
 #include <string.h>
 
-/* Assumptions of the programs and of the types of members. */
+/* Assumptions of programs and of member types. */
 #define ASSERT(name, condition) typedef char assert_##name[(condition) ? 1 : -1]
 ASSERT(bytes_have_eight_bits, (unsigned char)-1 == 255);
 ASSERT(floats_have_four_bytes, sizeof(float) == 4);
 ASSERT(doubles_have_eight_bytes_or_four, sizeof(double) == 8 || sizeof(double) == 4);
 
-/** Doubles where the compiler has none of eight bytes. */
+/** Reads or writes doubles if the compiler has none of eight bytes. */
 static uint8_t *move_narrow(uint8_t *wire, uint8_t *memory, size_t count, bool writing) {
     for (; count > 0; count--) {
         uint32_t bits;
@@ -33,8 +33,8 @@ static uint8_t *move_narrow(uint8_t *wire, uint8_t *memory, size_t count, bool w
 /** Reads or writes numbers of one kind. Few programs do both. */
 MIP_INLINE uint8_t *move(uint8_t *wire, uint8_t *memory, unsigned kind, size_t count,
                          bool writing) {
-    /* On a little-endian host, bytes in memory are in reverse order, which flips the last bits of
-     * their index. */
+    /* On a little-endian host, bytes in memory are in reverse order, so the last bits of their
+     * index are flipped. */
     const uint16_t one = 1;
     const size_t size = (size_t)1 << (kind & 3);
     const size_t flip = *(const uint8_t *)&one == 1 ? size - 1 : 0;
@@ -64,7 +64,7 @@ MIP_INLINE void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, 
     }
 }
 
-/** No layout has code of its own. */
+/** Returns false, because no layout has its own code if size matters. */
 static inline bool move_shape(const struct mip_codec *codec, const uint8_t *wire,
                               const uint8_t *memory, bool writing) {
     (void)codec, (void)wire, (void)memory, (void)writing;
@@ -75,7 +75,7 @@ static inline bool move_shape(const struct mip_codec *codec, const uint8_t *wire
 /** Does size matter more than speed? */
 #define SMALL false
 
-/** Reads or writes a number of 8, 16, 32 or 64 bits at a place. */
+/** Reads or writes a number of 8, 16, 32 or 64 bits at an offset. */
 #define MOVE_1(bits, at)                                    \
     do {                                                    \
         uint##bits##_t number;                              \
@@ -88,7 +88,7 @@ static inline bool move_shape(const struct mip_codec *codec, const uint8_t *wire
         }                                                   \
     } while (0)
 
-/** Reads or writes several. */
+/** Reads or writes several numbers. */
 #define MOVE(bits)          \
     do {                    \
         MOVE_1(bits, 0);    \
@@ -96,7 +96,7 @@ static inline bool move_shape(const struct mip_codec *codec, const uint8_t *wire
         memory += bits / 8; \
     } while (--count > 0)
 
-/** At least one number. */
+/** Reads or writes at least one number. */
 MIP_QUICK uint8_t *move(uint8_t *wire, uint8_t *memory, unsigned step, size_t count, bool writing) {
     if (sizeof(double) < 8 && step < MIP_NUMBERS(MIP_KIND_DOUBLE + 1, 0)) {
         return move_narrow(wire, memory, count, writing);
@@ -124,8 +124,8 @@ MIP_QUICK void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, b
     }
 }
 
-/* Layouts that occur often, without a loop. Two to four numbers of this many bits at a place, and
- * the gap at the end of the structure. */
+/* Frequent layouts are read and written without a loop: two to four numbers of this many bits at an
+ * offset, and the gap at the end of the structure. */
 #define MOVE_2(bits, at) \
     MOVE_1(bits, at);    \
     MOVE_1(bits, (at) + (bits) / 8)
@@ -137,7 +137,7 @@ MIP_QUICK void move_all(const uint8_t *program, uint8_t *wire, uint8_t *value, b
     MOVE_2(bits, (at) + (bits) / 4)
 #define CLEAR_END() memset(memory + codec->size - 8, 0, writing ? 0 : 8)
 
-/** Reads or writes a layout of one of the most frequent shapes. False if it has another one. */
+/** Reads or writes a layout of one of the most frequent shapes. Returns false if it has another. */
 MIP_QUICK bool move_shape(const struct mip_codec *codec, uint8_t *wire, uint8_t *memory,
                           bool writing) {
     switch (sizeof(double) == 8 ? codec->shape : 0) {
@@ -205,7 +205,7 @@ bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *fi
     return interpreter->matches(codec, field);
 }
 
-/** Is it this field? MIP_OK, or why it is another one. */
+/** Checks that a field is of this type. */
 static mip_error check(const struct mip_field *field, const struct mip_codec *codec) {
     return field->descriptor != codec->descriptor             ? MIP_ERROR_DESCRIPTOR
            : !mip_codec_belongs(codec, field->descriptor_set) ? MIP_ERROR_SET
@@ -219,7 +219,7 @@ bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec) 
     return error == MIP_OK || error == MIP_ERROR_TRUNCATED;
 }
 
-/** Decodes most fields, without a call. False if it is another one; then nothing has changed. */
+/** Decodes most fields, without a call. Returns false for others; then nothing has changed. */
 MIP_QUICK bool decode_shape(const struct mip_codec *codec, void *value,
                             const struct mip_field *field) {
     uint8_t *data = (uint8_t *)(uintptr_t)field->data; /* it is only read */

@@ -2,14 +2,14 @@
  * @file
  * A device at a port: one call for each command, and handlers for its data.
  *
- * The caller provides three functions: read, write, and a clock. Then a call of mip/..._commands.h
- * sends a command, waits for its answer, and returns the outcome:
+ * The caller provides three functions: read, write, and a clock. Then each function of
+ * mip/..._commands.h sends a command, waits for the reply, and returns the outcome:
  *
  *     mip_device_init(&device, &port, MIP_ARRAY(handlers));
  *     if (mip_succeeded(mip_call_3dm_..._read(&device, &response))) { ... }
  *     while (mip_device_poll(&device)) { ... }
  *
- * Programs with an event loop of their own, or with several commands in one packet, use
+ * If your program has its own event loop, or sends several commands in one packet, use
  * mip/client.h, on which this is built.
  */
 #ifndef MIP_DEVICE_H
@@ -25,50 +25,51 @@ extern "C" {
  * the longest packet takes at 9600 Bd. */
 #define MIP_DEFAULT_SILENCE 300
 
-/** The most milliseconds that a call waits beyond `timeout`, as long as each read fills its whole
- * buffer, because the answer may already be waiting behind it. */
+/** The most milliseconds that a call waits beyond `timeout`, while each read fills its whole
+ * buffer, because the reply may be among the bytes that wait. */
 #define MIP_BACKLOG 250
 
 /** The port of a device, and a clock. */
 struct mip_port {
     /**
      * Reads up to `size` bytes that have arrived, and stores their number in `*count`, which is 0
-     * before. It may wait for a while if there are none, but must then return: a call that waits
-     * for an answer does nothing but read. False if the port is gone and no more bytes will arrive;
-     * those that it has stored are still handled. A terminal that was hung up has no bytes, as a
-     * silent one does: only poll() detects it, by POLLHUP (see examples/posix.c).
+     * before. It may wait for a while if there are none, but must then return, because a waiting
+     * command checks its time-out only between reads. Returns false if the port is lost and no more
+     * bytes will arrive; bytes that it has stored are still handled. A terminal that was hung up
+     * has no bytes, just like a silent one; only poll() detects it, by POLLHUP (see
+     * examples/posix.c).
      */
     bool (*read)(void *user, uint8_t *bytes, size_t size, size_t *count);
-    /** Sends all of these bytes. False if that failed. */
+    /** Sends all of these bytes. Returns false if that failed. */
     bool (*write)(void *user, const uint8_t *bytes, size_t size);
-    /** A time in milliseconds that only increases and is never set; it may wrap around. */
+    /** Returns a time in milliseconds that only increases and is never set; it may wrap around. */
     uint32_t (*now)(void *user);
-    /** Is passed to these functions. */
+    /** The first argument of these functions. */
     void *user;
 };
 
-/** For `type` of a handler: every field without an earlier entry. Not 0, so that an entry that was
- * left empty is for none. */
+/** A handler's `type`: every field without an earlier entry. It is not NULL, so that an empty entry
+ * matches no field. */
 #define MIP_ANY_FIELD (&mip_any_field)
 
-/** It is not a wire format: only its address matters. */
+/** Not a wire format: only its address matters. */
 extern MIP_API const struct mip_codec mip_any_field;
 
-/** For `descriptor_set` of a handler: every set in which the type occurs. */
+/** A handler's `descriptor_set`: every set in which the type occurs. */
 #define MIP_ANY_SET 0
 
 /** A handler of received fields. */
 struct mip_handler {
     /** The type of field: its codec, such as &mip_sensor_scaled_accel_codec, or MIP_ANY_FIELD. */
     const struct mip_codec *type;
-    /** The descriptor set, such as that of one of two receivers, or MIP_ANY_SET. */
+    /** The descriptor set, for example of one of two receivers, or MIP_ANY_SET. */
     uint8_t descriptor_set;
     /**
-     * Called with the field; NULL to ignore it. The `descriptor_set` of the field is the set in
-     * which it arrived, if the type occurs in several. `arrived` is the time, by the clock of the
-     * port, when the last bytes of its packet had been read. The data of the field is valid until
-     * the handler returns. It must not wait: the answer to a command may be next. It cannot call a
-     * command of this device, which would return MIP_BUSY, nor poll the device.
+     * Called with the field; NULL to ignore it. The field's `descriptor_set` is the set in which it
+     * arrived. `arrived` is the time, by the port's clock, when the last bytes of its packet had
+     * been read. The field's data is valid until the handler returns. The handler must not block,
+     * because the reply to a command may be next. It cannot send a command to this device, which
+     * would return MIP_BUSY, nor poll the device.
      */
     void (*handle)(void *user, const struct mip_field *field, uint32_t arrived);
     /** The first argument of the function. */
@@ -80,10 +81,10 @@ struct mip_device;
 /** Observes packets, for programs that handle all fields of a packet together. */
 struct mip_observer {
     /**
-     * Is called twice for each packet: before its fields are handled, and after that, with `ends`.
-     * `device->packet` is the packet, and `device->heard` the time when its last bytes had been
-     * read. mip_gap counts the bytes before it that are not part of a packet, such as an NMEA
-     * sentence or a damaged packet. What handlers must not do, it must not do either.
+     * Called twice for each packet: before its fields are handled, and after that, with `ends`
+     * true. `device->packet` is the packet, and `device->heard` the time when its last bytes had
+     * been read. mip_gap counts the bytes before it that are not part of a packet, such as an NMEA
+     * sentence or a damaged packet. The same restrictions apply as to handlers.
      */
     void (*packet)(void *user, const struct mip_device *device, bool ends);
     /** The first argument of the function. */
@@ -99,25 +100,24 @@ struct mip_device {
     /** The number of handlers. */
     size_t handler_count;
     /** The parser time-out: when no byte has arrived for this many milliseconds, an incomplete
-     * packet is discarded, and packets after its first bytes are found. 0: never. */
+     * packet is discarded, and packets within it are found. 0: never. */
     uint32_t silence;
     /** When the last bytes arrived. */
     uint32_t heard;
-    /** The packet whose field a handler is called with: there, mip_walk_packet finds the fields
-     * that belong together, such as a time stamp and the values of that time. NULL outside
-     * handlers and observers. */
+    /** In handlers and observers, the packet that is being handled: mip_walk_packet finds all its
+     * fields, for example a timestamp and the values of that time. NULL otherwise. */
     const struct mip_packet *packet;
-    /** Called where each packet begins and ends; NULL, unless the program sets it. It must not
-     * move, and may be constant. */
+    /** Called where each packet begins and ends; NULL unless your program sets it. It must stay at
+     * its address, and may be constant. */
     const struct mip_observer *observer;
-    /** Its `timeout` is the time that the device may take to answer. */
+    /** The command client; its `timeout` is the time that the device may take to reply. */
     struct mip_client client;
-    /** It holds the bytes of an incomplete packet. */
+    /** The parser, which holds the bytes of an incomplete packet. */
     struct mip_parser parser;
 };
 
-/** The number of bytes outside packets since the last call with the same `seen`, which is 0 before
- * the first one. */
+/** Returns the number of bytes outside packets since the last call with the same `seen`; set that
+ * to 0 before the first call. */
 static inline uint32_t mip_gap(const struct mip_device *device, uint32_t *seen) {
     const uint32_t gap = device->parser.skipped - *seen;
     *seen = device->parser.skipped;
@@ -126,37 +126,37 @@ static inline uint32_t mip_gap(const struct mip_device *device, uint32_t *seen) 
 
 /** The outcome of a command. */
 enum mip_outcome {
-    /** It was not sent: its values do not fit into a packet (`error` is the reason), or, if that is
+    /** It was not sent: its values cannot be encoded (`error` is the reason), or, if `error` is
      * MIP_OK, the port could not write. */
     MIP_NOT_SENT = 0,
     /** The device has carried it out, and its response has been stored, if it has one. */
     MIP_ACKNOWLEDGED,
     /** It was sent; devices do not answer it. */
     MIP_SENT,
-    /** The device has refused it: `code` is the reason. */
+    /** The device has rejected it: `code` is the reason. */
     MIP_REFUSED,
     /** No reply arrived in time. If it arrives later, it is handled as data. */
     MIP_TIMED_OUT,
-    /** The device has acknowledged it without sending its response. */
+    /** The device has acknowledged it without its response. */
     MIP_MISSING_RESPONSE,
     /** The device has sent a response that cannot be decoded: `error` is the reason. */
     MIP_UNDECODABLE,
-    /** The port was lost before the answer arrived. */
+    /** The port was lost before the reply arrived. */
     MIP_CLOSED,
-    /** It was not sent, because it was called from a handler of the same device. */
+    /** It was not sent, because the call was made in a handler of the same device. */
     MIP_BUSY,
-    /** Nothing was sent to change the stream: the device does not have one of the rates. See
+    /** The stream was not changed, because the device does not support one of the rates. See
      * mip_device_stream. */
     MIP_NO_SUCH_RATE
 };
 
-/** The outcome of a command, and the reason. */
+/** The outcome of a command, with the reason. */
 struct MIP_WORD mip_result {
     /** The outcome. */
     enum mip_outcome outcome;
     /** The acknowledge code of the answer, if there was one: a value of enum mip_ack_code. */
     uint8_t code;
-    /** A mip_error, with MIP_NOT_SENT and MIP_UNDECODABLE. */
+    /** A mip_error: the reason for MIP_NOT_SENT and MIP_UNDECODABLE. */
     uint8_t error;
     /** Has the response been stored? */
     bool responded;
@@ -176,17 +176,17 @@ static inline bool mip_succeeded(struct mip_result result) {
  *     } while (mip_again(&retry, result));
  */
 struct mip_retry {
-    /** The most attempts that are left. */
+    /** The number of attempts left. */
     unsigned attempts;
-    /** A bit for each outcome after which it is sent again: 1u << MIP_TIMED_OUT. */
+    /** A bit for each outcome after which the command is sent again: 1u << MIP_TIMED_OUT. */
     unsigned outcomes;
 };
 
-/** Three times, after outcomes that noise on the line can cause. A command that was not answered
+/** Three attempts, after outcomes that noise on the line can cause. A command that was not answered
  * may have been carried out. */
 #define MIP_RETRY {3, 1u << MIP_TIMED_OUT | 1u << MIP_MISSING_RESPONSE | 1u << MIP_UNDECODABLE}
 
-/** Is the command to be sent again? Counts the attempts. */
+/** Should the command be sent again? Counts the attempts. */
 static inline bool mip_again(struct mip_retry *retry, struct mip_result result) {
     if (retry->attempts > 0) {
         retry->attempts--;
@@ -194,61 +194,61 @@ static inline bool mip_again(struct mip_retry *retry, struct mip_result result) 
     return retry->attempts > 0 && (retry->outcomes >> result.outcome & 1u) != 0;
 }
 
-/** The outcome in words: "timed out". */
+/** Returns the outcome in words: "timed out". */
 MIP_API const char *mip_outcome_name(enum mip_outcome outcome);
 
-/** Why a command was refused or not sent, or why its response could not be decoded: the name of
- * the acknowledge code or of the error; "unknown" for a code without a name, whose number is in
- * `code`; "" if there is no reason. */
+/** Returns why a command was rejected or not sent, or why its response could not be decoded: the
+ * name of the acknowledge code or the error; "unknown" for a code without a name, whose number is
+ * in `code`; "" if there is no reason. */
 MIP_API const char *mip_result_reason(struct mip_result result);
 
 /**
- * Initializes a device. The port is copied; the handlers must not move, and may be constant, or
- * NULL if there are none. Nothing is sent or read.
+ * Initializes a device. The port is copied. The handlers must stay at their address; they may be
+ * constant, or NULL if there are none. Nothing is sent or read.
  */
 MIP_API void mip_device_init(struct mip_device *device, const struct mip_port *port,
                              size_t handler_count, const struct mip_handler *handlers);
 
 /**
  * Reads once, at most as many bytes as the longest packet has, and calls the handlers of the fields
- * that are now complete. Programs that wait for data call it repeatedly; the same happens while a
- * command waits for its answer. False if the port is gone, or if it is called from a handler.
+ * that are now complete. Call it repeatedly to receive data; the same happens while a command waits
+ * for its reply. Returns false if the port is lost, or if it is called in a handler.
  */
 MIP_API bool mip_device_poll(struct mip_device *device);
 
 /**
- * Sends a command, and waits for its answer. The functions mip_call_... call this with the types of
- * each command. `value` is the structure of the command, or NULL if it has no parameters. The
- * response is stored in `response`, the structure of `codec`, or not stored if that is NULL. It is
- * zeroed first, and stays zeroed unless the command succeeds and requests this response.
+ * Sends a command, and waits for its reply. The functions mip_call_... call this with the types of
+ * each command. `value` is the command's structure, or NULL if it has no parameters. The response
+ * is stored in `response`, the structure of `codec`, or not stored if that is NULL. It is zeroed
+ * first, and stays zeroed unless the command succeeds and requests this response.
  *
- * After a command that was not answered, its answer may still come. The next one is therefore sent
- * behind a barrier (see mip_client_barrier), and what comes before the answer of that is data: a
- * late answer is never taken for that of another command. This costs a packet each way, and no
+ * The reply to a command that has timed out may still arrive. A barrier is therefore sent before
+ * the next command (see mip_client_barrier), and what arrives before the barrier's reply is data,
+ * so that a late reply is never matched to another command. This costs a packet each way, and no
  * further wait.
  *
- * It waits at most as long as the `timeout` of the client, or that of the command if it is longer,
- * and on a flooded line MIP_BACKLOG more. A read that waits adds its own time.
+ * The call waits at most as long as the client's `timeout`, or the command's own if that is longer,
+ * and on a flooded line MIP_BACKLOG more. A read that blocks adds its own time.
  */
 MIP_API struct mip_result mip_device_call(struct mip_device *device,
                                           const struct mip_command *command, const void *value,
                                           const struct mip_codec *codec, void *response);
 
-/** For `data` of a command that has none: any address. */
+/** `data` for a command that has none: any address. */
 #define MIP_NO_DATA(exchange) (&(exchange).descriptor)
 
 /**
- * Sends a command whose answer is an acknowledge, whatever its values are. Its data is passed as it
- * is sent, without its structure; the address is never NULL. Functions mip_call_... that take plain
- * values call this, or mip_device_request, so that a program with only these links nothing that
- * encodes. If there are more than MIP_MAX_FIELD_DATA bytes, it is not sent: MIP_ERROR_COUNT.
+ * Sends a command that never requests a response. Its data is passed as it is sent, instead of its
+ * structure; the address must not be NULL. Functions mip_call_... with plain values as arguments
+ * call this or mip_device_request, so that a program with only these links no encoder. If there are
+ * more than MIP_MAX_FIELD_DATA bytes, the command is not sent: MIP_ERROR_COUNT.
  */
 MIP_API struct mip_result mip_device_send(struct mip_device *device,
                                           const struct mip_exchange *exchange, const uint8_t *data,
                                           size_t size);
 
-/** The same with a command that is answered by a response, whatever its values are: one of those of
- * `exchange`. */
+/** Like mip_device_send, for a command that always requests a response: one of those in `exchange`.
+ * */
 MIP_API struct mip_result mip_device_request(struct mip_device *device,
                                              const struct mip_exchange *exchange,
                                              const uint8_t *data, size_t size,

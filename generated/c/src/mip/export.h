@@ -27,8 +27,8 @@
 #endif
 
 #ifdef __GNUC__
-/** Before a function whose result shows whether it has done anything: compilers warn if that is
- * ignored. */
+/** Before a function whose result shows whether it has done anything: compilers warn if the result
+ * is ignored. */
 #define MIP_CHECKED __attribute__((warn_unused_result))
 /** A structure of four bytes that functions return in a register. */
 #define MIP_WORD __attribute__((aligned(4)))
@@ -54,7 +54,7 @@
 #define MIP_INLINE static inline
 #endif
 
-/* Most fields need one function without calls; code for the others is separate. */
+/* Most fields are decoded by one function without calls; the code for others is separate. */
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 /** A static function that becomes part of those that call it. */
 #define MIP_QUICK MIP_INLINE

@@ -1,6 +1,7 @@
 /**
  * @file
- * Packets and fields to a std::ostream, with names and units. It links the tables of all sets.
+ * Prints packets and fields to a std::ostream, with names and units. It links the tables of all
+ * sets.
  */
 #ifndef MIP_OSTREAM_HPP
 #define MIP_OSTREAM_HPP
@@ -12,7 +13,7 @@
 
 namespace mip {
 
-/** A printer to a stream. */
+/** Creates a printer that writes to a stream. */
 inline mip_print print_to(std::ostream &out) {
     mip_print print = {};
     print.put = [](void *stream, const char *text, std::size_t size) {

@@ -1,6 +1,6 @@
-/* The stream parser. A packet that lies wholly inside the caller's bytes is checked and returned
- * there; only one that their end cuts is assembled in the buffer. If size matters more than speed,
- * every packet is: search() is then the only way. */
+/* The stream parser. A packet that lies wholly within the caller's bytes is checked and returned in
+ * place; only one that spans calls is assembled in the buffer. If size matters more than speed,
+ * every packet is assembled there, by search(). */
 #include "mip/checksum.h"
 
 #include <string.h>
@@ -11,8 +11,8 @@ void mip_parser_init(struct mip_parser *parser) {
     parser->done = 0;
 }
 
-/** The size of the packet that may begin here, of which `size` bytes are known; more than these if
- * more are needed to know it, 0 if none begins here. */
+/** Returns the size of the packet that may begin here, of which `size` bytes are known. If these
+ * are too few to know it, returns a larger number; 0 if no packet begins here. */
 MIP_QUICK size_t candidate(const uint8_t *bytes, size_t size) {
     if ((size > 0 && bytes[0] != MIP_SYNC_1) || (size > 1 && bytes[1] != MIP_SYNC_2) ||
         (size > 2 && !mip_set_valid(bytes[2]))) {
@@ -29,9 +29,8 @@ MIP_QUICK void describe(struct mip_packet *packet, const uint8_t *bytes, size_t 
     packet->descriptor_set = bytes[2];
 }
 
-/** The same as candidate() for a place in the buffer, and 0 if the packet is complete and not
- * valid.
- */
+/** Like candidate(), at an offset in the buffer; returns 0 also if the packet is complete and not
+ * valid. */
 static size_t examine(const struct mip_parser *parser, size_t at, struct mip_packet *packet) {
     const uint8_t *bytes = parser->buffer + at;
     const size_t size = parser->length - at;
@@ -45,11 +44,11 @@ static size_t examine(const struct mip_parser *parser, size_t at, struct mip_pac
 }
 
 #ifndef __OPTIMIZE_SIZE__
-/** The shortest payload of packets whose checksum takes a block at once. */
+/** The shortest payload of packets whose checksum is computed in blocks. */
 #define SHORTEST 12
-/** The size that memcpy copies without a call; most packets fit. */
+/** A size that memcpy copies without a call; most packets are no longer. */
 #define BLOCK 64
-/** The most bytes by which two candidates may differ if the sum of one follows from the other's. */
+/** The most bytes by which two candidates may differ if one sum is derived from the other. */
 #define NEAR 16
 
 /** Do these bytes have the checksum that follows them? */
@@ -57,7 +56,7 @@ MIP_QUICK bool sound(const uint8_t *bytes, size_t size) {
     return mip_sum(bytes, size) == mip_get_16(bytes + size);
 }
 
-/** Copies bytes without a call: most are few. */
+/** Copies bytes, without a call if there are few, as is usual. */
 MIP_QUICK void copy(uint8_t *to, const uint8_t *from, size_t size) {
     if (size >= 16) {
         for (size_t at = 0; at + 16 <= size; at += 16) {
@@ -74,18 +73,17 @@ MIP_QUICK void copy(uint8_t *to, const uint8_t *from, size_t size) {
     }
 }
 
-/** Moves bytes of the caller to the end of the buffer. */
+/** Moves the caller's bytes to the end of the buffer. */
 MIP_QUICK void append(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t count) {
     const uint8_t *bytes = *data;
     const size_t length = parser->length;
-    parser->length =
-        (uint16_t)(length + count); /* before bytes are written, which could be these */
+    parser->length = (uint16_t)(length + count); /* before the copy, which could alias it */
     *data = bytes + count;
     *size -= count;
     copy(parser->buffer + length, bytes, count);
 }
 
-/** Keeps all of the caller's bytes in the buffer, which is empty: the beginning of a packet of
+/** Keeps all of the caller's bytes in the empty buffer: they are the beginning of a packet of
  * `goal` bytes, or of its header. */
 MIP_APART bool keep(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t goal) {
     const uint8_t *bytes = *data;
@@ -98,21 +96,21 @@ MIP_APART bool keep(struct mip_parser *parser, const uint8_t **data, size_t *siz
     return false;
 }
 
-/** The first byte, and those up to the next that may start a packet. */
+/** Returns the number of bytes up to the next one, after the first, that may start a packet. */
 static size_t garbage(const uint8_t *bytes, size_t size) {
     const uint8_t *sync = (const uint8_t *)memchr(bytes + 1, MIP_SYNC_1, size - 1);
     return sync == NULL ? size : (size_t)(sync - bytes);
 }
 
-/** The bytes of a candidate before its checksum, and their sum, which is the first half of that. */
+/** A candidate's bytes before its checksum, and their sum, which is the checksum's first byte. */
 struct window {
     const uint8_t *begin;
     const uint8_t *end;
     uint32_t sum;
 };
 
-/** The same as sound() for one candidate after the other, which noise may have: if most bytes are
- * those of the one before, only the others are added or subtracted. */
+/** Like sound(), for the successive candidates that noise may contain: if a candidate shares most
+ * bytes with the previous one, only the differences are added or subtracted. */
 MIP_QUICK bool sound_again(struct window *before, const uint8_t *begin, size_t size) {
     struct window w = *before;
     const uint8_t *end = begin + size;
@@ -137,8 +135,8 @@ MIP_QUICK bool sound_again(struct window *before, const uint8_t *begin, size_t s
     return (w.sum & 0xFFU) == *end && mip_checksum(begin, size) == mip_get_16(end);
 }
 
-/** Looks for a packet in the caller's bytes; the buffer, which is empty, gets the beginning of one
- * that their end cuts. */
+/** Looks for a packet in the caller's bytes, and stores the beginning of an incomplete one in the
+ * empty buffer. */
 MIP_APART bool scan(struct mip_parser *parser, const uint8_t **data, size_t *size,
                     struct mip_packet *packet) {
     const uint8_t *at = *data;
@@ -170,13 +168,13 @@ MIP_APART bool scan(struct mip_parser *parser, const uint8_t **data, size_t *siz
 #endif
 
 #ifdef __OPTIMIZE_SIZE__
-#define search mip_parser_next /* the only way */
+#define search mip_parser_next /* it handles every case */
 #else
 static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
                    struct mip_packet *packet);
 #endif
 
-/** Looks for a packet in the buffer, with as many of the caller's bytes as it needs. */
+/** Looks for a packet in the buffer, and moves as many of the caller's bytes there as it needs. */
 bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
             struct mip_packet *packet) {
 #ifndef __OPTIMIZE_SIZE__
@@ -186,8 +184,8 @@ bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
     for (;;) {
         const size_t left = (size_t)parser->length - parser->done;
 #ifndef __OPTIMIZE_SIZE__
-        if (left <= given - *size) { /* all of them are in the caller's bytes, too */
-            if (left > 0) {          /* else there may be no bytes at all, at no address */
+        if (left <= given - *size) { /* all of these are still in the caller's bytes */
+            if (left > 0) {          /* otherwise the caller's pointer may be NULL */
                 *data -= left;
                 *size += left;
             }
@@ -221,8 +219,8 @@ bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
 }
 
 #ifndef __OPTIMIZE_SIZE__
-/** Keeps all of the caller's bytes, if there are any, as they belong to the packet whose beginning
- * is in the buffer. */
+/** Keeps all of the caller's bytes, if any, because they belong to the packet whose beginning is in
+ * the buffer. */
 MIP_APART bool extend(struct mip_parser *parser, const uint8_t **data, size_t *size) {
     if (*size == 0) {
         return false;
@@ -232,14 +230,14 @@ MIP_APART bool extend(struct mip_parser *parser, const uint8_t **data, size_t *s
     return false;
 }
 
-/** Completes that packet, whose rest is in the caller's bytes. */
+/** Completes the packet in the buffer, whose rest is in the caller's bytes. */
 MIP_APART bool complete(struct mip_parser *parser, const uint8_t **data, size_t *size,
                         struct mip_packet *packet) {
     const size_t missing = parser->missing;
     const size_t goal = parser->length + missing;
     uint8_t *to = parser->buffer + parser->length;
     if (missing <= BLOCK && *size >= BLOCK && goal <= sizeof(parser->buffer) - BLOCK) {
-        memcpy(to, *data, BLOCK); /* a few too many, but without a call */
+        memcpy(to, *data, BLOCK); /* perhaps too many, but without a call */
     } else {
         memcpy(to, *data, missing);
     }
@@ -275,8 +273,8 @@ MIP_APART bool begin(struct mip_parser *parser, const uint8_t **data, size_t *si
 #ifndef __OPTIMIZE_SIZE__
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-    /* Packet after packet, without a call. The shortest ones are separate: they have no whole
-     * block. */
+    /* Packet after packet, without a call. The shortest packets are handled separately, because
+     * they do not contain a whole block. */
     const uint8_t *bytes = *data;
     if (parser->length > 0) {
         return *size < parser->missing ? extend(parser, data, size)

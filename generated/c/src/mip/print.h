@@ -1,6 +1,6 @@
 /**
  * @file
- * Prints packets and fields for people, with names, units and flags, and unknown bytes in
+ * Prints packets and fields in readable form, with names, units and flags, and unknown bytes in
  * hexadecimal. It links all types of all sets, so small programs should not use it.
  *
  *     char buffer[1024];
@@ -9,13 +9,13 @@
  *     mip_print_packet(&print, &packet);
  *     puts(buffer);
  *
- * prints, for instance:
+ * prints, for example:
  *
  *     packet (0x80) sensor, 20 bytes
  *       sensor.scaled_accel: data (0x80,0x04)
  *         scaled_accel: [0.5, -0.25, 1] g
  *
- * The text is ASCII, and each line ends with a line feed. There is no heap: while a field is
+ * The text is ASCII, and each line ends with a line feed. No heap is used: while a field is
  * printed, its structure is on the stack (`union mip_any_value`), and about 800 bytes more for a
  * number that is not whole. The text may change between versions; programs should not parse it.
  */
@@ -34,8 +34,8 @@ struct mip_print {
     void (*put)(void *user, const char *text, size_t size);
     /** The first argument of `put`. */
     void *user;
-    /** Id of the device, "3dm-gx5-15": some values have another meaning on each. NULL if it is not
-     * known; such values are then plain numbers. */
+    /** Id of the device, such as "3dm-gx5-15", because the meaning of some values depends on it.
+     * NULL if it is not known; such values are then plain numbers. */
     const char *device;
 };
 
@@ -45,47 +45,47 @@ struct mip_text {
     char *buffer;
     /** Size of the buffer. */
     size_t room;
-    /** Characters of the whole text, without the NUL. The buffer holds all of it if this is less
-     * than `room`, else the beginning. */
+    /** The number of characters of the whole text, without the NUL. If it is `room` or more, the
+     * buffer contains only the beginning. */
     size_t length;
 };
 
-/** Begins a text in a buffer of `room` bytes. Text that does not fit is counted and left out. */
+/** Begins a text in a buffer of `room` bytes. Text that does not fit is counted and omitted. */
 MIP_API struct mip_print mip_print_to_text(struct mip_text *text, char *buffer, size_t room);
 
-/** A packet: its descriptor set, its fields, and the error after the last one, if any. */
+/** Prints a packet: its descriptor set, its fields, and the error after the last one, if any. */
 MIP_API void mip_print_packet(const struct mip_print *print, const struct mip_packet *packet);
 
-/** Bytes that should be one packet: the same, and whether the checksum is correct. If the length
- * or the beginning is not that of a packet, the error and a hex dump. */
+/** Prints bytes that should be one packet, and whether the checksum is correct. If the sync bytes
+ * or the length are wrong, prints the error and a hex dump. */
 MIP_API void mip_print_bytes(const struct mip_print *print, const uint8_t *bytes, size_t size);
 
-/** A field: its name, its descriptors and its values, or the reason why it has none and its
+/** Prints a field: its name, its descriptors and its values, or why it cannot be decoded, and its
  * bytes. */
 MIP_API void mip_print_field(const struct mip_print *print, const struct mip_field *field);
 
-/** The values of a structure that mip_decode has filled, or that is to be encoded. `codec` must
- * be one of this binding. Optional parameters that are absent are left out. */
+/** Prints the values of a structure that mip_decode has filled, or that is to be encoded. `codec`
+ * must be one of this binding. Absent optional parameters are omitted. */
 MIP_API void mip_print_value(const struct mip_print *print, const struct mip_codec *codec,
                              const void *value);
 
-/** A hex dump: a line for each 16 bytes, with their offset, and as numbers and characters. */
+/** Prints a hex dump: a line for each 16 bytes, with their offset, as numbers and characters. */
 MIP_API void mip_print_hex(const struct mip_print *print, const uint8_t *bytes, size_t size);
 
-/** A text that ends with a NUL. */
+/** Prints a text that ends with a NUL. */
 MIP_API void mip_print_string(const struct mip_print *print, const char *text);
 
-/** A whole number. */
+/** Prints a whole number. */
 MIP_API void mip_print_unsigned(const struct mip_print *print, uint64_t value);
 
-/** A whole number that may be negative. */
+/** Prints a whole number that may be negative. */
 MIP_API void mip_print_signed(const struct mip_print *print, int64_t value);
 
-/** A float, with the fewest digits that distinguish it from all others: "0.1", "1e-7", "-inf",
- * "nan". */
+/** Prints a float with the fewest digits that distinguish it from all others: "0.1", "1e-7",
+ * "-inf", "nan". */
 MIP_API void mip_print_float(const struct mip_print *print, float value);
 
-/** A double in the same way. */
+/** Prints a double in the same way. */
 MIP_API void mip_print_double(const struct mip_print *print, double value);
 
 #ifdef __cplusplus

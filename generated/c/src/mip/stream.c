@@ -1,5 +1,5 @@
-/* Pieces of a stream, and the index of a log. The parser finds the packets; other bytes that it
- * consumes are counted here, in the width of a pointer, because its own counter may wrap around. */
+/* Pieces of a stream, and the index of a log. The parser finds the packets. The other bytes are
+ * counted here in a size_t, because the parser's own counter may wrap around. */
 #include "mip/stream.h"
 
 #include <string.h>
@@ -13,7 +13,7 @@ void mip_stream_init(struct mip_stream *stream) {
     mip_parser_init(&stream->parser);
 }
 
-/** The number of bytes that the parser keeps, because they may begin a packet. */
+/** Returns the number of bytes that the parser keeps because they may begin a packet. */
 static size_t held_by(const struct mip_parser *parser) {
     return (size_t)parser->length - parser->done;
 }
@@ -23,7 +23,8 @@ static bool waiting(const struct mip_stream *stream) {
     return stream->held > 0 || stream->given > 0 || stream->found;
 }
 
-/** Keeps the bytes that the parser holds, as it drops those that it skips. Returns their number. */
+/** Copies the bytes that the parser holds, because it drops those that it skips. Returns their
+ * number. */
 static size_t keep(struct mip_stream *stream) {
     const size_t held = held_by(&stream->parser);
     if (held > 0) {
@@ -32,8 +33,8 @@ static size_t keep(struct mip_stream *stream) {
     return held;
 }
 
-/** Divides the bytes that the parser has skipped: first those that it held, then those of the
- * caller. A packet that it may have found follows them. */
+/** Divides the bytes that the parser has skipped: first those that it held, then the caller's. A
+ * packet, if one was found, follows them. */
 static void divide(struct mip_stream *stream, size_t held, size_t given) {
     const size_t left = held_by(&stream->parser) + (stream->found ? stream->packet.size : 0);
     const size_t skipped = held + given - left;
@@ -96,7 +97,7 @@ size_t mip_index(const uint8_t *bytes, size_t size, bool ended, size_t *at, size
         struct mip_packet packet;
         mip_parser_init(&parser);
         while (count < room && mip_parser_next(&parser, &data, &left, &packet)) {
-            /* The parser may have copied it, with bytes behind it. */
+            /* The parser may have copied the packet, with bytes after it. */
             *at = (size_t)(data - bytes) - held_by(&parser);
             offsets[count++] = *at - packet.size;
         }

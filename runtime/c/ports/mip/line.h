@@ -1,8 +1,8 @@
 /**
  * @file
- * Serial ports and TCP connections of a computer, for mip/device.h. Optional: compile the files of
- * this folder with the program, and link with ws2_32 on Windows. A microcontroller needs none of
- * it.
+ * Serial ports and TCP connections on a computer, for mip/device.h. Optional: compile the files in
+ * this folder with your program, and link with ws2_32 on Windows. A microcontroller needs none of
+ * them.
  *
  *     struct mip_line line;
  *     if (!mip_line_open(&line, "/dev/ttyACM0", 115200)) {
@@ -28,7 +28,7 @@ extern "C" {
 struct mip_line {
     /** For mip_device_init. */
     struct mip_port port;
-    /** The file, the handle, or the socket of the system. */
+    /** The system's file descriptor, handle or socket. */
     intptr_t handle;
     /** The name passed to mip_line_open, for mip_line_reopen. */
     const char *name;
@@ -42,26 +42,26 @@ struct mip_line {
 
 /**
  * Opens a port: a TCP connection if the name is HOST:PORT, else a serial port, such as
- * /dev/ttyACM0 or COM3, with 8 data bits, no parity and no flow control. The program is its only
- * user as long as it is open. The name must not move. False on failure: see `error`.
+ * /dev/ttyACM0 or COM3, with 8 data bits, no parity, 1 stop bit and no flow control. The port is
+ * opened exclusively. The name must stay at its address. Returns false on failure: see `error`.
  */
 bool mip_line_open(struct mip_line *line, const char *name, uint32_t baud);
 
 /**
- * Opens a port again that was lost, as when mip_device_poll has returned false: closes it, and
- * tries to open it every 100 ms, for `within` milliseconds. The device then continues at the same
+ * Opens a lost port again, for example after mip_device_poll has returned false: closes it, and
+ * tries to open it every 100 ms for `within` milliseconds. The device then continues at the same
  * baud rate:
  *
  *     while (mip_device_poll(&device) || mip_line_reopen(&line, 30000)) { ... }
  *
- * The command that waited was not answered: its outcome was MIP_CLOSED. The device may have
- * restarted, and then sends nothing until mip_device_stream starts its data again. False if the
- * port could not be opened: see `error`.
+ * The outcome of the command that was waiting is MIP_CLOSED. The device may have restarted; then it
+ * sends nothing until you call mip_device_stream again. Returns false if the port could not be
+ * opened: see `error`.
  */
 bool mip_line_reopen(struct mip_line *line, uint32_t within);
 
-/** Changes the baud rate of a serial port, and discards what has arrived; for mip_device_connect.
- * False if the system or the port does not support the rate, and for a TCP connection. */
+/** Changes the baud rate of a serial port, and discards received bytes; for mip_device_connect.
+ * Returns false if the system or the port does not support the rate, and for a TCP connection. */
 bool mip_line_set_baud(void *line, uint32_t baud);
 
 /** Closes a port. */

@@ -35,7 +35,7 @@ void mip_client_wait(struct mip_client *client, struct mip_request *request, uin
     const uint32_t longer = request->exchange->timeout * 250U;
     uint32_t timeout = longer > client->timeout ? longer : client->timeout;
     struct mip_request **end = &client->waiting;
-    if (timeout > MIP_MAX_TIMEOUT) { /* a longer one would seem to be over */
+    if (timeout > MIP_MAX_TIMEOUT) { /* a longer one would seem to have passed */
         timeout = MIP_MAX_TIMEOUT;
     }
     request->deadline = now + timeout;
@@ -67,7 +67,7 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          const void *value, uint32_t now) {
     const size_t start = packet->length;
     const mip_error error = mip_command_encode(command, value, packet);
-    mip_client_cancel(client, request); /* it could still wait for an earlier answer */
+    mip_client_cancel(client, request); /* it could still wait for an earlier reply */
     memset(request, 0, sizeof(*request));
     request->exchange = command->exchange;
     if (error == MIP_OK) {
@@ -107,8 +107,8 @@ mip_error mip_client_send(struct mip_client *client, struct mip_request *request
     return error;
 }
 
-/** The state of a request after a field that is a response to its command; it still waits if it has
- * requested another one. */
+/** Returns the state of a request after a response to its command; it still waits if it has
+ * requested another response. */
 static uint8_t respond(struct mip_request *request, const struct mip_field *field) {
     const struct mip_response *r = request->asked;
     while (r->descriptor != field->descriptor ||
@@ -132,7 +132,7 @@ static uint8_t respond(struct mip_request *request, const struct mip_field *fiel
     return request->error != MIP_OK ? MIP_REQUEST_UNDECODABLE : MIP_REQUEST_ACKNOWLEDGED;
 }
 
-/** The state of a request after an acknowledge of its command and the field after that. */
+/** Returns the state of a request after an acknowledge of its command and the field after that. */
 static uint8_t judge(struct mip_request *request, uint8_t code, const struct mip_field *behind) {
     const struct mip_response *r = request->exchange->responses;
     if (code != 0) {
@@ -156,8 +156,9 @@ static void leave(struct mip_request **at, uint8_t state) {
 
 /*
  * An acknowledge field and the field after it (`behind`) answer the oldest request of that command.
- * A response never answers a request that does not expect it, because it may be the late answer to
- * another one; an acknowledge without a response first answers requests that expect none.
+ * A response is never matched to a request that does not expect it, because it may be the late
+ * reply to another one. An acknowledge without a response is matched first to requests that expect
+ * none.
  */
 bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
                      struct mip_request **answered, struct mip_field *field) {
@@ -172,7 +173,7 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
         return true;
     }
     struct mip_walk ahead = *walk;
-    struct mip_field behind = *field; /* no response, if there is nothing */
+    struct mip_field behind = *field; /* without a field, there is no response */
     mip_walk_next(&ahead, &behind);
     for (struct mip_request **at = &client->waiting; (r = *at) != NULL; at = &r->next) {
         if (r->behind != 0 || r->exchange->descriptor != field->data[0] ||
@@ -181,7 +182,7 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
         }
         const uint8_t judged = judge(r, field->data[1], &behind);
         if (judged == MIP_REQUEST_WAITING || judged == state) {
-            continue; /* of those whose response is missing, the first counts */
+            continue; /* if several lack their response, the first counts */
         }
         found = at;
         state = judged;
@@ -203,12 +204,12 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
     return true;
 }
 
-/** The payload of the answer of the shortest barrier: a single command is not a barrier. */
+/** The payload size of the reply to the shortest barrier; a single command is not a barrier. */
 #define FIRST_BARRIER 8
 
 void mip_client_miss(struct mip_client *client) {
     const uint8_t next = (uint8_t)(client->missed + 4);
-    client->missed = next < FIRST_BARRIER ? FIRST_BARRIER : next; /* after the last one, too */
+    client->missed = next < FIRST_BARRIER ? FIRST_BARRIER : next; /* also after the longest */
 }
 
 size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
@@ -216,7 +217,7 @@ size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
         return 0;
     }
     for (const struct mip_request *r = client->waiting; r != NULL; r = r->next) {
-        mip_client_miss(client); /* they may be commands as in a barrier */
+        mip_client_miss(client); /* they may be the same commands as in a barrier */
     }
     client->behind = client->missed;
     const size_t size = client->behind / 2U;
@@ -229,7 +230,7 @@ size_t mip_client_barrier(struct mip_client *client, uint8_t *bytes) {
 bool mip_client_passes(struct mip_client *client, const struct mip_packet *packet) {
     const uint8_t size = client->behind;
     const uint8_t *field = packet->bytes;
-    const uint32_t answer = /* of each command: length, descriptor, what it acknowledges */
+    const uint32_t answer = /* for each command: length, descriptor, echoed descriptor */
         UINT32_C(0x40000) + MIP_ACKNOWLEDGE_DESCRIPTOR * 256U + MIP_BARRIER_DESCRIPTOR;
     if (MIP_BARRIER_SET == 0 || size == 0 || packet->descriptor_set != MIP_BARRIER_SET ||
         packet->bytes[3] != size) {
@@ -247,7 +248,7 @@ bool mip_client_passes(struct mip_client *client, const struct mip_packet *packe
     }
     for (struct mip_request **at = &client->waiting; *at != NULL;) {
         if ((*at)->behind != size) {
-            leave(at, MIP_REQUEST_TIMED_OUT); /* answers are in order: it has none */
+            leave(at, MIP_REQUEST_TIMED_OUT); /* replies are in order, so it has none */
         } else {
             (*at)->behind = 0;
             at = &(*at)->next;
@@ -280,7 +281,7 @@ bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint3
         if (!is_late(*at, now)) {
             at = &(*at)->next;
         } else if (parser != NULL && mip_parser_look_behind(parser, packet)) {
-            return true; /* noise may hide an answer; the part of the next packet is kept */
+            return true; /* noise may hide a reply; the part of the next packet is kept */
         } else {
             leave(at, MIP_REQUEST_TIMED_OUT);
             mip_client_miss(client);

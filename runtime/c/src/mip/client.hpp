@@ -1,6 +1,6 @@
 /**
  * @file
- * The command client in C++17, without input, output or a clock: for your own event loop.
+ * The command client in C++17, without input, output or a clock, for your own event loop.
  */
 #ifndef MIP_CLIENT_HPP
 #define MIP_CLIENT_HPP
@@ -12,8 +12,8 @@ namespace mip {
 class client;
 
 /**
- * A command, and its answer: `mip::request ping(mip::base::ping{})`. It can be sent again. The
- * client, which holds its address while it waits, must outlive it.
+ * A command and its response: `mip::request ping(mip::base::ping{})`. It can be sent again. The
+ * client must outlive it, and stores its address while it waits.
  */
 template <class Command> class request {
   public:
@@ -27,11 +27,11 @@ template <class Command> class request {
         cancel();
     }
 
-    /** Does it still wait for its answer? */
+    /** Does it still wait for a reply? */
     bool waiting() const {
         return client_ != nullptr && request_.state == MIP_REQUEST_WAITING;
     }
-    /** The outcome: not_sent before and while it waits, closed if it was cancelled. */
+    /** Returns the outcome: not_sent before it is sent and while it waits, closed if cancelled. */
     mip::result<response> result() const {
         const mip_result of = {static_cast<mip_outcome>(request_.state), request_.code,
                                error_ != MIP_OK ? error_ : request_.error, request_.responded};
@@ -83,7 +83,7 @@ template <class Command> class request {
 };
 
 /**
- * Sends commands in packets that you write, and finds their answers in the bytes that you read. The
+ * Encodes commands in packets that you write, and finds the replies in the bytes that you read. The
  * time is in milliseconds, and may wrap around.
  */
 class client {
@@ -96,10 +96,10 @@ class client {
     client &operator=(const client &) = delete;
 
     /**
-     * Makes a packet of commands of one descriptor set: the bytes to write, which the client stores
-     * until the next call. They begin with a barrier if the answer to an earlier command may still
-     * arrive. Requests that still wait are cancelled first. Empty if a command cannot be encoded:
-     * nothing is sent, and the result of that request has the error.
+     * Makes a packet of commands of one descriptor set. Returns the bytes to write, which the
+     * client stores until the next call. They begin with a barrier if the reply to an earlier
+     * command may still arrive. Requests that still wait are cancelled first. If a command cannot
+     * be encoded, the bytes are empty, and the result of that request contains the error.
      */
     template <class... Commands>
     [[nodiscard]] bytes send(std::uint32_t now, request<Commands> &...requests) {
@@ -118,8 +118,8 @@ class client {
     }
 
     /**
-     * Processes bytes as they arrive, in any pieces, or none to update the time only: requests are
-     * answered or time out. All other fields go to the handlers, as in mip::dispatch.
+     * Processes bytes as they arrive, in any pieces; pass none to only update the time. Requests
+     * are answered or time out. All other fields are passed to the handlers, as in mip::dispatch.
      */
     template <class... Handlers>
     void receive(bytes piece, std::uint32_t now, Handlers &&...handlers) {
@@ -142,15 +142,15 @@ class client {
         }
     }
 
-    /** Milliseconds that the device may take to answer. */
+    /** Sets how many milliseconds the device may take to reply. */
     void timeout(std::uint32_t milliseconds) {
         client_.timeout = milliseconds;
     }
-    /** The client of C, for functions that have no equivalent here. */
+    /** Returns the C client, for functions that have no equivalent here. */
     mip_client &c() {
         return client_;
     }
-    /** The parser of the bytes received. */
+    /** Returns the parser of the received bytes. */
     mip_parser &parser() {
         return parser_;
     }

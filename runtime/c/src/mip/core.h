@@ -2,8 +2,8 @@
  * @file
  * The core of the MIP binding: packets, fields, and the stream parser.
  *
- * C99 without heap; of the standard library it uses only memcpy, memmove, memset and memchr.
- * Nothing depends on the byte order or the alignment of the host.
+ * C99 without a heap. Of the standard library, only memcpy, memmove, memset and memchr are used.
+ * Nothing depends on the host's byte order or alignment.
  */
 #ifndef MIP_CORE_H
 #define MIP_CORE_H
@@ -33,35 +33,34 @@ typedef enum mip_error {
     MIP_OK = 0,
     /** The bytes do not start with the sync bytes of a packet. */
     MIP_ERROR_SYNC,
-    /** A packet does not have the length that it states, or something does not fit into a packet.
-     */
+    /** A packet's size is not the length that it states, or something does not fit into a packet.
+     * */
     MIP_ERROR_LENGTH,
     /** The checksum of a packet does not match. */
     MIP_ERROR_CHECKSUM,
-    /** A field is shorter than its own header or reaches beyond its packet. */
+    /** A field is shorter than its own header or extends past its packet. */
     MIP_ERROR_FIELD_LENGTH,
     /** A field is too short for its parameters. */
     MIP_ERROR_TRUNCATED,
     /** A count exceeds the number of elements that follow, or the size of the array. */
     MIP_ERROR_COUNT,
-    /** A constant has another value. */
+    /** A constant has the wrong value. */
     MIP_ERROR_CONSTANT,
-    /** The number of present parameters ends between a counter and its array, or is too large, or
-     * parameters that it leaves out have values; or a command has no function. */
+    /** `present` separates a counter from its array, or is too large, or an omitted parameter has a
+     * value; or a command has no function selector. */
     MIP_ERROR_MISSING,
     /** The field does not belong in packets of this descriptor set. */
     MIP_ERROR_SET,
-    /** The descriptor of the field is not that of the type as which it is to be decoded. */
+    /** The field's descriptor is not the one of the type as which it should be decoded. */
     MIP_ERROR_DESCRIPTOR,
-    /** The data has another layout of the descriptor than that as which it is to be decoded. */
+    /** The data has another layout of the descriptor than the one as which it should be decoded. */
     MIP_ERROR_LAYOUT
 } mip_error;
 
-/** MIP_VERSION_NUMBER of the linked library, which differs from that of the headers if they do not
- * belong together. */
+/** Returns MIP_VERSION_NUMBER of the linked library, to compare it with that of the headers. */
 MIP_API unsigned long mip_version(void);
 
-/** The error as one word in lower case: "truncated"; "ok" if there is none. */
+/** Returns the error as one word in lower case: "truncated"; "ok" if there is none. */
 MIP_API const char *mip_error_name(mip_error error);
 
 #ifndef __cplusplus
@@ -71,8 +70,8 @@ MIP_API const char *mip_error_name(mip_error error);
 #define MIP_IN_CPP(text) text
 #endif
 
-/* These follow the name of an enumeration. In C++, it then has as many bits as on the wire, and
- * holds values without a name, too; in C, the compiler chooses. */
+/* These follow the name of an enumeration. In C++, they set its width on the wire, so that it can
+ * also hold unnamed values; in C, the compiler chooses the width. */
 
 /** An enumeration of 8 bits. */
 #define MIP_ENUM_8 MIP_IN_CPP( : uint8_t)
@@ -83,7 +82,7 @@ MIP_API const char *mip_error_name(mip_error error);
 /** An enumeration of 64 bits. */
 #define MIP_ENUM_64 MIP_IN_CPP( : uint64_t)
 
-/** Zero is false, anything else is true; bytes other than 0 and 1 are preserved. */
+/** A Boolean: zero is false, anything else is true. Bytes other than 0 and 1 are preserved. */
 typedef uint8_t mip_bool;
 
 /* --------------------------------------------------------------------------- packets and fields */
@@ -123,17 +122,17 @@ struct mip_walk {
     mip_error error;
 };
 
-/** May a packet have this descriptor set? Not 0 and 0xFF: they stand for all sets of commands, and
- * of data, in tables. */
+/** May a packet have this descriptor set? Not 0 or 0xFF, which in tables denote all command sets
+ * and all data sets. */
 static inline bool mip_set_valid(uint8_t descriptor_set) {
     return descriptor_set != 0 && descriptor_set != 0xFF;
 }
 
-/** The checksum of some bytes: its first byte is the high one. */
+/** Computes the checksum of some bytes; its high byte is sent first. */
 MIP_API uint16_t mip_checksum(const uint8_t *bytes, size_t size);
 
-/** Checks that bytes are exactly one packet: MIP_OK, or what is wrong with them. The parser and the
- * builder have the same rules: no packet has descriptor set 0 or 0xFF. */
+/** Checks that bytes are exactly one packet, by the rules of the parser and the builder: no packet
+ * has descriptor set 0 or 0xFF. */
 MIP_API mip_error mip_packet_check(const uint8_t *bytes, size_t size, struct mip_packet *packet);
 
 /** Begins a walk through the fields of a packet. */
@@ -141,7 +140,7 @@ static inline struct mip_walk mip_walk_packet(const struct mip_packet *packet) {
     struct mip_walk walk;
     walk.at = packet->bytes;
     walk.end = packet->bytes;
-    if (packet->size >= MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) { /* else there are no fields */
+    if (packet->size >= MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE) { /* otherwise there are no fields */
         walk.at += MIP_HEADER_SIZE;
         walk.end += packet->size - MIP_CHECKSUM_SIZE;
     }
@@ -150,7 +149,8 @@ static inline struct mip_walk mip_walk_packet(const struct mip_packet *packet) {
     return walk;
 }
 
-/** Gets the next field. False at the end; `error` then shows whether all fields have been seen. */
+/** Gets the next field. Returns false at the end; `error` is then MIP_OK if all fields are valid.
+ * */
 static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field) {
     const size_t left = (size_t)(walk->end - walk->at);
     if (left == 0) {
@@ -174,10 +174,11 @@ static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field)
 #define MIP_KEY(descriptor_set, descriptor) ((uint16_t)((descriptor_set) * 256U + (descriptor)))
 
 /**
- * What a field is, as one number: `switch (mip_field_key(&field)) { case MIP_SENSOR_...: ... }`.
- * The constant of a field that occurs in several sets takes the set, so that each is a case of its
- * own: `case MIP_GNSS_DATA_...(MIP_GNSS_2_SET):`. Shared fields have the same key in every data
- * set, the acknowledge has it in every command set.
+ * Returns the type of a field as one number:
+ * `switch (mip_field_key(&field)) { case MIP_SENSOR_...: ... }`. For a field that occurs in several
+ * sets, the constant is a macro of the set, so that each is a case of its own:
+ * `case MIP_GNSS_DATA_...(MIP_GNSS_2_SET):`. Shared fields have the same key in every data set, and
+ * the acknowledge has the same key in every command set.
  */
 static inline uint16_t mip_field_key(const struct mip_field *field) {
     uint32_t set = field->descriptor_set;
@@ -189,7 +190,7 @@ static inline uint16_t mip_field_key(const struct mip_field *field) {
 
 /* ------------------------------------------------------------------------------- packet builder */
 
-/** Builds a packet from fields, in a buffer of the caller. */
+/** Builds a packet from fields, in the caller's buffer. */
 struct mip_builder {
     /** The packet so far. */
     uint8_t *buffer;
@@ -197,8 +198,8 @@ struct mip_builder {
     size_t capacity;
     /** Bytes used, without the checksum. */
     size_t length;
-    /** The first error of starting the packet or adding to it, for callers that check once at the
-     * end; MIP_OK if there was none. Rejected fields are not in the packet, which stays valid. */
+    /** The first error when the packet was begun or fields were added, for callers that check once
+     * at the end; MIP_OK if there was none. The packet stays valid, without the rejected fields. */
     mip_error error;
 };
 
@@ -211,8 +212,9 @@ static inline mip_error mip_builder_note(struct mip_builder *builder, mip_error 
 }
 
 /**
- * Begins a packet. MIP_ERROR_LENGTH if the buffer does not even hold an empty one, MIP_ERROR_SET if
- * the descriptor set is 0 or 0xFF, which no packet has; then nothing can be added.
+ * Begins a packet. Fails with MIP_ERROR_LENGTH if the buffer is too small for an empty packet, and
+ * with MIP_ERROR_SET if the descriptor set is 0 or 0xFF, which no packet has; then nothing can be
+ * added.
  */
 static inline mip_error mip_builder_start(struct mip_builder *builder, uint8_t *buffer,
                                           size_t capacity, uint8_t descriptor_set) {
@@ -235,12 +237,12 @@ static inline mip_error mip_builder_start(struct mip_builder *builder, uint8_t *
     return MIP_OK;
 }
 
-/** Descriptor set of the packet; 0 if none could be begun. */
+/** Returns the packet's descriptor set; 0 if the packet could not be begun. */
 static inline uint8_t mip_builder_set(const struct mip_builder *builder) {
     return builder->length > 0 ? builder->buffer[2] : 0;
 }
 
-/** Adds a field from its bytes. MIP_ERROR_LENGTH if it does not fit; the packet is unchanged. */
+/** Adds a field from its bytes. If it does not fit, the packet is unchanged: MIP_ERROR_LENGTH. */
 MIP_CHECKED MIP_API mip_error mip_builder_add(struct mip_builder *builder, uint8_t descriptor,
                                               const void *data, size_t size);
 
@@ -257,7 +259,7 @@ static inline struct mip_packet mip_builder_finish(struct mip_builder *builder) 
     return packet;
 }
 
-/** Writes the header and the checksum around a payload of `size` bytes, which is at its place:
+/** Writes the header and the checksum around a payload of `size` bytes, which is already at
  * bytes + MIP_HEADER_SIZE. Returns the size of the packet. */
 MIP_API size_t mip_packet_seal(uint8_t *bytes, uint8_t descriptor_set, size_t size);
 
@@ -265,14 +267,14 @@ MIP_API size_t mip_packet_seal(uint8_t *bytes, uint8_t descriptor_set, size_t si
 
 /** Finds packets in a stream of bytes, in pieces of any size. */
 struct mip_parser {
-    /** Bytes so far that are not part of a packet. */
+    /** The number of bytes so far that are not part of a packet. */
     uint32_t skipped;
     /** Bytes in the buffer. */
     uint16_t length;
-    /** The number of them that are used up: the last packet, and the bytes before it. */
+    /** The number of these that have been processed: the last packet, and the bytes before it. */
     uint16_t done;
-    /** The number of bytes that are missing from the packet whose header is at the beginning of the
-     * buffer, if the library is compiled for speed; 0 if that is not known. */
+    /** The number of missing bytes of the packet that begins the buffer, if the library is compiled
+     * for speed; 0 if that is not known. */
     uint16_t missing;
     /** The beginning of a packet whose end has not arrived yet. */
     uint8_t buffer[MIP_MAX_PACKET];
@@ -283,31 +285,32 @@ MIP_API void mip_parser_init(struct mip_parser *parser);
 
 /**
  * Reads bytes until a packet is complete or no byte is left, and advances `data` and `size`.
+ * Returns true if it has found a packet.
  *
  *     while (mip_parser_next(&parser, &data, &size, &packet)) { ... }
  *
- * The packet is in the caller's bytes, or in the parser if their end has cut it or the library was
- * compiled for size: it is valid until the parser is called again, and as long as these bytes are
+ * The packet is in the caller's bytes, or in the parser if it spans calls or the library was
+ * compiled for size. It is valid until the parser is called again, and while these bytes are
  * unchanged.
  */
 MIP_API bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                              struct mip_packet *packet);
 
 /**
- * Discards the incomplete packet only if a whole packet follows its first bytes, and finds that
- * packet: the incomplete one was noise. Otherwise nothing changes.
+ * Discards the incomplete packet if a whole packet begins within it, because it was noise, and
+ * finds that packet. Otherwise returns false, and nothing changes.
  */
 MIP_API bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet);
 
 /**
- * Discards the incomplete packet and finds whole packets after its first bytes.
+ * Discards the incomplete packet, and finds whole packets within it.
  *
  * Noise may look like the beginning of a packet of up to 261 bytes. The parser then waits for the
  * rest, and holds back what follows, even whole packets, until that many bytes have arrived or
- * until this function is called. So call it at the end of a file, and when the line has been silent
- * for longer than a packet takes. If it is not called, the last packets of a file may be missing,
- * and packets of a live stream may be delayed, but none is lost. If it is called while the rest of
- * a packet is still arriving, that packet is lost: see mip_parser_look_behind, which keeps it.
+ * until this function is called. Call it at the end of a file, and when the line has been silent
+ * for longer than a packet takes. If you do not, the last packets of a file may be missing, and
+ * packets of a live stream may be delayed, but none is lost. If you call it while the rest of a
+ * packet is still arriving, that packet is lost; mip_parser_look_behind keeps it.
  *
  *     while (mip_parser_flush(&parser, &packet)) { ... }
  */
@@ -318,14 +321,14 @@ MIP_API bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *pack
 /*
  * Optional parameters: the member `present`
  *
- * Some fields may end early: an older device, or a command that does not need all values, leaves
- * out their last parameters. The structure of such a field begins with `present`, the number of
+ * Some fields may end early, because an older device, or a command that does not need all values,
+ * omits the last parameters. The structure of such a field begins with `present`, the number of
  * parameters that are present, counted from the first one, without the function selector.
  *
- * After decoding, it is the number received; the members of the others are zero. Before encoding,
- * it is the number to send; those that the function requires are always sent, so 0, the value that
- * constructors leave, means only these. The constants ..._WITH_<PARAMETER> are its values: that
- * parameter, and all before it.
+ * After decoding, it is the number received; the other members are zero. Before encoding, set it to
+ * the number to send. The parameters that the function requires are always sent, so 0, which
+ * constructors set, means only these. The constants ..._WITH_<PARAMETER> are values for it: they
+ * include that parameter and all before it.
  *
  *     mip_..._write(&command, port, baud);
  *     command.flow_control = 1;
@@ -338,58 +341,58 @@ MIP_API bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *pack
 #define MIP_COMMAND 0
 /** A field that answers a command. */
 #define MIP_RESPONSE 1
-/** A field with data, which the device sends by itself. */
+/** A field with data, which the device sends without a request. */
 #define MIP_DATA 2
 
 struct mip_interpreter;
 
 /** The wire format of a type of field. */
 struct mip_codec {
-    /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets; the first
-     * of several: mip_codec_belongs knows them all. */
+    /** Descriptor set: 0 for all command sets, 0xFF for all data sets. If there are several, it is
+     * the first; mip_codec_belongs checks all of them. */
     uint8_t descriptor_set;
     /** Descriptor of the field. */
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
-    /** Bytes of data, at least, of a layout that is only numbers; 0 of other layouts. */
+    /** The minimum number of bytes of data of a layout that is only numbers; 0 for others. */
     uint8_t numbers;
     /** Size of the structure. */
     uint16_t size;
-    /** The number of further descriptor sets with it. Their numbers are right before `program`. */
+    /** The number of further descriptor sets in which it occurs; they are right before `program`.
+     * */
     uint8_t more_sets;
-    /** MIP_SHAPE of a layout that is only numbers, wide ones before others, without gaps; else 0.
-     */
+    /** MIP_SHAPE of a layout that is only numbers, the widest first, without gaps; else 0. */
     uint8_t shape;
     /** The steps that read and write it: see mip/program.h. */
     const uint8_t *program;
-    /** Runs the steps; NULL if they are only numbers. */
+    /** Runs the steps; NULL if the layout is only numbers. */
     const struct mip_interpreter *interpreter;
 };
 
 /** Do packets of this descriptor set contain fields of this type? */
 MIP_API bool mip_codec_belongs(const struct mip_codec *codec, uint8_t descriptor_set);
 
-/** Does the data of a field have this layout of its descriptor, as far as it reaches? */
+/** Does the data of a field, as far as present, have this layout of its descriptor? */
 MIP_API bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *field);
 
-/** Is it a field of this type, in any of the descriptor sets in which the type occurs? Its
+/** Is it a field of this type, in any of the descriptor sets in which the type occurs? The field's
  * `descriptor_set` is the one in which it arrived. */
 MIP_API bool mip_field_is(const struct mip_field *field, const struct mip_codec *codec);
 
 /**
- * Decodes a field of any type. On an error `value` is zeroed. `trailing` may be NULL; it receives
- * the number of bytes after the last known parameter, as newer devices may send more.
+ * Decodes a field of any type. On an error, `value` is zeroed. `trailing`, which may be NULL,
+ * receives the number of bytes after the last known parameter, because newer devices may send more.
  */
 MIP_API mip_error mip_decode(const struct mip_codec *codec, void *value,
                              const struct mip_field *field, size_t *trailing);
 
-/** The same for a field with the descriptor of the type. */
+/** Like mip_decode, for a field whose descriptor is known to be the type's. */
 MIP_API mip_error mip_decode_same(const struct mip_codec *codec, void *value,
                                   const struct mip_field *field);
 
-/** Called by each _decode. Most fields of a packet are of other types: they are rejected before a
- * call, unless size matters more than speed. */
+/** Decodes a field if it has this descriptor; each ..._decode calls this. Most fields of a packet
+ * are of other types. They are rejected without a call, unless size matters more than speed. */
 static inline mip_error mip_decode_only(const struct mip_codec *codec, uint8_t descriptor,
                                         void *value, size_t size, const struct mip_field *field) {
 #ifdef __OPTIMIZE_SIZE__
@@ -412,14 +415,14 @@ static inline mip_error mip_decode_only(const struct mip_codec *codec, uint8_t d
 MIP_CHECKED MIP_API mip_error mip_encode(const struct mip_codec *codec, const void *value,
                                          struct mip_builder *builder);
 
-/** May packets of this set contain fields of that one? Set 0 means all command sets, 0xFF all
+/** May packets of one set contain fields of another? Field set 0 means all command sets, 0xFF all
  * data sets. */
 static inline bool mip_set_has(uint8_t packet_set, uint8_t field_set) {
     return field_set == packet_set || (field_set == 0xFF && packet_set >= 0x80) ||
            (field_set == 0 && packet_set < 0x80);
 }
 
-/** Is it this field, with at least this many bytes of data? MIP_OK, or what is wrong with it. */
+/** Checks that a field has this set and descriptor, and at least this many bytes of data. */
 static inline mip_error mip_field_check(const struct mip_field *field, uint8_t descriptor_set,
                                         uint8_t descriptor, size_t size) {
     return field->descriptor != descriptor                       ? MIP_ERROR_DESCRIPTOR
@@ -497,11 +500,11 @@ static inline void mip_put_64(uint8_t *to, uint64_t value) {
     mip_put_32(to + 4, (uint32_t)value);
 }
 
-/** The bits of a double of eight bytes as those of a float, rounded to the nearest: for compilers
- * whose doubles have four bytes. */
+/** Converts the bits of an eight-byte double to a float's, rounded to nearest, for compilers whose
+ * doubles have four bytes. */
 MIP_API uint32_t mip_narrow(uint64_t bits);
 
-/** The bits of a float as those of a double of eight bytes. */
+/** Converts the bits of a float to an eight-byte double's. */
 MIP_API uint64_t mip_widen(uint32_t bits);
 
 /* By address, because some machines change the bits of a NaN that is passed by value. */
@@ -519,7 +522,7 @@ static inline void mip_put_float(uint8_t *to, const float *value) {
     mip_put_32(to, bits);
 }
 
-/** Reads a double of eight bytes; it is rounded where the compiler has only four. */
+/** Reads a double of eight bytes; it is rounded if the compiler's doubles have four. */
 static inline void mip_get_double(double *to, const uint8_t *from) {
     const uint64_t bits = mip_get_64(from);
     const uint32_t narrow = sizeof(*to) == sizeof(bits) ? 0 : mip_narrow(bits);
@@ -581,11 +584,11 @@ static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags & ~bits);
 }
 
-/** Bits of a bitfield in bytes, least significant byte first: `width` of them, at most 64, starting
- * with bit `first`. */
+/** Denotes bits of a bitfield in bytes, least significant byte first: `width` of them, at most 64,
+ * starting with bit `first`. */
 #define MIP_BITS(first, width) ((unsigned)(first) | (unsigned)(width) << 8)
 
-/** Gets the number in these bits: mip_get_bits(status.bytes, MIP_..._GYRO_FAULT). */
+/** Returns the number in these bits: mip_get_bits(status.bytes, MIP_..._GYRO_FAULT). */
 MIP_API uint64_t mip_get_bits(const uint8_t *bytes, unsigned bits);
 
 /** Sets the number in these bits. */
@@ -599,8 +602,8 @@ void mip_neither_true_nor_false(void)
     MIP_REFUSED_BY_COMPILER("neither true nor false: are two arguments swapped?");
 #endif
 
-/** Returns its argument. Optimizing compilers refuse a constant that is neither true nor false,
- * such as a descriptor set where `true` belongs. */
+/** Returns its argument. Optimizing compilers reject a constant that is neither true nor false,
+ * such as a descriptor set that was passed instead of `true`. */
 static inline mip_bool mip_truth(mip_bool value) {
 #ifdef MIP_REFUSED_BY_COMPILER
     if (__builtin_constant_p(value) && value > 1) {
@@ -619,7 +622,7 @@ void mip_array_has_fewer_elements(void)
 /** The number of elements of an array and its address, as two arguments. */
 #define MIP_ARRAY(array) (sizeof(array) / sizeof((array)[0])), (array)
 
-/** Returns the size of `count` elements in bytes. Optimizing compilers refuse a constant count that
+/** Returns the size of `count` elements in bytes. Optimizing compilers reject a constant count that
  * is larger than the array. */
 static inline size_t mip_counted(size_t count, const void *items, size_t size) {
 #ifdef MIP_REFUSED_BY_COMPILER
@@ -632,11 +635,11 @@ static inline size_t mip_counted(size_t count, const void *items, size_t size) {
     return count * size;
 }
 
-/** Copies as many bytes as there is room for. */
+/** Copies `size` bytes, or `room` if that is less. */
 MIP_API void mip_copy(void *to, size_t room, const void *from, size_t size);
 
-/** Copies a string, shortened to the size, and fills the rest with spaces; `room` counts the
- * terminating NUL too. */
+/** Copies a string, truncated or padded with spaces to the size; `room` includes the terminating
+ * NUL. */
 MIP_API void mip_copy_text(char *to, size_t room, const char *text);
 
 #ifdef __cplusplus

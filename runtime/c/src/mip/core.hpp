@@ -1,9 +1,9 @@
 /**
  * @file
- * C++17 on the C library: packets and fields as ranges, values by their type, names.
+ * C++17 over the C library: packets and fields as ranges, values by their type, names.
  *
- * Header only, without heap, exceptions, virtual functions or run-time type information. It stores
- * no more than C does, so objects of both can be mixed freely.
+ * Header-only, without heap, exceptions, virtual functions or run-time type information. It stores
+ * no more than the C library does, so objects of both can be mixed freely.
  */
 #ifndef MIP_CORE_HPP
 #define MIP_CORE_HPP
@@ -35,14 +35,14 @@ namespace mip {
 
 /**
  * Facts about a layout: `key`, as mip_field_key returns it, or 0 if the layout occurs in several
- * descriptor sets; `descriptor`; `name`, that of the specification; and `codec()`. Headers of
- * descriptor sets specialize it for each structure of C; types derived from one have the same.
+ * descriptor sets; `descriptor`; `name`, as in the specification; and `codec()`. The headers of
+ * descriptor sets specialize it for each C structure; types derived from one have the same facts.
  */
 template <class T, class = void> struct traits;
 template <class T>
 struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {};
 
-/** Marks a structure of C as a layout. */
+/** Marks a C structure as a layout. */
 #define MIP_LAYOUT(type, constant, number)                                \
     template <> struct traits<::type> {                                   \
         using c_type = ::type;                                            \
@@ -57,7 +57,7 @@ struct traits<T, std::void_t<typename T::c_type>> : traits<typename T::c_type> {
 /** The descriptor of a layout: `{mip::descriptor<mip::..._data::...>, decimation}`. */
 template <class T> inline constexpr std::uint8_t descriptor = traits<T>::descriptor;
 
-/** The structure of C of a layout. */
+/** The C structure of a layout. */
 template <class T> using c_type = typename traits<T>::c_type;
 
 #ifdef __cpp_concepts
@@ -74,7 +74,7 @@ concept layout = requires { traits<T>::codec(); };
 /* ----------------------------------------------------------------------------------------- spans
  */
 
-/** Elements in memory that it does not own: a pointer and a count. */
+/** A pointer and a count: elements in memory that the span does not own. */
 template <class T> class span {
   public:
     constexpr span() = default;
@@ -82,7 +82,7 @@ template <class T> class span {
     }
     template <std::size_t Size> constexpr span(T (&items)[Size]) : data_(items), size_(Size) {
     }
-    /** From std::array, std::vector, std::span and others that have data and size. */
+    /** Converts std::array, std::vector, std::span and other types with data and size. */
     template <class Container, class = std::enable_if_t<std::is_convertible_v<
                                    decltype(std::declval<Container &>().data()), T *>>>
     constexpr span(Container &&items) : data_(items.data()), size_(items.size()) {
@@ -119,7 +119,7 @@ template <class T> class span {
 /** Bytes of a stream. */
 using bytes = span<const std::uint8_t>;
 
-/** A string that ends with a NUL, or with its array. */
+/** Returns a string that ends with a NUL or at the end of its array. */
 template <std::size_t Size> std::string_view text(const char (&characters)[Size]) {
     const auto *end = static_cast<const char *>(::memchr(characters, '\0', Size));
     return {characters, end != nullptr ? static_cast<std::size_t>(end - characters) : Size};
@@ -151,7 +151,7 @@ struct bit_names {
 
 namespace detail {
 
-/** The number of elements in the type of C. A number that is too large for it is too large for any
+/** Returns the number of elements in C's type. A larger number than that holds is too large for any
  * array. */
 template <class Items> constexpr std::uint8_t count(const Items &items) {
     return static_cast<std::uint8_t>(items.size() < 0xFF ? items.size() : 0xFF);
@@ -166,7 +166,7 @@ template <class E> using if_value = std::enable_if_t<has_names<E, value_names>::
 template <class E> using if_flags = std::enable_if_t<has_names<E, flag_names>::value>;
 template <class E> using if_bits = std::enable_if_t<has_names<E, bit_names>::value>;
 
-/** The number of places by which a mask is shifted. */
+/** Returns the number of bits by which a mask is shifted. */
 template <class Number> constexpr unsigned shift(Number mask) {
     unsigned places = 0;
     while (mask != 0 && (mask >> places & 1U) == 0) {
@@ -177,7 +177,7 @@ template <class Number> constexpr unsigned shift(Number mask) {
 
 } // namespace detail
 
-/** The number of an enumeration or a bitfield: as std::to_underlying. */
+/** Returns the number of an enumeration or a bitfield, like std::to_underlying. */
 template <class E> constexpr std::underlying_type_t<E> number(E value) {
     return static_cast<std::underlying_type_t<E>>(value);
 }
@@ -209,31 +209,31 @@ template <class E, class = detail::if_flags<E>> constexpr bool has(E flags, E wa
     return (flags & wanted) == wanted;
 }
 
-/** A number inside a bitfield. */
+/** Returns a number inside a bitfield. */
 template <class E, class = detail::if_flags<E>>
 constexpr std::underlying_type_t<E> get(E flags, E mask) {
     return static_cast<std::underlying_type_t<E>>(number(flags & mask) >>
                                                   detail::shift(number(mask)));
 }
 
-/** Bits of a bitfield in bytes: a flag is 0 or 1. */
+/** Returns a number in a bitfield in bytes; a flag is 0 or 1. */
 template <class Flags, class E, class = detail::if_bits<E>>
 std::uint64_t get(const Flags &flags, E bits) {
     return mip_get_bits(flags.bytes, number(bits));
 }
 
-/** Is this flag of a bitfield in bytes set, or any bit of this number in it? */
+/** Is this flag set in a bitfield in bytes, or any bit of this number? */
 template <class Flags, class E, class = detail::if_bits<E>> bool has(const Flags &flags, E bits) {
     return get(flags, bits) != 0;
 }
 
-/** The name of a value in the specification; empty if it has none. */
+/** Returns the name of a value in the specification; empty if it has none. */
 template <class E, class = detail::if_value<E>> std::string_view to_string(E value) {
     const char *name = mip_value_name(&names_of(value).table, number(value));
     return name != nullptr ? name : std::string_view();
 }
 
-/** The name of one flag, or of a number in a bitfield; empty if it has none. */
+/** Returns the name of one flag, or of a number in a bitfield; empty if it has none. */
 template <class E, class = detail::if_flags<E>, class = void> std::string_view to_string(E flag) {
     const mip_names &names = names_of(flag).table;
     for (std::size_t i = 0; i < names.count; i++) {
@@ -246,7 +246,7 @@ template <class E, class = detail::if_flags<E>, class = void> std::string_view t
     return {};
 }
 
-/** The error as one word: "truncated". */
+/** Returns the error as one word: "truncated". */
 inline std::string_view to_string(mip_error error) {
     return mip_error_name(error);
 }
@@ -287,11 +287,11 @@ struct field : mip_field {
     field(const mip_field &other) : mip_field(other) {
     }
 
-    /** Descriptor set and descriptor as one number: `case traits<T>::key`. */
+    /** Returns descriptor set and descriptor as one number: `case traits<T>::key`. */
     std::uint16_t key() const {
         return mip_field_key(this);
     }
-    /** Its data, without its header. */
+    /** Returns its data, without its header. */
     mip::bytes bytes() const {
         return {data, size};
     }
@@ -299,7 +299,7 @@ struct field : mip_field {
     template <MIP_LAYOUT_TYPE T> bool is() const {
         return mip_field_is(this, &traits<T>::codec());
     }
-    /** Its value, if it is of this type. */
+    /** Returns its value, if it is of this type. */
     template <MIP_LAYOUT_TYPE T> std::optional<T> as() const {
         T value;
         if (descriptor != traits<T>::descriptor || decode(value) != MIP_OK) {
@@ -312,14 +312,15 @@ struct field : mip_field {
         c_type<T> &to = value;
         return mip_decode_only(&traits<T>::codec(), traits<T>::descriptor, &to, sizeof(to), this);
     }
-    /** The same; `trailing` receives the number of bytes after the last known parameter. */
+    /** Like decode(value); `trailing` receives the number of bytes after the last known parameter.
+     * */
     template <MIP_LAYOUT_TYPE T> mip_error decode(T &value, std::size_t *trailing) const {
         c_type<T> &to = value;
         return mip_decode(&traits<T>::codec(), &to, this, trailing);
     }
 };
 
-/** The end of the ranges here. */
+/** The end of the ranges in this header. */
 struct end_of_range {};
 
 /** A packet: a range of fields. It ends before a field whose length is impossible. */
@@ -328,7 +329,7 @@ struct packet : mip_packet {
     packet(const mip_packet &other) : mip_packet(other) {
     }
 
-    /** Goes through the fields. */
+    /** Iterates over the fields. */
     class iterator {
       public:
         using iterator_category = std::input_iterator_tag;
@@ -357,7 +358,8 @@ struct packet : mip_packet {
         friend bool operator!=(const iterator &at, end_of_range) {
             return at.more_;
         }
-        /** At the end: MIP_ERROR_FIELD_LENGTH if it is that of a malformed field, else MIP_OK. */
+        /** Returns, at the end, MIP_ERROR_FIELD_LENGTH if a malformed field is there, else MIP_OK.
+         * */
         mip_error error() const {
             return walk_.error;
         }
@@ -374,7 +376,7 @@ struct packet : mip_packet {
     end_of_range end() const {
         return {};
     }
-    /** The packet of these bytes, if they are exactly one. `why` receives the error. */
+    /** Returns the packet in these bytes, if they are exactly one. `why` receives the error. */
     static std::optional<packet> check(mip::bytes of, mip_error *why = nullptr) {
         packet checked;
         const mip_error error = mip_packet_check(of.data(), of.size(), &checked);
@@ -388,14 +390,15 @@ struct packet : mip_packet {
 /* ---------------------------------------------------------------------------------------- streams
  */
 
-/** The packets in a piece of a stream; of the last piece, those behind its first bytes, too. */
+/** The packets in a piece of a stream; if it is the last piece, also those within an incomplete
+ * packet. */
 template <bool Last> class packet_range {
   public:
     packet_range(mip_parser &parser, bytes piece)
         : parser_(&parser), at_(piece.data()), left_(piece.size()) {
     }
 
-    /** Goes through them. */
+    /** Iterates over the packets. */
     class iterator {
       public:
         using iterator_category = std::input_iterator_tag;
@@ -462,20 +465,20 @@ class parser : public mip_parser {
     parser() {
         mip_parser_init(this);
     }
-    /** The packets that are complete with this piece. Go through all of them: a loop that is left
-     * early loses the rest of the piece. A packet is valid as long as the piece, until the next
-     * one. */
+    /** Returns the packets that this piece completes. Iterate over all of them: leaving the loop
+     * early loses the rest of the piece. A packet is valid until the next one, and while the piece
+     * is. */
     packet_range<false> feed(bytes piece) {
         return {*this, piece};
     }
-    /** The packets that noise has held back: for the end of a file, and for a line that has been
-     * silent for longer than a packet takes. See mip_parser_flush. */
+    /** Returns the packets within an incomplete one. Call this at the end of a file, and when the
+     * line has been silent for longer than a packet takes. See mip_parser_flush. */
     packet_range<true> flush() {
         return {*this, {}};
     }
 };
 
-/** All packets of bytes in memory, such as a mapped file: `for (packet p : packets(file))`. */
+/** All packets in memory, such as in a mapped file: `for (packet p : packets(file))`. */
 class packets {
   public:
     explicit packets(bytes stream) : range_(parser_, stream) {
@@ -489,7 +492,7 @@ class packets {
     end_of_range end() const {
         return {};
     }
-    /** Bytes so far that are not part of a packet. */
+    /** Returns the number of bytes so far that are not part of a packet. */
     std::uint32_t skipped() const {
         return parser_.skipped;
     }
@@ -516,12 +519,12 @@ struct handled<Handler, std::enable_if_t<std::is_function_v<std::remove_pointer_
     using type = decltype(first_parameter(std::declval<Handler>()));
 };
 
-/** The type that a handler's first parameter names. */
+/** The type of a handler's first parameter. */
 template <class Handler>
 using handled_by =
     std::remove_cv_t<std::remove_reference_t<typename handled<std::decay_t<Handler>>::type>>;
 
-/** Calls a handler with the arguments that it has: the value, the field, the time. */
+/** Calls a handler with the arguments that it accepts: the value, the field, the time. */
 template <class Handler, class T, class... More>
 void call(Handler &handler, const T &value, const field &from, More... more) {
     if constexpr (std::is_invocable_v<Handler &, const T &, const field &, More...>) {
@@ -560,16 +563,16 @@ template <class Handler> bool offer(const field &from, std::uint16_t key, Handle
 } // namespace detail
 
 /**
- * Calls the first handler whose parameter names the type of the field: `[](const T &value) {...}`,
- * or `[](const T &value, const field &from) {...}`. One whose only parameter is a field is called
- * with all that are not for an earlier one. True if any was called.
+ * Calls the first handler whose parameter is of the field's type: `[](const T &value) {...}` or
+ * `[](const T &value, const field &from) {...}`. A handler whose only parameter is a field is
+ * called with every field that no earlier handler accepts. Returns true if any was called.
  */
 template <class... Handlers> bool dispatch(const field &from, Handlers &&...handlers) {
     [[maybe_unused]] const std::uint16_t key = from.key();
     return (detail::offer(from, key, handlers) || ...);
 }
 
-/** The same with each field of a packet. */
+/** Dispatches each field of a packet. */
 template <class... Handlers> void dispatch(const packet &from, Handlers &&...handlers) {
     for (const field &each : from) {
         dispatch(each, handlers...);
@@ -581,7 +584,7 @@ template <class... Handlers> void dispatch(const packet &from, Handlers &&...han
 
 namespace detail {
 
-/** The structure of C that is sent for a value: its own, or the one that a command fills. */
+/** The C structure that is sent for a value: the value itself, or the one that a command fills. */
 template <class T, class = void> struct sent {
     using structure = c_type<T>;
     static const structure *fill(const T &value, structure *) {
@@ -616,11 +619,11 @@ class builder {
     [[nodiscard]] mip_error add(std::uint8_t descriptor, bytes data) {
         return mip_builder_add(&builder_, descriptor, data.data(), data.size());
     }
-    /** The first error of starting the packet or adding to it; MIP_OK if there was none. */
+    /** Returns the first error when the packet was begun or fields were added; MIP_OK if none. */
     mip_error error() const {
         return builder_.error;
     }
-    /** The packet, which is stored in the builder. */
+    /** Returns the packet, which is stored in the builder. */
     packet finish() {
         return mip_builder_finish(&builder_);
     }

@@ -5,7 +5,7 @@
 
 void mip_device_init(struct mip_device *device, const struct mip_port *port, size_t handler_count,
                      const struct mip_handler *handlers) {
-    memset(device, 0, sizeof(*device)); /* so its parser, too, is at the beginning of a stream */
+    memset(device, 0, sizeof(*device)); /* which also initializes the parser */
     device->port = *port;
     device->handlers = handlers;
     device->handler_count = handlers != NULL ? handler_count : 0;
@@ -16,7 +16,7 @@ void mip_device_init(struct mip_device *device, const struct mip_port *port, siz
 /* No field has descriptor 0. */
 const struct mip_codec mip_any_field = {0, 0, 0, 0, 0, 0, 0, NULL, NULL};
 
-/** Is a handler for this field? */
+/** Does a handler match this field? */
 static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
     const struct mip_codec *type = handler->type;
     return type != NULL &&
@@ -25,7 +25,7 @@ static bool is_for(const struct mip_handler *handler, const struct mip_field *fi
            (type->descriptor == 0 || mip_field_is(field, type));
 }
 
-/** Calls the first handler that is for a field. */
+/** Calls the first handler that matches a field. */
 static void dispatch(const struct mip_device *device, const struct mip_field *field) {
     const struct mip_handler *h = device->handlers;
     for (size_t left = device->handler_count; left > 0; left--) {
@@ -39,7 +39,7 @@ static void dispatch(const struct mip_device *device, const struct mip_field *fi
     }
 }
 
-/** Passes the answers in a packet to the client, and the other fields to the handlers. */
+/** Passes the replies in a packet to the client, and the other fields to the handlers. */
 static void handle(struct mip_device *device, const struct mip_packet *packet) {
     struct mip_walk walk = {packet->bytes + MIP_HEADER_SIZE,
                             packet->bytes + packet->size - MIP_CHECKSUM_SIZE,
@@ -51,7 +51,7 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     }
     device->packet = packet;
     bool ends = false;
-    do { /* once with the fields, and then, when there are none left, for the end */
+    do { /* once for the fields, and once after the last field */
         if (device->observer != NULL) {
             device->observer->packet(device->observer->user, device, ends);
         }
@@ -65,7 +65,8 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
     device->packet = NULL;
 }
 
-/** Reads once, into MIP_MAX_PACKET bytes, and updates the time. False if the port is gone. */
+/** Reads once, into MIP_MAX_PACKET bytes, and updates the time. Returns false if the port is lost.
+ * */
 static bool update(struct mip_device *device, uint8_t *bytes) {
     const struct mip_port *port = &device->port;
     const uint8_t *data = bytes;
@@ -73,7 +74,7 @@ static bool update(struct mip_device *device, uint8_t *bytes) {
     size_t size = 0;
     bool open = port->read(port->user, bytes, MIP_MAX_PACKET, &size);
     uint32_t now = port->now(port->user);
-    if (size > MIP_MAX_PACKET) { /* what has been read is not known */
+    if (size > MIP_MAX_PACKET) { /* which bytes have been read is not known */
         size = 0;
         open = false;
     } else if (size > 0) {
@@ -81,7 +82,7 @@ static bool update(struct mip_device *device, uint8_t *bytes) {
     }
     const bool ended =
         !open || (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence);
-    if (size >= MIP_MAX_PACKET) { /* the answer may already be waiting after what was read */
+    if (size >= MIP_MAX_PACKET) { /* the reply may already wait after the bytes read */
         now -= MIP_BACKLOG;
     }
     while (mip_parser_next(&device->parser, &data, &size, &packet) ||
@@ -102,17 +103,17 @@ bool mip_device_poll(struct mip_device *device) {
 
 /* ------------------------------------------------------------------------------------- commands */
 
-/** The place of a command's data in its packet. */
+/** The offset of a command's data in its packet. */
 #define DATA (MIP_HEADER_SIZE + 2)
 
-/** Sends the barrier that must come before the next command, if there is one. */
+/** Sends the barrier that must precede the next command, if there is one. */
 static bool guard(struct mip_device *device) {
     uint8_t bytes[MIP_MAX_BARRIER];
     const size_t size = mip_client_barrier(&device->client, bytes);
     return size == 0 || device->port.write(device->port.user, bytes, size);
 }
 
-/** Sends a command, whose data are at their place in the packet, and waits for its answer. */
+/** Sends a command, whose data is already in the packet, and waits for its reply. */
 static struct mip_result carry_out(struct mip_device *device, struct mip_request *request,
                                    uint8_t *bytes, size_t size) {
     const struct mip_port *port = &device->port;
@@ -126,7 +127,7 @@ static struct mip_result carry_out(struct mip_device *device, struct mip_request
         if (guard(device) && port->write(port->user, bytes, size)) {
             mip_client_wait(&device->client, request, port->now(port->user));
             while (request->state == MIP_REQUEST_WAITING) {
-                if (!update(device, bytes)) {                    /* the packet is gone */
+                if (!update(device, bytes)) {                    /* reuses the packet's memory */
                     mip_client_cancel(&device->client, request); /* unless it was just answered */
                 }
             }
@@ -134,7 +135,7 @@ static struct mip_result carry_out(struct mip_device *device, struct mip_request
             mip_client_miss(&device->client); /* a part may have been sent */
         }
     }
-    /* Its states are the outcomes; one that never waited was not sent. */
+    /* The states of a request are the outcomes; a request that never waited was not sent. */
     if (sizeof(result) == 4) { /* one word, in the same order */
         memcpy(&result, &request->state, 4);
         return result;
@@ -173,7 +174,7 @@ struct mip_result mip_device_call(struct mip_device *device, const struct mip_co
     return carry_out(device, &request, bytes, builder.length - DATA);
 }
 
-/** Sends data, and waits for the answer. */
+/** Sends data, and waits for the reply. */
 static struct mip_result send(struct mip_device *device, struct mip_request *request,
                               const uint8_t *data, size_t size) {
     uint8_t bytes[MIP_MAX_PACKET];

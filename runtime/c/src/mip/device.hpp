@@ -1,6 +1,6 @@
 /**
  * @file
- * A device at a port, in C++17: calls of commands, and handlers for data.
+ * A device at a port, in C++17: a call for each command, and handlers for data.
  */
 #ifndef MIP_DEVICE_HPP
 #define MIP_DEVICE_HPP
@@ -18,32 +18,32 @@ namespace mip {
 
 /** The outcome of a command. */
 enum class outcome {
-    /** It does not fit into a packet, or the port could not write. */
+    /** It could not be encoded, or the port could not write. */
     not_sent = MIP_NOT_SENT,
     /** The device has carried it out. */
     acknowledged = MIP_ACKNOWLEDGED,
     /** It was sent; devices do not answer it. */
     sent = MIP_SENT,
-    /** The device has refused it: `code` is the reason. */
+    /** The device has rejected it: `code` is the reason. */
     refused = MIP_REFUSED,
-    /** No answer arrived in time. */
+    /** No reply arrived in time. */
     timed_out = MIP_TIMED_OUT,
-    /** The device has acknowledged it without sending its response. */
+    /** The device has acknowledged it without its response. */
     missing_response = MIP_MISSING_RESPONSE,
     /** The device has sent a response that cannot be decoded: `error` is the reason. */
     undecodable = MIP_UNDECODABLE,
-    /** The port was gone before the answer arrived. */
+    /** The port was lost before the reply arrived. */
     closed = MIP_CLOSED,
-    /** It was called from a handler of the same device. */
+    /** The call was made in a handler of the same device. */
     busy = MIP_BUSY
 };
 
-/** The outcome in words: "timed out". */
+/** Returns the outcome in words: "timed out". */
 inline std::string_view to_string(outcome value) {
     return mip_outcome_name(static_cast<enum mip_outcome>(value));
 }
 
-/** The common part of all results. */
+/** The base of all results. */
 class [[nodiscard]] basic_result {
   public:
     basic_result(const mip_result &of) : result_(of) {
@@ -55,15 +55,16 @@ class [[nodiscard]] basic_result {
     mip::outcome outcome() const {
         return static_cast<mip::outcome>(result_.outcome);
     }
-    /** The acknowledge code, if there was an answer: why the device has refused the command. */
+    /** Returns the acknowledge code, if there was a reply: why the device has rejected the command.
+     * */
     ack_code code() const {
         return static_cast<ack_code>(result_.code);
     }
-    /** With not_sent and undecodable: what is wrong. */
+    /** Returns the reason for not_sent and undecodable. */
     mip_error error() const {
         return static_cast<mip_error>(result_.error);
     }
-    /** The name of the code or the error, if there is one. */
+    /** Returns the name of the code or the error, if there is one. */
     std::string_view reason() const {
         return mip_result_reason(result_);
     }
@@ -72,7 +73,7 @@ class [[nodiscard]] basic_result {
     mip_result result_;
 };
 
-/** The outcome of a command and its response, which is zeroed if there is none:
+/** The outcome of a command, and its response, which is zeroed if none was received:
  * `if (r) { r->... }`. */
 template <class Response = void> class [[nodiscard]] result : public basic_result {
   public:
@@ -108,10 +109,10 @@ auto operator<<(Stream &out, const result<Response> &of)
 /* --------------------------------------------------------------------------------------- commands
  */
 
-/** The answer to the command with this structure of C; headers of commands specialize it. */
+/** The response to the command with this C structure; the headers of commands specialize it. */
 template <class Command> struct exchange;
 
-/** Specializes it for a structure. */
+/** Specializes `exchange` for a structure. */
 #define MIP_COMMAND_OF(type, answer)           \
     template <> struct exchange<::type> {      \
         using response = answer;               \
@@ -125,7 +126,7 @@ template <class Command> struct exchange;
 
 namespace detail {
 
-/** The response of a command, which may be a structure of C. */
+/** The response to a command, which may be a C structure. */
 template <class T, class = void> struct answer {
     using type = typename exchange<T>::response;
 };
@@ -140,7 +141,7 @@ template <class Command, class Response, std::uint8_t... Function> struct fixed_
     using command = Command;
     using response = Response;
 
-    /** Sends it, and waits for the answer. */
+    /** Sends it, and waits for the reply. */
     mip_result call(mip_device *device) const {
         return mip_device_send(device, &exchange<Command>::answers(), data, sizeof...(Function));
     }
@@ -149,7 +150,7 @@ template <class Command, class Response, std::uint8_t... Function> struct fixed_
         return mip_device_request(device, &exchange<Command>::answers(), data, sizeof...(Function),
                                   &traits<T>::codec(), answer);
     }
-    /** The structure of C. */
+    /** Fills the C structure. */
     const command *fill(command *to) const {
         *to = {};
         ((to->function = Function), ...);
@@ -167,9 +168,9 @@ template <class Command, class Response, std::uint8_t... Function> struct fixed_
 /** The port of a device, and a clock. */
 template <class T>
 concept port = requires(T &way, span<std::uint8_t> room, bytes packet) {
-    /* Reads what has arrived, perhaps 0 bytes; without a value if the port is gone. */
+    /* Reads what has arrived, perhaps 0 bytes; has no value if the port is lost. */
     { way.read(room) } -> std::convertible_to<std::optional<std::size_t>>;
-    /* Sends all of them; false if that failed. */
+    /* Sends all bytes; false if that failed. */
     { way.write(packet) } -> std::convertible_to<bool>;
     /* Milliseconds, which may wrap around. */
     { way.now() } -> std::convertible_to<std::uint32_t>;
@@ -180,7 +181,7 @@ concept port = requires(T &way, span<std::uint8_t> room, bytes packet) {
 #endif
 
 /**
- * The port of C that calls an object of yours, which must outlive the device:
+ * Returns a C port that calls your object, which must outlive the device and have
  * `std::optional<std::size_t> read(mip::span<std::uint8_t> room)`, `bool write(mip::bytes packet)`
  * and `std::uint32_t now()`. They do what the functions of struct mip_port do.
  */
@@ -202,8 +203,8 @@ template <MIP_PORT_TYPE Port> mip_port port_of(Port &port) {
  */
 
 /**
- * A device at a port. It has room for `Handlers` handlers, and cannot be moved, because C keeps
- * addresses of its parts.
+ * A device at a port. It has room for `Handlers` handlers, and cannot be moved, because the C
+ * library stores addresses of its parts.
  */
 template <std::size_t Handlers = 8> class device {
   public:
@@ -217,23 +218,24 @@ template <std::size_t Handlers = 8> class device {
     device &operator=(const device &) = delete;
 
     /**
-     * Calls a handler with each value of type T that arrives: `(const T &value)`, or also with
-     * `const field &from`, and `std::uint32_t arrived`, the time of the port. Only the first
-     * handler of a field is called. It must not wait, nor call the device.
+     * Registers a handler that is called with each value of type T that arrives: `(const T
+     * &value)`, optionally with `const field &from`, and `std::uint32_t arrived`, the time by the
+     * port's clock. Only the first handler of a field is called. It must not block, nor call the
+     * device.
      *
-     * The device keeps a copy, so a lambda may capture at most two pointers, such as `[this]` or
-     * `[&a, &b]`. If there is no room for it, poll returns false from then on.
+     * The device stores a copy, so a lambda may capture at most two pointers, such as `[this]` or
+     * `[&a, &b]`. If there is no room for the handler, poll returns false from then on.
      */
     template <MIP_LAYOUT_TYPE T, class Handler> void on(Handler handler) {
         on<T>(MIP_ANY_SET, handler);
     }
-    /** The same for one of the descriptor sets in which the type occurs. */
+    /** Registers a handler for one of the descriptor sets in which the type occurs. */
     template <MIP_LAYOUT_TYPE T, class Handler>
     void on(std::uint8_t descriptor_set, Handler handler) {
         static_assert(std::is_invocable_v<Handler &, const T &> ||
                           std::is_invocable_v<Handler &, const T &, const field &> ||
                           std::is_invocable_v<Handler &, const T &, const field &, std::uint32_t>,
-                      "a handler takes the value, and perhaps the field and the time");
+                      "a handler takes the value and, optionally, the field and the time");
         add(&traits<T>::codec(), descriptor_set, handler,
             [](void *user, const mip_field *from, std::uint32_t arrived) {
                 T value;
@@ -245,8 +247,8 @@ template <std::size_t Handlers = 8> class device {
                 }
             });
     }
-    /** Calls a handler with each field that has no earlier handler: `(const field &from)`, perhaps
-     * with the time. */
+    /** Registers a handler that is called with each field that has no earlier handler:
+     * `(const field &from)`, optionally with the time. */
     template <class Handler> void on_other(Handler handler) {
         add(MIP_ANY_FIELD, MIP_ANY_SET, handler,
             [](void *user, const mip_field *from, std::uint32_t arrived) {
@@ -260,13 +262,13 @@ template <std::size_t Handlers = 8> class device {
             });
     }
 
-    /** Reads once, and calls the handlers of the fields that are now complete. False if the port is
-     * gone, if a handler calls it, or if there were too many handlers. */
+    /** Reads once, and calls the handlers of the fields that are now complete. Returns false if the
+     * port is lost, if a handler calls it, or if there were too many handlers. */
     bool poll() {
         return !full_ && mip_device_poll(&device_);
     }
 
-    /** Sends a command, such as `write_...{}`, and waits for its answer. */
+    /** Sends a command, such as `write_...{}`, and waits for its reply. */
     template <class Command, class = typename Command::command>
     result<typename Command::response> call(const Command &command) {
         if constexpr (std::is_void_v<typename Command::response>) {
@@ -277,7 +279,7 @@ template <std::size_t Handlers = 8> class device {
             return {done, response};
         }
     }
-    /** The same with a structure of C, for optional parameters. */
+    /** Sends a command from its C structure, for optional parameters. */
     template <class Command, class Response = typename exchange<Command>::response>
     result<Response> call(const Command &command) {
         const mip_command &sent = exchange<Command>::command();
@@ -292,15 +294,15 @@ template <std::size_t Handlers = 8> class device {
         }
     }
 
-    /** Milliseconds that the device may take to answer. */
+    /** Sets how many milliseconds the device may take to reply. */
     void timeout(std::uint32_t milliseconds) {
         device_.client.timeout = milliseconds;
     }
-    /** The packet whose field a handler is called with: an empty one outside handlers. */
+    /** Returns the packet whose fields are being handled; an empty one outside handlers. */
     packet current() const {
         return device_.packet != nullptr ? *device_.packet : mip_packet{nullptr, 0, 0};
     }
-    /** The device of C, for functions that have no equivalent here. */
+    /** Returns the C device, for functions that have no equivalent here. */
     mip_device &c() {
         return device_;
     }
@@ -322,7 +324,7 @@ template <std::size_t Handlers = 8> class device {
             new (at) Handler(handler);
         }
     }
-    /** The part of `add` that all handlers share; returns the memory for the captures. */
+    /** Does the part of `add` that all handlers share; returns the memory for the captures. */
     void *enter(const mip_codec *type, std::uint8_t descriptor_set,
                 void (*handle)(void *, const mip_field *, std::uint32_t)) {
         const std::size_t next = device_.handler_count;

@@ -1,7 +1,7 @@
 /* Doubles of eight bytes on compilers whose doubles have four. */
 #include "mip/core.h"
 
-/* Bits of the mantissa and the bias of the exponent, of both. */
+/* The mantissa's bits and the exponent's bias, of both formats. */
 #define WIDE 52
 #define NARROW 23
 #define WIDE_BIAS 1023
@@ -13,7 +13,7 @@ uint32_t mip_narrow(uint64_t bits) {
     uint64_t mantissa = bits & ((UINT64_C(1) << WIDE) - 1);
     unsigned drop = WIDE - NARROW;
     uint32_t narrow = 0;
-    if (exponent == 0x7FF - WIDE_BIAS + NARROW_BIAS) { /* infinite, or a NaN, which stays quiet */
+    if (exponent == 0x7FF - WIDE_BIAS + NARROW_BIAS) { /* infinity, or a NaN, which stays quiet */
         const uint32_t quiet = mantissa != 0 ? UINT32_C(1) << (NARROW - 1) : 0;
         return sign | UINT32_C(0x7F800000) | quiet | (uint32_t)(mantissa >> drop);
     }
@@ -22,7 +22,7 @@ uint32_t mip_narrow(uint64_t bits) {
     }
     if (exponent > 0) {
         narrow = (uint32_t)exponent << NARROW;
-    } else { /* subnormal: the leading one is a bit of the mantissa */
+    } else { /* subnormal: the leading one becomes a bit of the mantissa */
         if (exponent < -NARROW) {
             return sign;
         }
@@ -33,7 +33,7 @@ uint32_t mip_narrow(uint64_t bits) {
     const uint64_t half = UINT64_C(1) << (drop - 1);
     narrow += (uint32_t)(mantissa >> drop);
     if (rest > half || (rest == half && (narrow & 1) != 0)) {
-        narrow++; /* a carry goes into the exponent, as it should */
+        narrow++; /* a carry correctly increments the exponent */
     }
     return sign | narrow;
 }
@@ -50,7 +50,7 @@ uint64_t mip_widen(uint32_t bits) {
             return sign;
         }
         exponent = 1;
-        for (; (mantissa >> NARROW) == 0; exponent--) { /* subnormal: it is an ordinary double */
+        for (; (mantissa >> NARROW) == 0; exponent--) { /* subnormal: it becomes a normal double */
             mantissa <<= 1;
         }
         mantissa &= (UINT32_C(1) << NARROW) - 1;

@@ -22,8 +22,8 @@ const struct mip_set *mip_registry_set(uint8_t number) {
                : NULL;
 }
 
-/** The first entry from this one on that has the descriptor and occurs in the set. They are
- * consecutive; those of the next sets do not occur in this one. */
+/** Finds the first entry from this one on that has the descriptor and occurs in the set. Entries of
+ * a descriptor are consecutive, and entries of later sets do not occur in this one. */
 static const struct mip_entry *among(const struct mip_entry *entry, uint8_t descriptor_set,
                                      uint8_t descriptor) {
     for (; entry < mip_registry + mip_registry_size && entry->descriptor == descriptor; entry++) {
@@ -34,7 +34,7 @@ static const struct mip_entry *among(const struct mip_entry *entry, uint8_t desc
     return NULL;
 }
 
-/** The first entry of a descriptor in a set. */
+/** Finds the first entry of a descriptor in a set. */
 static const struct mip_entry *search(const struct mip_set *set, uint8_t descriptor_set,
                                       uint8_t descriptor) {
     size_t first = set != NULL ? set->first : mip_registry_size;
@@ -78,7 +78,7 @@ const char *mip_registry_set_name(const struct mip_entry *entry, uint8_t descrip
     return set != NULL ? set->name : "";
 }
 
-/** The rest of a name after that of the set and a period; NULL if it does not begin with them. */
+/** Returns the rest of a name after the set's name and a period; NULL if it begins otherwise. */
 static const char *after(const char *set, const char *name) {
     while (*set != '\0' && *set == *name) {
         set++;

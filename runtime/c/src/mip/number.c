@@ -1,4 +1,4 @@
-/* Numbers as decimal text, without the C library: exact, with whole numbers of any length. */
+/* Prints numbers as decimal text without the C library, exactly, by multi-word arithmetic. */
 #include "mip/print.h"
 
 #include <string.h>
@@ -7,7 +7,8 @@
 #define WORDS 37
 /* The number of digits that distinguish every double from all others. */
 #define MAX_DIGITS 17
-/* Numbers with more digits before the point, or more zeros after it, get an exponent. */
+/* Numbers with more digits before the point, or more zeros after it, are printed with an exponent.
+ * */
 #define MAX_WHOLE 16
 #define MAX_ZEROS 3
 
@@ -40,8 +41,8 @@ void mip_print_signed(const struct mip_print *print, int64_t value) {
 
 /* ------------------------------------------------------------------------------- long numbers */
 
-/* A whole number, least significant word first. All numbers of a computation have the same
- * number of words. */
+/* A whole number, least significant word first. All numbers in a computation have the same number
+ * of words. */
 struct big {
     uint32_t words[WORDS];
 };
@@ -83,7 +84,7 @@ static void subtract(struct big *from, const struct big *b, size_t size) {
     }
 }
 
-/* Negative, zero or positive. */
+/* Returns a negative number, zero or a positive number. */
 static int compare(const struct big *a, const struct big *b, size_t size) {
     while (size-- > 0) {
         if (a->words[size] != b->words[size]) {
@@ -103,7 +104,7 @@ struct binary {
     bool uneven;
 };
 
-/* The power of ten below a number, or one less. */
+/* Estimates the exponent of the largest power of ten below a number; it may be one too low. */
 static int estimate(const struct binary *v) {
     int32_t log = v->exponent - 1;
     for (uint64_t m = v->mantissa; m > 0; m >>= 1) {
@@ -114,17 +115,17 @@ static int estimate(const struct binary *v) {
 }
 
 /*
- * The shortest digits that are nearer to the number than to any other, and of those the nearest:
- * the method of Steele and White. The number is rest / unit * 10^point; what is less than `below`
- * below it or less than `above` above it is the same number. Returns how many digits there are; the
- * point is before the first one, moved by `point`.
+ * Finds the shortest digits that are nearer to the number than to any other, and of those the
+ * nearest, by the method of Steele and White. The number is rest / unit * 10^point; values less
+ * than `below` below it or less than `above` above it are rounded to it. Returns the number of
+ * digits; the decimal point is before the first one, shifted by `point`.
  */
 static size_t shortest(const struct binary *v, char *digits, int *point) {
     const unsigned up = v->exponent > 0 ? (unsigned)v->exponent : 0;
     const unsigned down = v->exponent < 0 ? (unsigned)-v->exponent : 0;
     const unsigned shift = v->uneven ? 2 : 1;
     const size_t size = (up + down + 64) / 32 + 1;
-    const int even = v->mantissa % 2 == 0 ? 1 : 0; /* halfway to the next is rounded to even ones */
+    const int even = v->mantissa % 2 == 0 ? 1 : 0; /* halfway values are rounded to even numbers */
     struct big rest, unit, below, above, sum;
     size_t count = 0;
     set(&rest, v->mantissa, up + shift);
@@ -189,8 +190,7 @@ static void put_decimal(const struct mip_print *print, const struct binary *v) {
     }
 }
 
-/* Prints the number with these bits; its mantissa has `width` of them, without the leading one.
- */
+/* Prints the number with these bits. Its mantissa has `width` bits, without the leading one. */
 static void put_real(const struct mip_print *print, uint64_t bits, unsigned width,
                      unsigned exponents) {
     const uint64_t leading = UINT64_C(1) << width;

@@ -1,4 +1,4 @@
-/* Prints packets and fields by the registry and the reflection tables. */
+/* Prints packets and fields, using the registry and the reflection tables. */
 #include "mip/print.h"
 
 #include "mip/reflect.h"
@@ -10,7 +10,7 @@ static void put(const struct mip_print *print, const char *text) {
     mip_print_string(print, text);
 }
 
-/** Prints this number of hexadecimal digits of a number. */
+/** Prints a number with this many hexadecimal digits. */
 static void put_digits(const struct mip_print *print, uint64_t value, unsigned digits) {
     while (digits-- > 0) {
         print->put(print->user, &"0123456789ABCDEF"[value >> 4 * digits & 15], 1);
@@ -43,7 +43,7 @@ static void put_bytes(const struct mip_print *print, unsigned depth, const char 
 
 /* ------------------------------------------------------------------------------------- numbers */
 
-/** The bits of a number in memory. */
+/** Returns the bits of a number in memory. */
 static uint64_t load(const uint8_t *from, size_t size) {
     uint8_t byte;
     uint16_t half;
@@ -164,7 +164,7 @@ static void put_value(const struct mip_print *print, const struct mip_names *nam
     put(print, name != NULL ? ")" : "");
 }
 
-/** The bits of a byte that have no name. */
+/** Returns the bits of a byte that have no name. */
 static unsigned nameless(const struct mip_names *names, uint8_t byte, size_t index) {
     unsigned left = byte;
     for (size_t i = 0; i < names->count; i++) {
@@ -218,7 +218,7 @@ static void put_flags(const struct mip_print *print, const struct mip_names *nam
     }
 }
 
-/** The names of a number, by the device or by the parameter that decides. */
+/** Returns the names of a number, which may depend on the device or another parameter. */
 static const struct mip_names *names_of(const struct mip_print *print,
                                         const struct mip_parameter *p,
                                         const struct mip_parameter *all, const uint8_t *record) {
@@ -329,7 +329,7 @@ static void put_structures(const struct mip_print *print, unsigned depth,
     }
 }
 
-/** The alternative that is present; NULL if there is none. */
+/** Returns the alternative that is present; NULL if there is none. */
 static const struct mip_parameter *selected(const struct mip_parameter *p,
                                             const struct mip_parameter *all,
                                             const uint8_t *record) {
@@ -377,7 +377,8 @@ static void put_record(const struct mip_print *print, unsigned depth, const stru
     }
 }
 
-/** The number of present parameters of a structure: those that the function requires, or more. */
+/** Returns the number of a structure's present parameters, at least those that the function
+ * requires. */
 static unsigned present_of(const struct mip_reflection *r, const uint8_t *value) {
     const unsigned present = r->optional ? value[r->present_offset] : 0;
     const unsigned function = r->selector ? value[r->record->parameters[0].offset] : 0;

@@ -1,6 +1,6 @@
 /**
  * @file
- * The fields that a device supports, and its differences from other devices. mip/profiles.h names
+ * The fields that a device supports, and its differences from other devices. mip/profiles.h lists
  * the devices.
  */
 #ifndef MIP_PROFILE_H
@@ -31,11 +31,11 @@ enum mip_support {
 struct mip_profile_evidence {
     /** Its answer: an `enum mip_support`. */
     uint8_t answer;
-    /** Why, in words. */
+    /** The reason for the answer. */
     const char *why;
 };
 
-/** A command or a data field that a device certainly or probably has, or that it lacks. */
+/** A command or a data field that a device certainly or probably supports, or does not support. */
 struct mip_profile_field {
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
@@ -44,7 +44,7 @@ struct mip_profile_field {
     /** Letters of the function selectors that the device accepts: "WRSLD"; empty without selectors.
      */
     const char *functions;
-    /** The certainty of this, and the reasons; never NULL. */
+    /** Whether the device supports it, and why that is believed; never NULL. */
     const struct mip_profile_evidence *evidence;
 };
 
@@ -54,7 +54,7 @@ struct mip_profile_firmware {
     uint8_t descriptor_set;
     /** Descriptor of the field. */
     uint8_t descriptor;
-    /** The versions that have it: "> 1.0.07" or ">= 1.0, < 1.1". */
+    /** The versions that support it: "> 1.0.07" or ">= 1.0, < 1.1". */
     const char *versions;
 };
 
@@ -74,7 +74,7 @@ struct mip_profile_port {
     uint8_t id;
     /** Elements of `baud_rates`. */
     uint8_t baud_rate_count;
-    /** The baud rates that it can have; NULL if it has none. */
+    /** The baud rates that it supports; NULL if it has none. */
     const uint32_t *baud_rates;
     /** The protocols that it receives: "MIP, NMEA". */
     const char *receives;
@@ -88,11 +88,11 @@ struct mip_profile_limit {
     const char *name;
     /** The limit itself. */
     double value;
-    /** Empty if it has none. */
+    /** Its unit; empty if it has none. */
     const char *unit;
     /** The limited quantity. */
     const char *description;
-    /** The firmware versions that have it: ">= 1.0.04"; empty if all have. */
+    /** The firmware versions that it applies to: ">= 1.0.04"; empty if all. */
     const char *firmware;
 };
 
@@ -104,7 +104,7 @@ struct mip_profile_note {
     const char *title;
     /** Its text. */
     const char *description;
-    /** Row by row, the heading first. */
+    /** The cells of the table, row by row, the heading first. */
     const char *const *cells;
     /** Rows of the table, including the heading; 0: there is none. */
     uint8_t rows;
@@ -112,9 +112,9 @@ struct mip_profile_note {
     uint8_t columns;
 };
 
-/** The type that is specific to the device for a parameter. */
+/** A parameter whose type is specific to the device. */
 struct mip_profile_reading {
-    /** "filter_data.status.status_flags" */
+    /** The parameter: "filter_data.status.status_flags". */
     const char *of;
     /** Name of an enumeration or a bitfield: "filter_data.gx5_status_flags". */
     const char *type;
@@ -124,13 +124,13 @@ struct mip_profile_reading {
 struct mip_profile {
     /** Its id: "3dm-gx5-15". */
     const char *id;
-    /** Its name by the manufacturer: "3DM-GX5-15". */
+    /** The manufacturer's name: "3DM-GX5-15". */
     const char *title;
-    /** The id in the specification of the manual that describes it; empty if none is known. */
+    /** The specification's id of the manual that describes it; empty if none is known. */
     const char *manual;
     /** Its description. */
     const char *description;
-    /** The beginning of its model and serial numbers; 0 if it is not known. */
+    /** Its model number, with which its serial numbers begin, too; 0 if it is not known. */
     uint16_t model_number;
     /** "5" of 5-series devices; 0 if it is not known. */
     uint8_t generation;
@@ -158,12 +158,12 @@ struct mip_profile {
     uint8_t ack_code_count;
     /** Other names. */
     const char *const *also;
-    /** Statements on what is unknown about it. If there are any, it may have more than is
+    /** Statements on what is unknown about it. If there are any, it may support more than is
      * listed. */
     const char *const *incomplete;
-    /** The fields that it certainly or probably has, by descriptor set and descriptor. */
+    /** The fields that it certainly or probably supports, by descriptor set and descriptor. */
     const struct mip_profile_field *fields;
-    /** The fields that it is known not to have. */
+    /** The fields that it is known not to support. */
     const struct mip_profile_field *refuses;
     /** The firmware that some of these fields require. */
     const struct mip_profile_firmware *firmware;
@@ -175,7 +175,7 @@ struct mip_profile {
     const struct mip_profile_limit *limits;
     /** Other statements of the manual about it. */
     const struct mip_profile_note *notes;
-    /** The types that are specific to it. */
+    /** The parameters whose types are specific to it. */
     const struct mip_profile_reading *readings;
     /** The acknowledge codes that it sends. */
     const uint8_t *ack_codes;
@@ -186,40 +186,42 @@ extern MIP_API const struct mip_profile *const mip_profiles[];
 /** The number of devices. */
 extern MIP_API const size_t mip_profile_count;
 
-/** A device by its id ("3dm-gx5-15"), its title or another name, as the device information has it:
- * spaces around it do not matter. NULL if it is unknown. */
+/** Finds a device by its id ("3dm-gx5-15"), title or another name, for example from the device
+ * information; spaces around it do not matter. Returns NULL if it is unknown. */
 MIP_API const struct mip_profile *mip_profile_find(const char *name);
 
-/** A device by its model number; NULL if it is unknown, for example that of a newer device. */
+/** Finds a device by its model number; returns NULL if it is unknown, for example of a newer
+ * device. */
 MIP_API const struct mip_profile *mip_profile_by_model(uint16_t model_number);
 
 /**
- * The model number in the device information: its model and serial numbers begin with it.
- * Spaces may precede it, and a dot, a dash, a space, a NUL or the end of the text follows it. 0 if
- * there is none.
+ * Returns the number with which a model or serial number of the device information begins; 0 if
+ * there is none. Spaces may precede it; a dot, dash, space, NUL or the end of the text must follow
+ * it.
  */
 MIP_API uint16_t mip_model_number(const char *text, size_t size);
 
-/** Does the device have a command or a data field? A field that a complete profile does not list is
- * MIP_SUPPORT_NO. A shared field counts in every data set. */
+/** Returns whether the device supports a command or a data field. For a field that a complete
+ * profile does not list, this is MIP_SUPPORT_NO. A shared field is found in every data set. */
 MIP_API enum mip_support mip_profile_support(const struct mip_profile *profile,
                                              uint8_t descriptor_set, uint8_t descriptor);
 
-/** The entry of a command or a data field in the profile: its `evidence` states how certain it is,
- * and why. NULL if there is none. */
+/** Finds the profile's entry for a command or a data field, with its `evidence`; returns NULL if
+ * there is none. */
 MIP_API const struct mip_profile_field *mip_profile_find_field(const struct mip_profile *profile,
                                                                uint8_t descriptor_set,
                                                                uint8_t descriptor);
 
-/** The firmware versions that have a command or a data field: "> 1.0.07". NULL if all have it, or
- * if it is not known. */
+/** Returns the firmware versions that support a command or a data field: "> 1.0.07"; NULL if all
+ * do, or if that is unknown. */
 MIP_API const char *mip_profile_firmware_of(const struct mip_profile *profile,
                                             uint8_t descriptor_set, uint8_t descriptor);
 
-/** The base rate of a data set in Hz: 0 if data is sent as it arrives, negative if it has none. */
+/** Returns the base rate of a data set in Hz: 0 if data is sent as it arrives, negative if there is
+ * none. */
 MIP_API double mip_profile_base_rate(const struct mip_profile *profile, uint8_t descriptor_set);
 
-/** The name of the type that is specific to the device for a parameter; NULL if it has none. */
+/** Returns the name of a parameter's type on this device, if it is specific to it; else NULL. */
 MIP_API const char *mip_profile_reading_of(const struct mip_profile *profile, const char *of);
 
 #ifdef __cplusplus

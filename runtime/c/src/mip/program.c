@@ -1,4 +1,4 @@
-/* Runs the programs that describe layouts; mip/program.h has their steps. */
+/* Runs the programs that describe layouts; mip/program.h defines their steps. */
 #include "mip/program.h"
 
 #include <string.h>
@@ -11,26 +11,25 @@ struct stream {
     uint8_t *mark;
     /** A mip_error. */
     uint8_t error;
-    /** The number of parameters that the function requires, and of those present: read, or to be
+    /** The number of parameters that the function requires, and the number present: read, or to be
      * written. */
     uint8_t required;
     uint8_t present;
     /** The last parameter of the group. */
     uint8_t last;
     bool writing;
-    /** Do places have two bytes? Does the structure have the number of present parameters? */
+    /** Do offsets have two bytes? Does the structure contain the number of present parameters? */
     bool far;
     bool counts;
-    /** May the group be absent? Is only a part of it there? Is this the end before MIP_END? */
+    /** May the group be absent? Is only a part of it present? Has the run ended before MIP_END? */
     bool optional;
     bool cut;
     bool stopped;
-    /** Are parameters left out? Their memory is checked, so that none that has a value is left out
-     * silently. */
+    /** Are parameters omitted? Their memory is checked, so that a value is not silently omitted. */
     bool absent;
 };
 
-/** Ends the run; false, so that callers can return it. */
+/** Ends the run; returns false, so that callers can return that. */
 static bool fail(struct stream *s, mip_error error) {
     if (error == MIP_ERROR_TRUNCATED && s->optional) {
         s->cut = true;
@@ -41,7 +40,7 @@ static bool fail(struct stream *s, mip_error error) {
     return false;
 }
 
-/** The next bytes of the field, or NULL if there are too few. */
+/** Returns the next bytes of the field, or NULL if there are too few. */
 static uint8_t *take(struct stream *s, size_t size) {
     uint8_t *bytes = s->at;
     if (size > (size_t)(s->end - bytes)) {
@@ -57,7 +56,7 @@ static void get_number(uint8_t *bytes, uint8_t *memory, size_t size) {
     mip_move(bytes, memory, 4U + (size > 1) + (size > 2) + (size > 4), 1, true);
 }
 
-/** The place that the program names next. */
+/** Returns the next offset in the program. */
 static size_t place(const struct stream *s, const uint8_t **program) {
     size_t offset = *(*program)++;
     if (s->far) {
@@ -66,8 +65,8 @@ static size_t place(const struct stream *s, const uint8_t **program) {
     return offset;
 }
 
-/** The number of elements of an array, from or for its counter; more than `capacity` on an error.
- */
+/** Returns the number of elements of an array, from or for its counter; more than `capacity` on an
+ * error. */
 static size_t count(struct stream *s, uint8_t *counter, size_t size, size_t capacity, size_t wire,
                     bool rest) {
     const size_t left = (size_t)(s->end - s->at) / wire;
@@ -89,7 +88,7 @@ static size_t count(struct stream *s, uint8_t *counter, size_t size, size_t capa
     return number;
 }
 
-/** Begins parameters that are present together or not at all. False if they are not. */
+/** Begins a group of parameters. Returns false if it is absent. */
 static bool group(struct stream *s, unsigned count) {
     const uint8_t before = s->last;
     const uint8_t last = (uint8_t)(before + count);
@@ -109,7 +108,7 @@ static bool group(struct stream *s, unsigned count) {
     return !s->stopped;
 }
 
-/** Reads or checks, or writes, bytes that are always the same. */
+/** Reads and checks, or writes, a constant. */
 static bool constant(struct stream *s, const uint8_t *bytes, size_t size) {
     uint8_t *wire = take(s, size);
     for (size_t i = 0; wire != NULL && i < size; i++) {
@@ -122,7 +121,7 @@ static bool constant(struct stream *s, const uint8_t *bytes, size_t size) {
     return wire != NULL;
 }
 
-/** The program of the case that a tag selects; NULL if it has none. */
+/** Returns the program of the case that a tag selects; NULL if there is none. */
 static const uint8_t *selected(const uint8_t *program, uint8_t *tag, size_t size, size_t cases) {
     uint8_t bytes[8];
     get_number(bytes, tag, size);
@@ -140,8 +139,8 @@ static const uint8_t *selected(const uint8_t *program, uint8_t *tag, size_t size
     return NULL;
 }
 
-/** Runs a program for the structure at `base`. False if it ended early, which ends
- * the programs around it, too. */
+/** Runs a program for the structure at `base`. Returns false if it ended early, which also ends the
+ * enclosing programs. */
 static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
     size_t times = 1;
     for (;;) {
@@ -255,7 +254,7 @@ static bool matches(const struct mip_codec *codec, const struct mip_field *field
     if (field->size < p[1] || field->size > p[2]) {
         return false;
     }
-    for (size_t left = p[3]; left > 0; left--) { /* places in the data, and the bytes there */
+    for (size_t left = p[3]; left > 0; left--) { /* offsets in the data, and the bytes there */
         p += 2;
         if (p[2] < field->size && field->data[p[2]] != p[3]) {
             return false;
@@ -276,10 +275,10 @@ static mip_error read_field(const struct mip_codec *codec, void *value,
         s.at = data;
         s.end = end;
         run(&s, codec->program, (uint8_t *)value);
-        end = s.mark; /* if a group is incomplete, again without it */
+        end = s.mark; /* an incomplete group is ignored */
     } while (s.cut);
     if (s.error == MIP_OK && s.counts) {
-        const bool empty = s.optional && s.at == s.mark; /* an empty union: same as absent */
+        const bool empty = s.optional && s.at == s.mark; /* an empty union counts as absent */
         *(uint8_t *)value = s.stopped || empty ? s.present : s.last;
     }
     if (s.error != MIP_OK) {

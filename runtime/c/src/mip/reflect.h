@@ -62,9 +62,9 @@ extern "C" {
 #define MIP_LENGTH_ONE 0
 /** Always `capacity`. */
 #define MIP_LENGTH_FIXED 1
-/** Their number is the parameter `by`. */
+/** As many as the parameter `by` states. */
 #define MIP_LENGTH_COUNTED 2
-/** All that fit into the rest of the field. */
+/** As many as the rest of the field contains. */
 #define MIP_LENGTH_REST 3
 
 struct mip_names;
@@ -73,13 +73,13 @@ struct mip_names;
 struct mip_named_bits {
     /** Its least significant bit, from 0. */
     uint8_t first;
-    /** Bits; 1 for a flag. */
+    /** The number of bits; 1 for a flag. */
     uint8_t width;
     /** The enumeration of the number, or NULL. */
     const struct mip_names *names;
 };
 
-/** An enumeration, or a bitfield: the other's tables are NULL. */
+/** An enumeration or a bitfield; the tables of the other kind are NULL. */
 struct mip_names {
     /** Name in the specification, prefixed with its set and a period if a set owns it. */
     const char *name;
@@ -91,7 +91,7 @@ struct mip_names {
     const struct mip_named_bits *bits;
     /** The number of values or bits. */
     uint16_t count;
-    /** Bytes of the number. */
+    /** The size of the number in bytes. */
     uint8_t size;
 };
 
@@ -114,7 +114,7 @@ struct mip_case;
 struct mip_parameter {
     /** Name in the specification. */
     const char *name;
-    /** "m/s"; one for each element where they differ: "deg, deg, m"; empty if there is none. */
+    /** Its unit: "m/s"; if elements differ, one for each: "deg, deg, m"; empty if there is none. */
     const char *unit;
     /** A MIP_KIND_... value. */
     uint8_t kind;
@@ -129,8 +129,8 @@ struct mip_parameter {
     /** Index of the parameter that counts or selects; for a counter, of the array that it counts.
      */
     uint8_t by;
-    /** Parameters present if this one is, without the function selector; 0: it is always present.
-     */
+    /** The number of parameters that are present if this one is, without the function selector; 0
+     * if it is always present. */
     uint8_t group;
     /** The value of a constant. */
     uint64_t value;
@@ -138,15 +138,16 @@ struct mip_parameter {
     uint16_t offset;
     /** Size of one item in memory. */
     uint16_t item_size;
-    /** If the length is REST: offset of the member with the number of items, a uint8_t. */
+    /** If `length` is MIP_LENGTH_REST: offset of the member with the number of items, a uint8_t. */
     uint16_t count_offset;
     /** For numbers and bits: the type that names them, or NULL. */
     const struct mip_names *names;
-    /** For numbers whose type depends on something: the types that it may have. Else NULL. */
+    /** For numbers whose type depends on the device or a parameter: the possible types. Else NULL.
+     * */
     const struct mip_reading *readings;
-    /** For structures. */
+    /** For structures: their parameters. */
     const struct mip_record *record;
-    /** For unions. */
+    /** For unions: their alternatives. */
     const struct mip_case *cases;
     /** Elements of `readings` or of `cases`. */
     uint16_t count;
@@ -154,9 +155,9 @@ struct mip_parameter {
 
 /** One alternative of a union; `parameter` is NULL if it is empty. */
 struct mip_case {
-    /** The value of the parameter that selects. */
+    /** The value that selects it. */
     uint64_t value;
-    /** The member of the union that it selects. */
+    /** The selected member of the union. */
     const struct mip_parameter *parameter;
 };
 
@@ -208,19 +209,19 @@ extern MIP_API const struct mip_names *const mip_all_names[];
 /** The number of all enumerations and bitfields. */
 extern MIP_API const size_t mip_all_names_count;
 
-/** The reflection of a field; NULL if the codec does not belong to this binding. */
+/** Returns the reflection of a field; NULL if the codec does not belong to this binding. */
 MIP_API const struct mip_reflection *mip_reflect(const struct mip_codec *codec);
 
-/** An enumeration or a bitfield by its name: "ack_code", "base.gps_time_field". */
+/** Finds an enumeration or a bitfield by its name: "ack_code", "base.gps_time_field". */
 MIP_API const struct mip_names *mip_names_find(const char *name);
 
-/** The name of a value of an enumeration, by its index. */
+/** Returns the name of a value or a bit, by its index. */
 MIP_API const char *mip_names_label(const struct mip_names *names, size_t index);
 
-/** The number of a value of an enumeration, by its index; 0 for a bitfield. */
+/** Returns the number of a value of an enumeration, by its index; 0 for a bitfield. */
 MIP_API uint64_t mip_names_number(const struct mip_names *names, size_t index);
 
-/** The name of a value of an enumeration; NULL if it has none. */
+/** Returns the name of a value of an enumeration; NULL if it has none. */
 MIP_API const char *mip_value_name(const struct mip_names *names, uint64_t value);
 
 #ifdef __cplusplus

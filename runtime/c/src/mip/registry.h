@@ -18,21 +18,22 @@ struct mip_entry {
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
-    /** Entries that mip_registry_link returns. */
+    /** The number of entries that mip_registry_link returns. */
     uint8_t link_count;
     /** The index of the first of them in mip_registry_links. */
     uint16_t first_link;
-    /** Name in the specification, without that of a set: "pps_source_control". */
+    /** Name in the specification, without the set's: "pps_source_control". */
     const char *name;
-    /** Its wire format. mip_codec_belongs finds out in which sets it occurs. */
+    /** Its wire format; mip_codec_belongs checks whether it occurs in a set. */
     const struct mip_codec *codec;
-    /** NULL if it is not a command. */
+    /** The command; NULL if it is not one. */
     const struct mip_command *command;
 };
 
-/** A descriptor set. Several may have the same entries, which need not occur in all of them. */
+/** A descriptor set. Several sets may share the same entries, which need not occur in all of them.
+ * */
 struct mip_set {
-    /** Its number; 0 of fields of all command sets, 0xFF of those of all data sets. */
+    /** Its number; 0 for all command sets, 0xFF for all data sets. */
     uint8_t number;
     /** The index of the first of its entries in mip_registry. */
     uint16_t first;
@@ -50,30 +51,31 @@ extern MIP_API const size_t mip_registry_size;
 extern MIP_API const struct mip_set mip_registry_sets[];
 /** The number of all descriptor sets. */
 extern MIP_API const size_t mip_registry_set_count;
-/** For mip_registry_link: indexes of entries. */
+/** Indexes of entries, for mip_registry_link. */
 extern MIP_API const uint16_t mip_registry_links[];
 
-/** A descriptor set by its number; NULL if it is unknown. */
+/** Finds a descriptor set by its number; returns NULL if it is unknown. */
 MIP_API const struct mip_set *mip_registry_set(uint8_t number);
 
-/** The name of the set that comes before that of the field in packets of this set: "gnss_2" of
- * "gnss_2.dop", "shared" of a field that all data sets share. */
+/** Returns the first part of a field's full name in packets of this set: "gnss_2" of "gnss_2.dop",
+ * "shared" for a field that all data sets share. */
 MIP_API const char *mip_registry_set_name(const struct mip_entry *entry, uint8_t descriptor_set);
 
-/** The layouts of a descriptor in packets of a set: the first one, or the one after `last`, which
- * is NULL at the start. NULL after the last one. */
+/** Returns the next layout of a descriptor in packets of a set: the first if `last` is NULL, else
+ * the one after `last`; NULL after the last one. */
 MIP_API const struct mip_entry *mip_registry_next(uint8_t descriptor_set, uint8_t descriptor,
                                                   const struct mip_entry *last);
 
-/** The layout of a field; NULL if it is unknown, or if the data has none of the known layouts.
- */
+/** Finds the layout of a field; returns NULL if the field is unknown, or if its data has none of
+ * the known layouts. */
 MIP_API const struct mip_entry *mip_registry_find(const struct mip_field *field);
 
-/** A field by its name: "gnss_2.dop"; NULL if there is none. `*descriptor_set`, unless NULL, is
- * then the set of the name, with 0 and 0xFF as in mip_set. */
+/** Finds a field by its name: "gnss_2.dop"; returns NULL if there is none. If `descriptor_set` is
+ * not NULL, it receives the set in the name, with 0 and 0xFF as in mip_set. */
 MIP_API const struct mip_entry *mip_registry_by_name(const char *name, uint8_t *descriptor_set);
 
-/** The responses of a command, or the commands of a response, from 0; NULL after the last one. */
+/** Returns the responses to a command, or the commands of a response, by number from 0; NULL after
+ * the last one. */
 MIP_API const struct mip_entry *mip_registry_link(const struct mip_entry *entry, size_t number);
 
 #ifdef __cplusplus
