@@ -1,4 +1,4 @@
-// The command client, without input or output: its caller transfers the bytes and states the time, in seconds of any
+// The command client, without input or output: the caller transfers the bytes and provides the time, in seconds by any
 // clock that does not jump.
 
 import { BARRIER } from "../protocol.mjs";
@@ -7,48 +7,49 @@ import { Command, packetOf } from "./field.mjs";
 import { FIRST_DATA_SET, Packet, RawField } from "./packet.mjs";
 import { Parser } from "./parser.mjs";
 
-/** Descriptor of the acknowledge in every command set; its data is the descriptor of the command, and a code. */
+/** Descriptor of the acknowledge in every command set; its data is the command's descriptor and a code. */
 const ACKNOWLEDGE = 0xf1;
 
-/** The number of barriers. They have 2 to 63 commands: the answer to each is one packet. */
+/** The number of different barriers. They have 2 to 63 commands, so that the replies to one fit into one packet. */
 const BARRIERS = 62;
 
-/** Raises a MipError if this is not a time to wait. */
+/** Throws a MipError if this is not a valid number of seconds to wait. */
 export function checkSeconds(timeout) {
     if (!(typeof timeout === "number" && timeout >= 0)) {
-        throw new MipError("timeout", `timeout ${String(timeout)}: needs a number of seconds, 0 or more`);
+        throw new MipError("timeout", `timeout ${String(timeout)}: must be a number of seconds, 0 or more`);
     }
 }
 
 /**
- * Follows the commands that wait for an answer. Data between the answers is passed through.
+ * Matches replies to the commands that wait for them. Data between replies is passed through.
  *
- * After a command without an answer, its answer may still arrive, and MIP has no mark that distinguishes it from that of
- * the next such command. `send` then begins with a barrier: a packet of several commands that change nothing. The device
- * answers in order, and the commands of one packet in one packet, whose size identifies the barrier. Until then, no answer
- * belongs to the commands after it, and from then on, none to those before it, which have timed out. A command whose
- * barrier is not answered times out, although the device may have carried it out.
+ * The reply to a command that has timed out may still arrive, and nothing in MIP distinguishes it from the reply to the
+ * next such command. `send` therefore first sends a barrier: a packet of several commands that change nothing. The device
+ * replies in order, and to all commands of a packet in one packet, whose size identifies the barrier. Before the reply to
+ * the barrier, no reply is matched to a command sent after it; after that, none is matched to a command sent before it,
+ * which has timed out. If the barrier is not answered, the commands after it time out, although the device may have
+ * carried them out.
  */
 export class Client {
     #parser;
     #timeout;
     #waiting = []; // each with `behind`: the size of a barrier that must be answered first; 0: none
-    #missed = 0; // commands without an answer, since a barrier was answered
+    #missed = 0; // commands without a reply since the last answered barrier
     #behind = 0; // the size of the last barrier, until it is answered
 
-    /** @param options.timeout seconds until a command times out; longer for commands that take longer */
+    /** @param options.timeout seconds until a command times out, unless the specification states more for it */
     constructor({ timeout = 1, onSkipped } = {}) {
         checkSeconds(timeout);
         this.#timeout = timeout;
         this.#parser = new Parser({ onSkipped });
     }
 
-    /** The commands that wait for an answer, the oldest first. */
+    /** The commands that wait for a reply, oldest first. */
     get pending() {
         return this.#waiting.map(({ command }) => command);
     }
 
-    /** The number of received bytes that are part of no packet. */
+    /** The number of received bytes that are not part of a packet. */
     get skipped() {
         return this.#parser.skipped;
     }
@@ -59,16 +60,16 @@ export class Client {
     }
 
     /**
-     * The bytes to send: one packet with these commands, all of one set, behind a barrier if an earlier command was not
-     * answered. Raises a MipError, and waits for no answer, if they do not fit into one packet.
+     * Returns the bytes to send: one packet with these commands, all of one set, preceded by a barrier if an earlier
+     * command was not answered. If they do not fit into one packet, throws a MipError and waits for nothing.
      *
-     * @param options.timeout seconds for these commands, in place of their usual time-outs
-     * @param options.wait false if answers are not expected, and are events like data
+     * @param options.timeout seconds for these commands, instead of their usual time-outs
+     * @param options.wait false to expect no replies; any that arrive are events, like data
      */
     send(commands, now, { timeout, wait = true } = {}) {
         if (timeout !== undefined) checkSeconds(timeout);
         if (commands.length === 0) throw new MipError("missing", "send needs at least one command");
-        if (!commands.every((one) => one instanceof Command)) throw new MipError("set", "only commands are sent");
+        if (!commands.every((one) => one instanceof Command)) throw new MipError("set", "only commands can be sent");
         const { bytes } = packetOf(commands);
         const answered = commands.filter((one) => one.answered);
         if (!wait) {
@@ -86,7 +87,7 @@ export class Client {
     #barrier() {
         const [set, descriptor] = BARRIER;
         if (!set || !this.#missed || this.#behind === this.#missed + 1) return [];
-        this.#miss(this.#waiting.length); // they may be commands as in a barrier
+        this.#miss(this.#waiting.length); // they may be the same commands as in a barrier
         this.#behind = this.#missed + 1;
         return Packet.build(set, Array(this.#behind).fill({ descriptor, data: [] })).bytes;
     }
@@ -95,7 +96,7 @@ export class Client {
         if (count) this.#missed = ((this.#missed + count - 1) % BARRIERS) + 1;
     }
 
-    /** If the packet answers the last barrier, with any codes: the time-outs of all that was sent before it. */
+    /** Returns the time-outs of all commands sent before the last barrier, if this packet answers it, with any codes. */
     #passed({ set, payload }) {
         const [number, descriptor] = BARRIER;
         const size = this.#behind;
@@ -110,18 +111,18 @@ export class Client {
         return before.map(timedOut);
     }
 
-    /** The events of these bytes and this time: answers, other packets, time-outs. */
+    /** Processes received bytes. Returns the events up to now: answers, other packets, time-outs. */
     receive(bytes, now) {
         return [...this.#events(this.#parser.feed(bytes)), ...this.poll(now)];
     }
 
-    /** Gives up an incomplete packet, for example at the end of a file, and searches after its beginning. */
+    /** Discards an incomplete packet, for example at the end of a file, and searches its bytes. */
     flush(now) {
         return [...this.#events(this.#parser.flush()), ...this.poll(now)];
     }
 
     /**
-     * Gives up an incomplete packet only if whole packets follow its first bytes: it was noise. Call it when no bytes have
+     * Discards an incomplete packet if a whole packet begins within it, because it was noise. Call this when no bytes have
      * arrived for a while. A packet that arrives slowly is kept.
      */
     lookBehind(now) {
@@ -133,9 +134,9 @@ export class Client {
     }
 
     /**
-     * Stops waiting for this command. A late answer to it does not answer another one.
+     * Stops waiting for this command. A late reply to it is not matched to another one.
      *
-     * @param options.silent the device does not answer it
+     * @param options.silent true if the device does not reply to it
      */
     cancel(command, { silent = false } = {}) {
         const left = this.#waiting.filter((one) => one.command !== command);
@@ -144,8 +145,8 @@ export class Client {
     }
 
     /**
-     * The connection was lost: gives up an incomplete packet, and the commands that wait time out. Replies that still arrive
-     * over the next connection are not taken for answers to later commands.
+     * Handles a lost connection: waiting commands time out, and an incomplete packet is discarded. Replies that still
+     * arrive over the next connection are not matched to later commands.
      */
     interrupt() {
         const events = this.#events(this.#parser.flush());
@@ -156,8 +157,8 @@ export class Client {
     }
 
     /**
-     * The commands that have timed out. Noise that looks like the beginning of a long packet holds back what follows:
-     * before a command is given up, the packets after such noise are processed. An incomplete packet is kept.
+     * Returns the commands that have timed out, and other events. Noise that looks like the beginning of a long packet
+     * delays the packets after it; before a command times out, they are processed. An incomplete packet is kept.
      */
     poll(now) {
         const events = [];
@@ -177,7 +178,7 @@ export class Client {
         return packets.flatMap((packet) => this.#taken(packet));
     }
 
-    /** The answers in a packet, and the packet itself if it has other fields. */
+    /** Returns the answers in a packet, and the packet itself if it contains other fields. */
     #taken(packet) {
         const passed = this.#passed(packet);
         if (passed) return passed;
@@ -203,9 +204,9 @@ export class Client {
     }
 
     /**
-     * The answer by an acknowledge and the field after it, to the oldest such command. A response never answers a command
-     * that does not ask for it, because it may be the late answer to another one; an acknowledge without a response first
-     * answers commands that ask for none.
+     * Returns the answer that an acknowledge and the field after it contain, for the oldest command that they match. A
+     * response is never matched to a command that does not request one, because it may be the late reply to another
+     * command. An acknowledge without a response is matched first to commands that request none.
      */
     #answer({ set, data }, behind) {
         if (data.length < 2) return undefined;
@@ -238,7 +239,7 @@ export class Client {
 
 const timedOut = ({ command }) => ({ type: "timedOut", command });
 
-/** The response in a field, if it is one of those that are requested; or the reason why it cannot be decoded. */
+/** Returns the response in a field, if it is one of those requested, or the error if it cannot be decoded. */
 function responseIn({ descriptor, data }, wanted) {
     const kind = wanted.find((one) => one.DESCRIPTOR === descriptor && one.matches(data));
     if (!kind) return undefined;

@@ -2,19 +2,19 @@
 //
 //     { port: u8, baud: u32, position: array(double, 3) }
 //
-// Values have two forms. Programs get members in camel case, Booleans, and arrays that know their length. Tools ask for
-// the `plain` form, that of mip.json: names of the specification, Booleans as numbers, counters, and a NaN with other
-// bits than the usual one as the text of its bits, "0x7fe5bf7f".
+// Values have two forms. Programs use members in camel case, Booleans, and arrays without counters. Tools use the `plain`
+// form of mip.json: the specification's names, Booleans as numbers, counters, and NaNs with unusual bits as the text of
+// their bits, "0x7fe5bf7f".
 
 import { MipError, described, floatBits, isList, readFloat, readText, writeFloat, writeInteger, writeText } from "./bytes.mjs";
 
-/** The most bytes of data that a field has. */
+/** The largest number of data bytes in a field. */
 export const MAX_FIELD_DATA = 253;
 
 // ---------------------------------------------------------------------------------------------------- bytes of a field
 
 export class Reader {
-    /** @param options.plain in the form for tools; @param options.floatBits there every float is the text of its bits */
+    /** @param options.plain use the form for tools; @param options.floatBits in that form, every float is the text of its bits */
     constructor(bytes, { plain = false, floatBits = false } = {}) {
         this.bytes = bytes;
         this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
@@ -23,7 +23,7 @@ export class Reader {
         this.limit(0, bytes.length);
     }
 
-    /** Reads from here to there. */
+    /** Limits reading to the bytes from `from` to `to`. */
     limit(from, to) {
         this.from = this.at = from;
         this.end = to;
@@ -34,7 +34,7 @@ export class Reader {
         return this.end - this.at;
     }
 
-    /** The offset of the next `size` bytes, which are read. */
+    /** Consumes the next `size` bytes, and returns their offset. */
     take(size) {
         const at = this.at;
         if (at + size > this.end) {
@@ -50,7 +50,7 @@ export class Reader {
         return this.bytes.subarray(at, at + size);
     }
 
-    /** A float that is not the usual number: JavaScript does not keep the bits of a NaN, so these are noted. */
+    /** Handles a NaN: JavaScript does not preserve its bits, so they are recorded. */
     exactly(number, at, size) {
         const bytes = this.bytes.subarray(at, at + size);
         if (this.floatBits) return floatBits(bytes);
@@ -110,7 +110,7 @@ const floating = (size, get) => ({
 export const float = /* @__PURE__ */ floating(4, (view, at) => view.getFloat32(at));
 export const double = /* @__PURE__ */ floating(8, (view, at) => view.getFloat64(at));
 
-/** Bytes other than 0 and 1 stay numbers. */
+/** A Boolean. Bytes other than 0 and 1 stay numbers. */
 export const bool = {
     size: 1,
     read(r) {
@@ -122,7 +122,7 @@ export const bool = {
 
 // ---------------------------------------------------------------------------------------------------- named numbers
 
-/** An object for names that reads and writes numbers: its own properties that can be listed are only the names. */
+/** An object that reads and writes numbers with names. Its only enumerable properties are the names. */
 class Names {
     constructor({ size, read, write }) {
         Object.defineProperties(this, { size: { value: size }, read: { value: read }, write: { value: write } });
@@ -140,7 +140,7 @@ class Enumeration extends Names {
     }
 }
 
-/** An open enumeration: its names are properties with their numbers. */
+/** Creates an open enumeration: its names are properties with their numbers. */
 export const enumeration = (of, values) => new Enumeration(of, values);
 
 class Bitfield extends Names {
@@ -169,10 +169,10 @@ class Bitfield extends Names {
     }
 }
 
-/** A bitfield: its names are properties with their masks. `bits`: name -> first and last bit. */
+/** Creates a bitfield: its names are properties with their masks. `bits`: name -> first and last bit. */
 export const bitfield = (of, bits) => new Bitfield(of, bits);
 
-/** The bits of several bytes, the least significant byte first: a BigInt, or plain an array of bytes. */
+/** Creates a block for a bitfield in bytes, the least significant first: a BigInt, or in the plain form an array of bytes. */
 export const octets = (size) => ({
     size,
     big: true,
@@ -193,7 +193,7 @@ export const octets = (size) => ({
 
 // ---------------------------------------------------------------------------------------------------- several values
 
-/** The number of items: `fixed`, the value of the parameter `counter`, or as many as the data hold; at most `most`. */
+/** Returns the number of items: `fixed`, the value of the parameter `counter`, or as many as follow; at most `most`. */
 function countOf(of, r, counts) {
     if (of.fixed !== undefined) return of.fixed;
     if (of.counter === undefined) return Math.min(Math.floor(r.left / of.item.size), of.most);
@@ -234,11 +234,11 @@ class Items {
     }
 }
 
-/** A vector, or another array of always the same length. */
+/** Creates a block for a vector, or another array of fixed length. */
 export const array = (item, count) => new Items(item, count, count);
-/** An array whose length is the value of another parameter. */
+/** Creates a block for an array whose length is the value of another parameter. */
 export const counted = (counter, item, most) => new Items(item, undefined, most, counter);
-/** An array that fills the field. */
+/** Creates a block for an array that fills the rest of the field. */
 export const rest = (item, most) => new Items(item, undefined, most);
 
 class Text extends Items {
@@ -248,29 +248,29 @@ class Text extends Items {
 
     write(w, value, where) {
         refuseOther(where, value, typeof value === "string", "a text");
-        const padded = value.padEnd(this.fixed ?? 0); // with spaces, as those of devices are
+        const padded = value.padEnd(this.fixed ?? 0); // with spaces, as devices do
         checkCount(this, padded, where);
         w.put(writeText(padded, where));
     }
 }
 
-/** A text of Latin-1: of fixed length, of the length that another parameter holds, or one that fills the field. */
+/** Creates a block for Latin-1 text: of fixed length, of the length in another parameter, or up to the end of the field. */
 export const text = (count) => new Text(u8, count, count);
 export const countedText = (counter, most) => new Text(u8, undefined, most, counter);
 export const restText = (most) => new Text(u8, undefined, most);
 
-// ---------------------------------------------------------------------------------------------------- values without a choice
+// ---------------------------------------------------------------------------------------------------- values that follow from others
 
-/** The number of elements of an array; programs do not see it. */
+/** Creates a block for the number of elements of an array, which only the plain form contains. */
 export const counter = (of, counts) => ({ ...of, counts });
 
-/** A number that is always the same; no values have it. */
+/** Creates a block for a constant, which is not part of the values. */
 export const constant = (of, value) => ({ ...of, value });
 
-/** A value that is sent as `initial`, unless it is given. */
+/** Creates a block for a value that defaults to `initial`. */
 export const reserved = (of, initial) => Object.create(of, { initial: { value: initial } });
 
-/** One of several values, selected by another parameter: an object with one member or none. `cases`: value, name, block. */
+/** Creates a block for a union: an object with one member or none, selected by another parameter. `cases`: value, name, block. */
 export const union = (tag, cases) => {
     const found = cases.map(([value, name, of]) => [value, new Layout({ [name]: of })]);
     const selected = (key, values) => found.find(([value]) => value === Number(values[key]))?.[1];
@@ -297,10 +297,10 @@ export const union = (tag, cases) => {
 
 // ---------------------------------------------------------------------------------------------------- layouts
 
-/** Names that every object has: a member with such a name ends in "_". */
+/** Names that every object has; a member with such a name is suffixed with "_". */
 const TAKEN = new Set(["constructor", "encode", "packet", "set", "answered", "replies", "toJSON", "toString", "valueOf"]);
 
-/** The name of a member in programs: "gnss_1" becomes "gnss1", and "3d_fix" "_3dFix". */
+/** Converts a name to a member's name in programs: "gnss_1" to "gnss1", and "3d_fix" to "_3dFix". */
 export function memberName(words) {
     const camel = words.replace(/_(.)/g, (both, next, at) => (/\d\d/.test(words[at - 1] + next) ? both : next.toUpperCase()));
     return /^\d/.test(camel) ? `_${camel}` : TAKEN.has(camel) ? `${camel}_` : camel;
@@ -308,7 +308,7 @@ export function memberName(words) {
 
 /** Named values, one after another. */
 export class Layout {
-    /** @param blocks name -> block, in wire order; @param always the number of those that are always present */
+    /** @param blocks name -> block, in wire order; @param always the number of parameters that are always present */
     constructor(blocks, always) {
         this.names = Object.keys(blocks);
         this.members = this.names.map(memberName);
@@ -320,7 +320,7 @@ export class Layout {
         this.size = sizes.includes(undefined) ? undefined : sizes.reduce((sum, size) => sum + size, 0);
     }
 
-    /** The names of the values, in the form of a reader or writer. */
+    /** Returns the names of the values in the form that a reader or writer uses. */
     keys(form) {
         return form.plain ? this.names : this.members;
     }
@@ -332,7 +332,7 @@ export class Layout {
             const optional = last > required;
             if (optional && r.left === 0) break;
             const before = r.at;
-            const inner = Object.create(values); // it is there as a whole or not at all
+            const inner = Object.create(values); // a group is present as a whole or not at all
             try {
                 this.#span(r, inner, counts, first, last);
             } catch (error) {
@@ -340,7 +340,7 @@ export class Layout {
                 r.at = before;
                 break;
             }
-            if (optional && r.at === before) break; // an empty union: the same as no union
+            if (optional && r.at === before) break; // an empty union is the same as an absent one
             Object.assign(values, inner);
         }
     }
@@ -368,13 +368,13 @@ export class Layout {
         }
     }
 
-    /** `within` names the value that contains it, "segments[2]": errors name it. */
+    /** Writes values. `within` is the path of the value that contains them, such as "segments[2]", for errors. */
     write(w, values, within = "", required = this.always) {
         this.refuseUnknown(values, within, w);
         const there = (i) => this.#isGiven(i, values, w);
         for (let i = 0; i < this.always; i++) this.#put(w, i, values, within);
         const keys = this.keys(w);
-        let ended; // the first that was left out: all after it must be, too
+        let ended; // the first absent parameter: all after it must be absent, too
         for (const [first, last] of this.groups) {
             const members = range(first, last).filter((i) => this.blocks[i].value === undefined);
             const filled = last <= required || range(last, keys.length).some(there);
@@ -399,14 +399,14 @@ export class Layout {
         }
     }
 
-    /** Is there a value? A counter that is left out counts its array. */
+    /** Is there a value? For a counter, its array may supply it. */
     #isGiven(i, values, w) {
         const given = (key) => Object.hasOwn(values, key) && (w.plain || values[key] !== undefined);
         const { counts } = this.blocks[i];
         return given(this.keys(w)[i]) || (counts !== undefined && given(this.keys(w)[this.names.indexOf(counts)]));
     }
 
-    /** Parameters that programs may leave out. */
+    /** Returns the value to send if a program omits the parameter. */
     #initial(i, w) {
         return w.plain ? undefined : this.blocks[i].initial;
     }
@@ -439,7 +439,7 @@ export class Layout {
     }
 }
 
-/** The parameters that may be absent, from `first` on: one by one, but a counter goes with its array. */
+/** Groups the parameters that may be absent, from `first` on: each by itself, but a counter with its array. */
 function groupsOf({ names, blocks }, first) {
     const groups = [];
     const arrays = new Set();
@@ -455,7 +455,7 @@ function groupsOf({ names, blocks }, first) {
     return groups;
 }
 
-/** A structure inside a field. */
+/** Creates a block for a structure inside a field. */
 export const struct = (blocks) => structOf(new Layout(blocks));
 
 export const structOf = (layout) => ({
@@ -471,7 +471,7 @@ export const structOf = (layout) => ({
     },
 });
 
-/** The data of a field with these values, in the shortest form that holds them. */
+/** Encodes a field's data with these values, in the shortest form that contains them. */
 export function encoded(layout, name, values, { plain = false, nans, required } = {}) {
     refuseOther(name, values, isObject(values), "an object");
     const writer = new Writer(plain, nans);

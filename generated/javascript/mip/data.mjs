@@ -1,8 +1,8 @@
 // For tools: the data of fields that a model describes, decoded and encoded with the blocks of the library.
 //
-// Values are in the plain form: integers, enumerations, bitfields and bools are numbers, of eight bytes BigInts; floats
-// are numbers, except for unusual NaNs (see readFloat); a bitfield of bytes is an array of them; a union is an object
-// with one member or none.
+// Values are in the plain form: integers, enumerations, bitfields and Booleans are numbers, or BigInts if they have eight
+// bytes; floats are numbers, except for unusual NaNs (see readFloat); a bitfield in bytes is an array of bytes; a union is
+// an object with one member or none.
 
 import { MipError, bytesOf, described, fromHex } from "./bytes.mjs";
 import {
@@ -40,7 +40,7 @@ import { isSet, Packet } from "./packet.mjs";
 const SCALARS = { u8, u16, u32, u64, s8, s16, s32, s64, float, double, bool, char };
 const layouts = new WeakMap();
 
-/** The layout of a field or a structure of a model. */
+/** Returns the layout of a field or a structure of a model. */
 function layoutOf(protocol, record) {
     if (!Array.isArray(record?.operations))
         throw new MipError("unknown", `${described(record)} is not a field; protocol.field(name) returns one`);
@@ -53,7 +53,7 @@ function layoutOf(protocol, record) {
     return layouts.get(record);
 }
 
-/** The block of an operation. */
+/** Creates the block of an operation. */
 function blockOf(protocol, op) {
     const scalar = op.scalar && SCALARS[op.scalar];
     switch (op.kind) {
@@ -88,13 +88,13 @@ function blockOf(protocol, op) {
     throw new MipError("format", `the operation "${op.kind}" is not known`);
 }
 
-/** The number of required parameters with this function, selector included; undefined without such a function. */
+/** Returns the number of required parameters with this function, including the selector; undefined if there is none. */
 function requiredOf(protocol, field, selector) {
     return field.calls && 1 + protocol.required(field, selector);
 }
 
 /**
- * The values of a field, and how many bytes are left over.
+ * Decodes the values of a field, and counts the bytes left over.
  *
  * @param options.floatBits every float is the text of its bits, "0x3e7a63a0"
  */
@@ -106,15 +106,15 @@ export function decodeData(protocol, field, given, options = {}) {
     return { values, trailing: reader.left };
 }
 
-/** The data of a field with these values, in the shortest form that holds them. Counters may be left out. */
+/** Encodes a field's data with these values, in the shortest form that contains them. Counters may be omitted. */
 export function encodeData(protocol, field, values) {
     const layout = layoutOf(protocol, field);
     return encoded(layout, field.name, values, { plain: true, required: requiredOf(protocol, field, values?.function) });
 }
 
 /**
- * Each value that is not divided further, in wire order, with its path (names and indices), its operation, and where its
- * bytes are in the data (offset and size). `values` are those decoded from the data.
+ * Returns each value that is not divided further, in wire order, with its path (names and indices), its operation, and the
+ * offset and size of its bytes in the data. `values` are the values decoded from the data.
  */
 export function partsOf(protocol, field, values) {
     const parts = [];
@@ -159,8 +159,9 @@ export function partsOf(protocol, field, values) {
 }
 
 /**
- * The fields of a packet with their values and parts. A field that cannot be decoded has an error in place of values, and
- * an unknown one has neither; a wrong length is the last entry. `options` are those of decodeData.
+ * Returns the fields of a packet with their values and parts. A field that cannot be decoded has an error instead of
+ * values, and an unknown one has neither; the error of a malformed field is the last entry. `options` are as for
+ * decodeData.
  */
 export function decodePacket(protocol, packet, options = {}) {
     const decoded = [];
@@ -186,8 +187,8 @@ function decodedField(protocol, { set, descriptor, data }, options) {
 }
 
 /**
- * A packet of a set with these fields: each has a `name` and `values`, or a `descriptor` and `raw`, which is bytes or
- * hexadecimal text; a counter that is left out counts its array. Raises a MipError if something does not fit.
+ * Builds a packet of a set from fields. Each has a `name` and `values`, or a `descriptor` and `raw`, which is bytes or
+ * hexadecimal text. Counters may be omitted. Throws a MipError if something does not fit.
  */
 export function buildPacket(protocol, set, fields) {
     if (!isSet(set)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
@@ -208,7 +209,7 @@ export function buildPacket(protocol, set, fields) {
     );
 }
 
-/** The field that an entry names; a descriptor beside the name must be its own. */
+/** Finds the field that an entry names; if the entry also has a descriptor, it must be the field's. */
 function fieldIn(protocol, set, { descriptor, name }) {
     const field = protocol.fields.get(name);
     const here = field && protocol.candidates(set, field.descriptor).includes(field) && nameIn(field, set) === name;

@@ -10,7 +10,7 @@ import { Client, checkSeconds } from "./client.mjs";
 import { memberName } from "./codec.mjs";
 import { stream } from "./streaming.mjs";
 
-/** Seconds without a byte after which noise that looks like the beginning of a packet is searched, and given up. */
+/** Seconds without a byte after which an incomplete packet, which may be noise, is searched, and discarded. */
 const PAUSE = 0.1;
 const SILENCE = 1;
 
@@ -23,10 +23,10 @@ export class Device {
     #client;
     #end; // why no more bytes arrive
     #closed = false;
-    #waiting = new Map(); // command -> the function that gets its outcome
+    #waiting = new Map(); // command -> the function to call with its outcome
     #settings = new Map(); // class of a command -> the setting that the device is known to have
     #packets = [];
-    #readers = []; // functions that get the next packets
+    #readers = []; // functions to call with the next packets
     #timer;
     #heard = 0;
     #incomplete = false;
@@ -35,13 +35,13 @@ export class Device {
     dropped = 0;
 
     constructor(open, { timeout = 1, capacity = 10_000, onBytes, onSkipped } = {}) {
-        if (!(capacity >= 1)) throw new MipError("range", `capacity ${capacity}: at least one packet must have room`);
+        if (!(capacity >= 1)) throw new MipError("range", `capacity ${capacity}: must be at least 1 packet`);
         this.#open = open;
         this.#options = { capacity, onBytes };
         this.#client = new Client({ timeout, onSkipped });
     }
 
-    /** @param open opens the port, also if the device is opened again */
+    /** @param open opens the port, and is called again by `reopen` */
     static async open(open, options = {}) {
         const device = new Device(open, options);
         await device.#begin();
@@ -61,7 +61,7 @@ export class Device {
         return this.#end !== undefined;
     }
 
-    /** The number of bytes that are part of no packet. */
+    /** The number of bytes that are not part of a packet. */
     get skipped() {
         return this.#client.skipped;
     }
@@ -74,31 +74,31 @@ export class Device {
     // ------------------------------------------------------------------------------------------------ commands
 
     /**
-     * Sends a command, waits for the answer and returns the response; undefined if it has none.
+     * Sends a command, waits for the reply and returns the response; undefined if it has none.
      *
-     * Raises a MipError: "refused" (with `code`), "timeout", "missing_response", "closed", or why the response cannot be
+     * Throws a MipError: "refused" (with `code`), "timeout", "missing_response", "closed", or why the response cannot be
      * decoded; and, before anything is sent, why the command cannot be encoded.
      *
-     * @param options.timeout seconds for this one
+     * @param options.timeout seconds to wait for this command
      */
     async request(command, options) {
         const [response] = await this.requestAll([command], options);
         return response;
     }
 
-    /** Sends commands of one set in one packet; the response of each. Raises the error of the first that has failed. */
+    /** Sends commands of one set in one packet and returns the response of each. Throws the error of the first that fails. */
     async requestAll(commands, options) {
         return (await this.exchange(commands, options)).map((outcome, i) => responseOf(outcome, commands[i]));
     }
 
-    /** The same, but returns the outcomes, those of failed commands too; undefined for one that is not acknowledged. */
+    /** Like `requestAll`, but returns all outcomes, even of failed commands; undefined for one that is never acknowledged. */
     async exchange(commands, options = {}) {
         for (const command of commands) await this.#askFor(command);
         const outcomes = await this.#send(commands, options, true);
         return Promise.all(outcomes);
     }
 
-    /** Sends commands of one set in one packet and waits for nothing: answers are treated as data. */
+    /** Sends commands of one set in one packet and does not wait for replies, which are treated as data. */
     async send(...commands) {
         await this.#send(commands, {}, false);
     }
@@ -131,13 +131,13 @@ export class Device {
         if (this.#end) throw new MipError("closed", this.#end.message, { cause: this.#end.cause });
     }
 
-    /** Whether some commands are acknowledged depends on a setting of the device, which is read once. */
+    /** Reads, once, the device setting that decides whether a command is acknowledged, if there is one. */
     async #askFor(command) {
         for (const [setting] of command?.constructor.SILENCED_BY ?? []) {
             const kind = setting();
             if (!command.answered || this.#settings.has(kind) || kind.REQUIRED?.[FunctionSelector.READ] !== 0) continue;
             const [outcome] = await this.exchange([kind.read()]);
-            if (outcome?.type === "answer" && !outcome.accepted) this.#settings.set(kind, undefined); // it does not have it
+            if (outcome?.type === "answer" && !outcome.accepted) this.#settings.set(kind, undefined); // the device does not have the setting
         }
     }
 
@@ -146,7 +146,7 @@ export class Device {
         return command.constructor.SILENCED_BY.some(holds);
     }
 
-    /** Keeps the settings that the device is known to have. */
+    /** Records a setting that the device has reported or accepted. */
     #learn({ command, response, accepted }) {
         const kind = command.constructor;
         if (!accepted || kind.SILENCED_BY.length) return;
@@ -162,17 +162,17 @@ export class Device {
 
     /** Sets the device to idle and identifies it. */
     async identify() {
-        if (!session) throw new MipError("session", "the specification of this package names no commands for it");
+        if (!session) throw new MipError("session", "this package's specification has no commands for it");
         await this.request(session.idle());
         return this.request(session.identify());
     }
 
     /**
-     * Starts data: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`, in Hz; 0 is as often as the device can. Replaces the
-     * message format of the set, switches it on and resumes. Returns a Map of the rates.
+     * Starts streaming: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`. Rates are in Hz; 0 is the highest that the device
+     * supports. Replaces the set's message format, enables its stream and resumes. Returns a Map of the rates.
      *
-     * Raises a MipError: "rate", before anything is changed, if a rate is not the base rate divided by a whole number;
-     * "set" if the fields have no set in common; and those of `request`.
+     * Throws a MipError: "rate", before anything is changed, if a rate is not the base rate divided by a whole number;
+     * "set" if the fields have no set in common; and the errors of `request`.
      *
      * @param options.set the descriptor set, if the fields occur in several
      */
@@ -182,7 +182,7 @@ export class Device {
 
     // ------------------------------------------------------------------------------------------------ data
 
-    /** The packets of data as they arrive. Ends when the device is closed; raises "closed" when the port is lost. */
+    /** Yields data packets as they arrive, until the device is closed; throws "closed" when the port is lost. */
     async *[Symbol.asyncIterator]() {
         for (;;) {
             const packet = await this.next();
@@ -192,9 +192,9 @@ export class Device {
     }
 
     /**
-     * The next packet of data, with its time of arrival (`time`, in seconds since 1970 by the clock of this computer);
-     * undefined if none arrives within `timeout` seconds, or if the device is closed. Raises "closed" when the port is
-     * lost, after all data that arrived before.
+     * Returns the next data packet, with its time of arrival (`time`, in seconds since 1970 by this computer's clock), or
+     * undefined if none arrives within `timeout` seconds or the device is closed. Throws "closed" when the port is lost,
+     * once all data that arrived before has been returned.
      */
     async next({ timeout } = {}) {
         if (timeout !== undefined) checkSeconds(timeout);
@@ -213,12 +213,12 @@ export class Device {
         });
     }
 
-    /** The fields of these types as they arrive. Raises a MipError for one that cannot be decoded. */
+    /** Yields the fields of these types as they arrive. Throws a MipError at one that cannot be decoded. */
     async *fields(...kinds) {
         for await (const packet of this) for (const kind of kinds) yield* packet.findAll(kind);
     }
 
-    /** Discards the data that was not read yet. */
+    /** Discards the data that has not been read yet. */
     clear() {
         this.#packets.length = 0;
     }
@@ -266,7 +266,7 @@ export class Device {
         this.#packets.push(packet);
     }
 
-    /** Looks again when a command is late, or nothing was heard for a while. */
+    /** Sets a timer for the next time-out, or for an idle line. */
     #watch() {
         clearTimeout(this.#timer);
         this.#timer = undefined;
@@ -293,7 +293,7 @@ export class Device {
 
     // ------------------------------------------------------------------------------------------------ the port
 
-    /** Closes the port. Commands that wait end with "closed", and loops over the data end. */
+    /** Closes the port. Waiting commands end with "closed", and loops over the data end. */
     async close() {
         this.#closed = true;
         this.#lose(undefined, "the device was closed");
@@ -301,13 +301,13 @@ export class Device {
     }
 
     /**
-     * Opens the port again, after it was lost, and keeps trying for up to `within` seconds. Waiting
-     * data is kept. The device may have restarted: apply its settings again.
+     * Opens a lost port again, trying for up to `within` seconds. Data that waits to be read is kept. The device may have
+     * restarted, so apply its settings again.
      */
     async reopen({ within = 30 } = {}) {
         checkSeconds(within);
         const port = this.#port;
-        this.#lose(undefined, "the port is opened again");
+        this.#lose(undefined, "the port is being opened again");
         this.#closed = false;
         const end = now() + within;
         try {
@@ -343,7 +343,7 @@ export class Device {
     }
 }
 
-/** The reply of the device, or the error that explains its absence. */
+/** Returns the device's response, or throws the error that explains its absence. */
 function responseOf(outcome, command) {
     if (outcome === undefined) return undefined;
     const { NAME } = command.constructor;

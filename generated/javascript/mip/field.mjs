@@ -1,4 +1,4 @@
-// The base of all fields, and the function that makes their classes.
+// The base of all fields, and the functions that create their classes.
 
 import { MipError, bytesOf } from "./bytes.mjs";
 import { encoded, Layout, memberName, Reader } from "./codec.mjs";
@@ -12,24 +12,24 @@ export class Field {
     constructor(values) {
         if (values === undefined) return;
         const { layout, NAME } = this.constructor;
-        if (typeof values !== "object" || values === null) throw new MipError("range", `${NAME} takes an object of values`);
+        if (typeof values !== "object" || values === null) throw new MipError("range", `${NAME} needs an object of values`);
         layout.refuseUnknown(values, NAME, {});
         for (const key of Object.keys(values)) if (values[key] !== undefined) this[key] = values[key];
     }
 
-    /** The values of a field's data. Bytes left over are not an error. Raises a MipError. */
+    /** Decodes a field's data; bytes left over are not an error. Throws a MipError. */
     static decode(data) {
         return this.decodeWithTrailing(data).field;
     }
 
-    /** The values, and how many bytes are left over (newer devices send more). */
+    /** Like `decode`, but also returns the number of bytes left over, which newer devices may send. */
     static decodeWithTrailing(data) {
         const reader = new Reader(bytesOf(data));
         const field = this.readFrom(reader, 0, reader.bytes.length);
         return { field, trailing: reader.left };
     }
 
-    /** For packets: the values of the data from here to there. */
+    /** Decodes the data from `from` to `to` in a packet. */
     static readFrom(reader, from, to, set) {
         reader.limit(from, to);
         const field = new this();
@@ -39,7 +39,7 @@ export class Field {
         return field;
     }
 
-    /** The number of required parameters, counted as in the layout. */
+    /** Returns the number of required parameters, counted as in the layout. */
     static requiredBy(reader) {
         return requiredWith(this, reader.bytes[reader.from]);
     }
@@ -48,7 +48,7 @@ export class Field {
         return this.SETS.includes(set);
     }
 
-    /** Can this be its data? Checks what distinguishes the layouts of one descriptor: constants and size. */
+    /** Can this be its data? Checks what distinguishes a descriptor's layouts: constants and size. */
     static matches(bytes, from = 0, to = bytes.length) {
         if (!this.FITS) return true;
         const [least, most, constants] = this.FITS;
@@ -57,35 +57,35 @@ export class Field {
         return least <= size && size <= most && constants.every(agrees);
     }
 
-    /** The set of the packet that contained it, or the only one in which it occurs; undefined if that is not known. */
+    /** The set of the packet that contained it, or the only set in which it occurs; undefined if unknown. */
     get set() {
         return this.#set ?? this.constructor.SET;
     }
 
-    /** The data of the field, without its length and descriptor. Raises a MipError. */
+    /** Encodes the field's data, without length and descriptor. Throws a MipError. */
     encode() {
         const { layout, NAME } = this.constructor;
         const required = requiredWith(this.constructor, this.function);
         return encoded(layout, NAME, this, { nans: this.#nans, required });
     }
 
-    /** A packet with only this field: of the set that contained it, or of the given one. Raises a MipError. */
+    /** Makes a packet with only this field, of the set that contained it or of `set`. Throws a MipError. */
     packet(set = this.set) {
         return packetOf([this], set);
     }
 }
 
-/** The number of values that a function selector requires, itself included; an unknown one requires no other. */
+/** Returns the number of values that a function selector requires, including itself; an unknown one requires no others. */
 function requiredWith({ REQUIRED }, selector) {
     return REQUIRED && 1 + (REQUIRED[selector] ?? 0);
 }
 
-/** A measurement. */
+/** A field that a device sends as data. */
 export class Data extends Field {
     static ROLE = "data";
 }
 
-/** A field that follows the acknowledge of a command. */
+/** A field with which the device answers a command, after the acknowledge. */
 export class Response extends Field {
     static ROLE = "response";
 }
@@ -101,7 +101,7 @@ export class Command extends Field {
         return this.REPLIES.flatMap(([, , layouts]) => layouts);
     }
 
-    /** Does the device acknowledge it, with these values? */
+    /** Does the device acknowledge the command with these values? */
     get answered() {
         const { SILENT } = this.constructor;
         if (!SILENT) return true;
@@ -109,7 +109,7 @@ export class Command extends Field {
         return !functions.includes(Number(this.function)) && !(when.length > 0 && when.every((one) => holds(one, this)));
     }
 
-    /** The types of the response that it asks for with these values: devices may have different layouts of it. */
+    /** The types of the response that it requests with these values; layouts may differ by device. */
     get replies() {
         const found = this.constructor.REPLIES.find(
             ([functions, when]) => (!functions || functions.includes(Number(this.function))) && when.every((one) => holds(one, this)),
@@ -118,26 +118,26 @@ export class Command extends Field {
     }
 }
 
-/** Does a member have this value? For a Boolean, everything but 0 is true. */
+/** Does a member have this value? For a Boolean, everything except 0 is true. */
 function holds([name, value, boolean], values) {
     const held = values[memberName(name)];
     return boolean && held !== undefined ? Boolean(held) === Boolean(value) : held !== undefined && Number(held) === value;
 }
 
-/** A packet with these fields. Each must occur in the set, which need not be given if one occurs in no other. */
+/** Makes a packet with these fields. Each must occur in the set, which may be omitted if one of them occurs in no other. */
 export function packetOf(fields, set = fields.find((one) => one.set !== undefined)?.set) {
     const parts = fields.map((field) => {
         const { NAME, DESCRIPTOR } = field.constructor;
-        if (set === undefined) throw new MipError("set", `${NAME} belongs to packets of several sets: name one`);
+        if (set === undefined) throw new MipError("set", `${NAME} belongs to packets of several sets; pass one of them`);
         if (!field.constructor.occursIn(set)) throw new MipError("set", `${NAME} does not occur in packets of set ${set}`);
         return { descriptor: DESCRIPTOR, data: field.encode() };
     });
     return Packet.build(set, parts);
 }
 
-// ---------------------------------------------------------------------------------------------------- making classes
+// ---------------------------------------------------------------------------------------------------- creation of classes
 
-/** The sets from `first` to `last`. */
+/** Returns the sets from `first` to `last`. */
 export const every = (first, last) => ({ includes: (set) => first <= set && set <= last });
 
 function made(Base, name, sets, descriptor, blocks, { optional, fits, calls, ...more }) {
@@ -165,14 +165,15 @@ function made(Base, name, sets, descriptor, blocks, { optional, fits, calls, ...
 }
 
 /**
- * The class of a field. `sets`: the number of its set, or all of them. `more.optional`: how many parameters are always
- * present, if others may follow; `more.fits`: the sizes and constants that distinguish the layouts of its descriptor.
+ * Creates the class of a field. `sets`: the number of its set, or all of them. `more.optional`: how many parameters are
+ * always present, if others may follow. `more.fits`: the sizes and constants that distinguish its descriptor's layouts.
  */
 export const data = (name, sets, descriptor, blocks, more = {}) => made(Data, name, sets, descriptor, blocks, more);
 export const response = (name, sets, descriptor, blocks, more = {}) => made(Response, name, sets, descriptor, blocks, more);
 
 /**
- * `more.calls`: number of a function -> how many parameters it requires; `more.REPLIES`: functions, conditions and
- * layouts of each response; `more.SILENT`: functions and conditions without acknowledge; `more.TIMEOUT`: seconds.
+ * Creates the class of a command. `more.calls`: number of a function -> how many parameters it requires. `more.REPLIES`:
+ * functions, conditions and layouts of each response. `more.SILENT`: functions and conditions without an acknowledge.
+ * `more.TIMEOUT`: seconds.
  */
 export const command = (name, set, descriptor, blocks, more = {}) => made(Command, name, set, descriptor, blocks, more);

@@ -1,9 +1,9 @@
-// For tools: the model of the protocol, which is in mip.json, found by name and by descriptor.
+// For tools: finds the parts of the protocol's model, mip.json, by name and by descriptor.
 
 import { MipError, bytesOf, described } from "./bytes.mjs";
 import { FIRST_DATA_SET, SHARED_SET } from "./packet.mjs";
 
-/** The first number of the format of mip.json that this code knows. */
+/** The major version of mip.json's format that this code supports. */
 export const FORMAT = "1";
 
 export class Protocol {
@@ -11,7 +11,7 @@ export class Protocol {
     constructor(model) {
         const format = model?.format;
         if (typeof format !== "string" || format.split(".")[0] !== FORMAT) {
-            throw new MipError("format", `the model has format ${described(format)}; this code knows ${FORMAT}`);
+            throw new MipError("format", `the model has format ${described(format)}; this code supports ${FORMAT}`);
         }
         for (const part of ["packet", "scalars", "fields", "types", "sets", "functions", "acknowledge"]) {
             if (!model[part]) throw new MipError("format", `the model has no "${part}"`);
@@ -34,12 +34,12 @@ export class Protocol {
         }
     }
 
-    /** A field by its name, "3dm.pps_source_control", or by its name in one of its sets, "gnss_2.dop". */
+    /** Finds a field by its name, "3dm.pps_source_control", or its name in one of its sets, "gnss_2.dop". */
     field(name) {
         return found(this.fields, name, "field");
     }
 
-    /** A type by its name: an enumeration, a bitfield, a vector or a structure. */
+    /** Finds a type by its name: an enumeration, a bitfield, a vector or a structure. */
     type(name) {
         return found(this.types, name, "type");
     }
@@ -48,7 +48,7 @@ export class Protocol {
         return this.model.scalars[name];
     }
 
-    /** The layouts that a descriptor may have in a packet of this set. */
+    /** Returns the layouts that a descriptor may have in a packet of this set. */
     candidates(set, descriptor) {
         if (set < FIRST_DATA_SET && descriptor === this.acknowledge.descriptor) return [this.acknowledge];
         const own = this.layouts.get(set * 256 + descriptor);
@@ -56,7 +56,7 @@ export class Protocol {
         return own ?? shared ?? [];
     }
 
-    /** The layout of this data: by constants, as far as the data reaches, then by size. Undefined if there is none. */
+    /** Chooses the layout of data by its constants, as far as present, then by its size; undefined if none fits. */
     choose(set, descriptor, given) {
         const data = bytesOf(given);
         const layouts = this.candidates(set, descriptor);
@@ -67,7 +67,7 @@ export class Protocol {
         return held.length ? best(held, (a, b) => a > b) : best(fitting, (a, b) => a < b);
     }
 
-    /** The number of required parameters, without the function selector; an unknown function requires none. */
+    /** Returns the number of required parameters, without the function selector; an unknown function requires none. */
     required(field, selector) {
         if (!field.calls) return field.parameters.filter((parameter) => !parameter.optional).length;
         const name = this.functions.get(Number(selector))?.name;
@@ -75,12 +75,12 @@ export class Protocol {
     }
 }
 
-/** The sets in which a field occurs, with its name in each. */
+/** Returns the sets in which a field occurs, with its name in each. */
 export function placesOf(field) {
     return field.occurrences ?? [{ set: field.set, name: field.name }];
 }
 
-/** The full name of a field in a set: "gnss_2.dop". A field that occurs everywhere has one name. */
+/** Returns the full name of a field in a set: "gnss_2.dop". A field that occurs in every set has only one name. */
 export function nameIn(field, set) {
     return placesOf(field).find((place) => place.set === set)?.name ?? field.name;
 }

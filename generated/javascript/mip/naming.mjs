@@ -1,6 +1,6 @@
 // Names of values and bits, units, and types that depend on another value.
 
-/** The parameters of the record in which an operation is: those of a field or a structure. */
+/** Finds a parameter of a field or a structure by its name. */
 export function parameterOf(record, name) {
     return record.parameters.find((parameter) => parameter.name === name) ?? caseOf(record, name);
 }
@@ -11,8 +11,7 @@ function caseOf(record, name) {
 }
 
 /**
- * The parameters along a path of a field; the last of them describes the value there. Indices have
- * none.
+ * Returns the parameters along a path in a field, without entries for indices. The last one describes the value there.
  */
 export function parametersAt(protocol, field, path) {
     const found = [];
@@ -33,48 +32,48 @@ export function parametersAt(protocol, field, path) {
     return found;
 }
 
-/** The value of a path: ["message", "descriptors", 2]. */
+/** Returns the value at a path: ["message", "descriptors", 2]. */
 export function valueAt(values, path) {
     return path.reduce((inner, step) => inner?.[step], values);
 }
 
 /**
- * The enumeration or bitfield that names the values of a parameter. It may depend on the value of a sibling, or on the
- * device; `siblings` are the values beside it, `device` the id of the device or undefined.
+ * Returns the enumeration or bitfield that names the values of a parameter. It may depend on a sibling's value or on the
+ * device: `siblings` are the values beside it, `device` is the device's id or undefined.
  */
 export function namedType(protocol, parameter, siblings = {}, device = undefined) {
     return protocol.types.get(differing(parameter, siblings, device, "type") ?? parameter.type);
 }
 
-/** The same for the units of a parameter, and the elements of a vector. */
+/** Returns a parameter with the units and vector elements that it has with these siblings or on this device. */
 export function measuredHere(protocol, parameter, siblings = {}, device = undefined) {
     const own = { units: parameter.units, elements: protocol.types.get(parameter.type)?.elements };
     const found = Object.keys(own).map((key) => [key, differing(parameter, siblings, device, key) ?? own[key]]);
     return { ...parameter, ...Object.fromEntries(found) };
 }
 
-/** An attribute of a parameter, if it differs with these values beside it or on the device. */
+/** Returns an attribute of a parameter, if it differs with these siblings or on this device. */
 function differing(parameter, siblings, device, attribute) {
     const holds = (one) => (one.by === "device" ? one.key === device : one.value === Number(siblings?.[one.by]));
     return (parameter.variants ?? []).find((one) => one[attribute] && !one.member && holds(one))?.[attribute];
 }
 
-/** The value of an enumeration with this number, if it has a name. */
+/** Finds the value of an enumeration with this number, if it has a name. */
 export function enumValue(type, number) {
     return type.values.find((value) => value.value === Number(number));
 }
 
-/** The number of a bitfield, as a BigInt; one of bytes has its least significant byte first. */
+/** Returns the number of a bitfield as a BigInt; bytes are combined with the least significant first. */
 export function bitsNumber(value) {
     return Array.isArray(value) ? value.reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n) : BigInt(value);
 }
 
-/** The bits of a name as a number, a BigInt. */
+/** Returns the mask of named bits, a BigInt. */
 export function maskOf(bits) {
     return ((1n << BigInt(bits.last - bits.first + 1)) - 1n) << BigInt(bits.first);
 }
 
-/** The bits of a bitfield with their values: flags that are set, and all numbers. `rest` are bits without a name. */
+/** Returns the parts of a bitfield with their values: flags that are set, and all numbers. `rest` are unnamed bits. */
 export function bitsOf(protocol, type, value) {
     let rest = bitsNumber(value);
     const whole = rest;
@@ -89,7 +88,7 @@ export function bitsOf(protocol, type, value) {
     return { found, rest };
 }
 
-/** The unit of an element of a parameter, or nothing; plain numbers have none. */
+/** Returns the unit of a parameter's element, or an empty text; plain numbers have none. */
 export function unitOf(parameter, index = 0) {
     const units = parameter.units ?? [];
     const unit = units.length > 1 ? units[index] : units[0];

@@ -1,33 +1,33 @@
-// Finds packets in a stream, among anything else.
+// Finds packets in a stream of bytes.
 
 import { bytesOf, concatenated } from "./bytes.mjs";
 import { isSet, Packet, SYNC } from "./packet.mjs";
 
 /**
- * Accepts bytes in pieces of any size; the packets found do not depend on the division. A false packet costs nothing but
- * itself: the search continues one byte after its beginning.
+ * Accepts bytes in pieces of any size; the packets found do not depend on the division. A false packet never hides a true
+ * one: the search continues one byte after its beginning.
  */
 export class Parser {
-    /** @param options.onSkipped is called with bytes that belong to no packet, in order with the packets */
+    /** @param options.onSkipped is called with bytes that are not part of a packet, in order with the packets */
     constructor({ onSkipped } = {}) {
         this.pending = new Uint8Array(0);
         this.onSkipped = onSkipped;
-        /** Bytes so far that belong to no packet. */
+        /** The number of bytes so far that are not part of a packet. */
         this.skipped = 0;
     }
 
-    /** The packets that are complete with these bytes, a Uint8Array or an ArrayBuffer, which are copied. */
+    /** Returns the packets that these bytes complete: a Uint8Array or an ArrayBuffer, which is copied. */
     feed(bytes) {
         this.pending = concatenated(this.pending, bytesOf(bytes));
         return this.#search(false);
     }
 
-    /** The stream has ended: returns the packets inside an incomplete one. */
+    /** Ends the stream: returns the packets within an incomplete one. */
     flush() {
         return this.#search(true);
     }
 
-    /** Gives up an incomplete packet only if whole packets follow its first bytes: it was noise. */
+    /** Discards an incomplete packet if a whole packet begins within it, because it was noise. */
     lookBehind() {
         for (let at = 1; at < this.pending.length; at++) {
             if (!packetAt(this.pending, at)) continue;
@@ -41,7 +41,7 @@ export class Parser {
     #search(ended) {
         const packets = [];
         const bytes = this.pending;
-        let from = 0; // the bytes from here on belong to no packet so far
+        let from = 0; // the bytes from here on are not part of a packet so far
         let at = 0;
         while (at < bytes.length) {
             const size = packetAt(bytes, at);
@@ -68,7 +68,7 @@ export class Parser {
     }
 }
 
-/** The size of the whole packet that begins here; 0 if there is none, undefined if that is not known yet. */
+/** Returns the size of the whole packet that begins here; 0 if there is none, undefined if that is not known yet. */
 function packetAt(bytes, at) {
     const left = bytes.length - at;
     if (bytes[at] !== SYNC[0] || (left > 1 && bytes[at + 1] !== SYNC[1]) || (left > 2 && !isSet(bytes[at + 2]))) return 0;
@@ -76,7 +76,7 @@ function packetAt(bytes, at) {
     const size = bytes[at + 3] + 6;
     if (left < size) return undefined;
     let a = 0;
-    let b = 0; // at most 260 bytes: the sums need not be cut meanwhile
+    let b = 0; // at most 260 bytes, so the sums need not be reduced in between
     const end = at + size - 2;
     for (let i = at; i < end; i++) {
         a += bytes[i];
@@ -86,8 +86,8 @@ function packetAt(bytes, at) {
 }
 
 /**
- * The parts of bytes, in order: each has its bytes, its offset, and a kind: "packet"; "damaged", a packet with a
- * wrong checksum whose fields end where it does; "incomplete", the beginning of a packet at the end; and "other".
+ * Divides bytes into segments, in order. Each has its bytes, its offset, and a kind: "packet"; "damaged", a packet with a
+ * wrong checksum whose fields end exactly where it does; "incomplete", the beginning of a packet at the end; and "other".
  * A damaged or incomplete packet never hides a whole one.
  */
 export function segments(given) {

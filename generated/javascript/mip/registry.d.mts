@@ -5,15 +5,15 @@ import type { Field, FieldClass, Packet, RawField } from "./index.mjs";
 export declare class Registry {
     /** All fields. */
     readonly fields: FieldClass[];
-    /** The class of a name of the specification, "sensor.scaled_accel"; undefined if there is none. */
+    /** Finds the class with this name in the specification, "sensor.scaled_accel"; undefined if there is none. */
     field(name: string): FieldClass | undefined;
-    /** The classes that a descriptor may have in a packet of this set. */
+    /** Returns the classes that a descriptor may have in a packet of this set. */
     types(set: number, descriptor: number): FieldClass[];
-    /** The class of these data of a field; undefined if there is none. */
+    /** Returns the class that fits a field's data; undefined if there is none. */
     typeOf(set: number, descriptor: number, data: Uint8Array): FieldClass | undefined;
     /**
-     * The fields of a packet, decoded. One that is not known is a RawField, and so is one that cannot be decoded, with
-     * the MipError as `error`; a wrong length ends the list.
+     * Decodes the fields of a packet. An unknown field stays a RawField, and so does one that cannot be decoded, with the
+     * MipError as its `error`. A malformed field ends the list.
      */
     decode(packet: Packet): (Field | RawField)[];
 }

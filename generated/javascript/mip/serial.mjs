@@ -4,15 +4,16 @@ import { BAUD_RATES, session } from "../session.mjs";
 import { MipError } from "./bytes.mjs";
 import { Device } from "./device.mjs";
 
-/** Seconds to listen at each baud rate, and how often to ask. */
+/** Seconds to listen at each baud rate, and the number of attempts. */
 const LISTEN = 0.3;
 const ATTEMPTS = 2;
 
 /**
  * Opens the port of a device.
  *
- * @param port what `navigator.serial.requestPort()` returns; a browser asks its user only after a click
- * @param options.baud the baud rate; without it, the one at which the device answers is found. The rest is for Device.
+ * @param port the result of `navigator.serial.requestPort()`; browsers prompt the user only after a click
+ * @param options.baud the baud rate; if omitted, the rate at which the device answers is detected. Other options are for
+ * Device.
  */
 export async function openSerial(port, { baud, ...options } = {}) {
     if (baud !== undefined) return Device.open(() => opened(port, baud), options);
@@ -24,9 +25,9 @@ export async function openSerial(port, { baud, ...options } = {}) {
     throw new MipError("no_device", `no device answers at ${BAUD_RATES.join(", ")} Bd; is it switched on, and on this port?`);
 }
 
-/** Does a device answer, even with a NACK? Earlier bytes may damage the first answer. */
+/** Does a device answer, even with a NACK? Bytes sent earlier may spoil the first attempt. */
 async function answers(device) {
-    if (!session) throw new MipError("session", "the specification names no command to search with: pass `baud`");
+    if (!session) throw new MipError("session", "the specification has no command to detect the rate with; pass `baud`");
     for (let i = 0; i < ATTEMPTS; i++) {
         try {
             await device.request(session.ping(), { timeout: LISTEN });
@@ -46,7 +47,7 @@ async function opened(port, baudRate) {
     let closed = false;
     return {
         async *bytes() {
-            // A damaged byte ends the stream of the port, which then has another one; a lost port has none.
+            // A damaged byte ends the port's stream, which is replaced by another; a lost port has none.
             while (port.readable && !closed) {
                 reader = port.readable.getReader();
                 try {
@@ -70,7 +71,7 @@ async function opened(port, baudRate) {
         },
         async close() {
             closed = true;
-            await reader?.cancel().catch(() => {}); // it may have ended
+            await reader?.cancel().catch(() => {}); // the stream may have ended
             await port.close();
         },
     };

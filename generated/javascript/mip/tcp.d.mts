@@ -1,6 +1,6 @@
-// A device behind TCP, in Node.
+// A device at a TCP connection, in Node.
 
 import type { Device, DeviceOptions } from "./index.mjs";
 
-/** Connects to a device. Raises the error of Node if that fails. */
+/** Connects to a device. Throws Node's error if that fails. */
 export declare function openTcp(host: string, port: number, options?: DeviceOptions): Promise<Device>;

@@ -1,9 +1,9 @@
-// A device behind TCP, in Node.
+// A device at a TCP connection, in Node.
 
 import net from "node:net";
 import { Device } from "./device.mjs";
 
-/** Connects to a device. Raises the error of Node if that fails. `options` are those of Device. */
+/** Connects to a device. Throws Node's error if that fails. `options` are those of Device. */
 export function openTcp(host, port, options) {
     return Device.open(() => connected(host, port), options);
 }

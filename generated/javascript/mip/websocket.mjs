@@ -1,11 +1,11 @@
-// A device behind a WebSocket whose binary messages are the bytes of its port, in any division.
+// A device at a WebSocket, whose binary messages carry the bytes of the device's port, divided in any way.
 
 import { MipError } from "./bytes.mjs";
 import { Device } from "./device.mjs";
 
-/** Connects to a device. @param options.WebSocket the class, where it is not global: Node 18 and 20. The rest is for Device. */
+/** Connects to a device. @param options.WebSocket the class, if it is not global, as in Node 18 and 20. Other options are for Device. */
 export function openWebSocket(url, { WebSocket = globalThis.WebSocket, ...options } = {}) {
-    if (!WebSocket) return Promise.reject(new MipError("websocket", "there is no WebSocket here: pass `WebSocket`"));
+    if (!WebSocket) return Promise.reject(new MipError("websocket", "WebSocket is not global here; pass `WebSocket`"));
     return Device.open(() => connected(new WebSocket(url)), options);
 }
 
@@ -14,7 +14,7 @@ function connected(socket) {
     const pieces = [];
     let wake = () => {};
     let ended = false;
-    let why = ""; // as the other end states it
+    let why = ""; // the reason that the other end has stated
     const end = ({ reason }) => {
         ended = true;
         why = reason;

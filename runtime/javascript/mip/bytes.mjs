@@ -1,6 +1,6 @@
 // Bytes: hexadecimal text, the checksum, and big-endian numbers.
 
-/** An error, in words; `kind` is one word for programs: "truncated", "count", "range", … */
+/** An error of this package; `kind` names it in one word: "truncated", "count", "range", … */
 export class MipError extends Error {
     /** `details`: further facts, such as the command that was rejected, and its code. */
     constructor(kind, message, details = {}) {
@@ -11,7 +11,7 @@ export class MipError extends Error {
     }
 }
 
-/** The two bytes that end a packet, computed from all bytes before them. */
+/** Computes a packet's two checksum bytes from all bytes before them. */
 export function checksum(bytes) {
     let a = 0;
     let b = 0;
@@ -22,23 +22,23 @@ export function checksum(bytes) {
     return Uint8Array.of(a, b);
 }
 
-/** "7565", or with a separator "75 65". */
+/** Converts bytes to hexadecimal text: "7565", or with a separator "75 65". */
 export function toHex(bytes, between = "") {
     return Array.from(bytesOf(bytes), (byte) => byte.toString(16).padStart(2, "0")).join(between);
 }
 
-/** The bytes of pairs of hexadecimal digits, with or without white space, "-" or ":" between the pairs. */
+/** Converts pairs of hexadecimal digits to bytes; white space, "-" or ":" may separate the pairs. */
 export function fromHex(text) {
     if (typeof text !== "string" || !/^\s*([0-9a-f]{2}(?:[\s:-]+(?=[0-9a-f])|\s*))*$/i.test(text))
-        throw new MipError("hex", "the text is not made of pairs of hexadecimal digits");
+        throw new MipError("hex", "the text must consist of pairs of hexadecimal digits");
     return Uint8Array.from(text.match(/[0-9a-f]{2}/gi) ?? [], (pair) => Number.parseInt(pair, 16));
 }
 
-// The name of a typed array, also of another window; undefined for other values. No value can pretend to be one.
+// Returns the name of a typed array, even of another window; undefined for other values. No other value can imitate one.
 const typedArray = Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), Symbol.toStringTag).get;
 const bufferSize = Object.getOwnPropertyDescriptor(ArrayBuffer.prototype, "byteLength").get;
 
-/** The bytes of a Uint8Array or an ArrayBuffer, also one of another window; nothing else is taken for bytes. */
+/** Returns a Uint8Array or an ArrayBuffer, even of another window, as a Uint8Array; rejects anything else. */
 export function bytesOf(value) {
     if (typedArray.call(value) === "Uint8Array") return value;
     try {
@@ -68,14 +68,14 @@ export function sameBytes(a, b) {
     return a.length === b.length && a.every((byte, i) => byte === b[i]);
 }
 
-/** Describes a value in an error, also one that cannot be converted to a string. */
+/** Describes a value for an error, even if it cannot be converted to a string. */
 export function described(value) {
     if (typeof value === "string") return JSON.stringify(value);
     if (Array.isArray(value)) return "an array";
     return typeof value === "object" && value !== null ? "an object" : String(value);
 }
 
-/** The bytes of a whole number or a BigInt. Nothing else is taken for a number. */
+/** Encodes a whole number or a BigInt; rejects anything else. */
 export function writeInteger(value, size, signed, what) {
     if (typeof value !== "bigint" && !Number.isInteger(value))
         throw new MipError("range", `${what}: ${described(value)} is not a whole number`);
@@ -94,8 +94,8 @@ export function writeInteger(value, size, signed, what) {
 }
 
 /**
- * The number of a float. A NaN with other bits than the usual one is the text of its bits, "0x7fe5bf7f", because numbers
- * of JavaScript do not keep them.
+ * Decodes a float. A NaN with unusual bits becomes the text of its bits, "0x7fe5bf7f", because JavaScript numbers do not
+ * preserve them.
  */
 export function readFloat(bytes) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
@@ -103,12 +103,12 @@ export function readFloat(bytes) {
     return Number.isNaN(number) && !sameBytes(bytes, writeFloat(NaN, bytes.length)) ? floatBits(bytes) : number;
 }
 
-/** The text of the bits of a float: "0x3e7a63a0". */
+/** Returns the bits of a float as text: "0x3e7a63a0". */
 export function floatBits(bytes) {
     return `0x${toHex(bytes)}`;
 }
 
-/** The bytes of a number, or of the text of its bits. */
+/** Encodes a float: a number, or the text of its bits. */
 export function writeFloat(value, size, what) {
     if (typeof value === "string") {
         if (!/^0x[0-9a-f]+$/i.test(value) || value.length !== 2 + 2 * size) {
@@ -131,7 +131,7 @@ export function writeFloat(value, size, what) {
     return new Uint8Array(view.buffer);
 }
 
-/** Characters of Latin-1, one for each byte. */
+/** Decodes Latin-1 characters, one per byte. */
 export function readText(bytes) {
     return Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
 }

@@ -2,50 +2,50 @@
 
 import type { Identity } from "../session.mjs";
 
-/** Bytes as an argument of a function. */
+/** Bytes that functions accept. */
 export type Bytes = Uint8Array | ArrayBuffer;
 
 /** The class of all errors of the package. */
 export declare class MipError extends Error {
     constructor(kind: string, message: string, details?: object);
     /**
-     * One word for programs. Of data: "truncated", "count", "constant"; of values: "missing", "range", "unknown", "tag",
-     * "count", "length", "set"; of packets: "sync", "length", "checksum", "field_length"; of a device: "refused", "timeout",
-     * "missing_response", "closed", "no_device", "rate", "session".
+     * The error in one word. For data: "truncated", "count", "constant"; for values: "missing", "range", "unknown", "tag",
+     * "count", "length", "set"; for packets: "sync", "length", "checksum", "field_length"; for a device: "refused",
+     * "timeout", "missing_response", "closed", "no_device", "rate", "session".
      */
     readonly kind: string;
     /** The command, for "refused" and "timeout". */
     readonly command?: Command;
-    /** The code of the acknowledge, for "refused". */
+    /** The acknowledge code, for "refused". */
     readonly code?: number;
 }
 
-/** The two bytes that end a packet, computed from all bytes before them. */
+/** Computes a packet's two checksum bytes from all bytes before them. */
 export declare function checksum(bytes: Bytes): Uint8Array;
-/** "7565", or with a separator "75 65". */
+/** Converts bytes to hexadecimal text: "7565", or with a separator "75 65". */
 export declare function toHex(bytes: Bytes, between?: string): string;
-/** The bytes of pairs of hexadecimal digits, with or without white space, "-" or ":" between the pairs. Raises "hex". */
+/** Converts pairs of hexadecimal digits to bytes; white space, "-" or ":" may separate the pairs. Throws "hex". */
 export declare function fromHex(text: string): Uint8Array;
 
 // ---------------------------------------------------------------------------------------------------- named numbers
 
 declare const named: unique symbol;
-/** A number with a meaning: plain numbers are taken for it, but no number with another meaning. */
+/** A named number type: it accepts plain numbers, but not numbers of another named type. */
 export type Flavor<T, Name extends string> = T & { readonly [named]?: Name };
 
-/** An open enumeration: its names are properties with their numbers. Numbers without a name may be received, and sent. */
+/** An open enumeration: its names are properties with their numbers. Numbers without a name can be received and sent. */
 export interface Enumeration<T> {
-    /** The name of a number; undefined if it has none. */
+    /** Returns the name of a number; undefined if it has none. */
     nameOf(value: T): string | undefined;
 }
 
 /** A bitfield: its names are properties with their masks. */
 export interface Bitfield<T> {
-    /** Is a flag set? Of a mask of several bits: is any? */
+    /** Is a flag set? If the mask has several bits: is any of them set? */
     has(value: T, flag: T): boolean;
-    /** The number in the bits of a name. */
+    /** Returns the number in the bits with this name. */
     get(value: T, name: Exclude<keyof this, keyof Bitfield<T>>): number;
-    /** The names of the flags that are set. */
+    /** Returns the names of the flags that are set. */
     namesOf(value: T): string[];
 }
 
@@ -62,7 +62,7 @@ export interface FieldClass<F extends Field = Field> {
     readonly DESCRIPTOR: number;
     readonly ROLE: "command" | "response" | "data";
     occursIn(set: number): boolean;
-    /** Can this be its data? Checks what distinguishes the layouts of one descriptor. */
+    /** Can this be its data? Checks what distinguishes a descriptor's layouts. */
     matches(data: Uint8Array): boolean;
 }
 
@@ -73,57 +73,57 @@ export type Values<F, Unneeded extends PropertyKey = never> = Omit<F, keyof Comm
 export declare class Field {
     /** Its name in the specification: "base.ping". */
     static readonly NAME: string;
-    /** The descriptor set in which it occurs; of one that occurs in several sets there is none. */
+    /** The only descriptor set in which it occurs; undefined if there are several. */
     static readonly SET: number;
     static readonly SETS: { includes(set: number): boolean };
     static readonly DESCRIPTOR: number;
     static readonly ROLE: "command" | "response" | "data";
     static occursIn(set: number): boolean;
-    /** Can this be its data? Checks what distinguishes the layouts of one descriptor: constants and size. */
+    /** Can this be its data? Checks what distinguishes a descriptor's layouts: constants and size. */
     static matches(data: Uint8Array): boolean;
-    /** The values of a field's data; bytes left over are not an error. Raises a MipError. */
+    /** Decodes a field's data; bytes left over are not an error. Throws a MipError. */
     static decode<F extends Field>(this: new (values: never) => F, data: Bytes): F;
-    /** The values, and how many bytes are left over (newer devices send more). */
+    /** Like `decode`, but also returns the number of bytes left over, which newer devices may send. */
     static decodeWithTrailing<F extends Field>(this: new (values: never) => F, data: Bytes): { field: F; trailing: number };
-    /** The set of the packet that contained it, or the only one in which it occurs; undefined if that is not known. */
+    /** The set of the packet that contained it, or the only set in which it occurs; undefined if unknown. */
     get set(): number | undefined;
-    /** The data of the field, without its length and descriptor. Raises a MipError. */
+    /** Encodes the field's data, without length and descriptor. Throws a MipError. */
     encode(): Uint8Array;
-    /** A packet with only this field: of the set that contained it, or of the given one. Raises a MipError. */
+    /** Makes a packet with only this field, of the set that contained it or of `set`. Throws a MipError. */
     packet(set?: number): Packet;
 }
 
-/** A measurement. */
+/** A field that a device sends as data. */
 export declare class Data extends Field {
     #data: true;
 }
 
-/** A field that follows the acknowledge of a command. */
+/** A field with which the device answers a command, after the acknowledge. */
 export declare class Response extends Field {
     #response: true;
 }
 
 declare const answer: unique symbol;
 
-/** A field that the device acknowledges: with a response of type R, or without one. */
+/** A field that the device acknowledges, with a response of type R or without one. */
 export declare class Command<R extends Response | undefined = Response | undefined> extends Field {
     readonly [answer]?: R;
     /** The types of its responses. */
     static readonly RESPONSES: FieldClass<Response>[];
-    /** Seconds, if the device may take longer than usual. */
+    /** The time-out in seconds, if the device may take longer than usual. */
     static readonly TIMEOUT?: number;
-    /** Does the device acknowledge it, with these values? */
+    /** Does the device acknowledge the command with these values? */
     get answered(): boolean;
-    /** The types of the response that it asks for with these values: devices may have different layouts of it. */
+    /** The types of the response that it requests with these values; layouts may differ by device. */
     get replies(): FieldClass<Response>[];
 }
 
-/** A packet with these fields. Each must occur in the set, which need not be given if one occurs in no other. Raises a MipError. */
+/** Makes a packet with these fields. Each must occur in the set, which may be omitted if one of them occurs in no other. Throws a MipError. */
 export declare function packetOf(fields: readonly Field[], set?: number): Packet;
 
 // ---------------------------------------------------------------------------------------------------- packets
 
-/** A field of a packet, not decoded. */
+/** An undecoded field of a packet. */
 export declare class RawField {
     readonly set: number;
     readonly descriptor: number;
@@ -135,11 +135,11 @@ export declare class RawField {
 }
 
 export declare class Packet {
-    /** A whole packet. Raises a MipError: "sync", "length" or "checksum". */
+    /** Checks that bytes are a whole packet. Throws a MipError: "sync", "length" or "checksum". */
     static from(bytes: Bytes): Packet;
-    /** A packet of fields that are encoded already. Raises a MipError if they do not fit. */
+    /** Builds a packet from encoded fields. Throws a MipError if they do not fit. */
     static build(set: number, fields: readonly { descriptor: number; data: Uint8Array }[]): Packet;
-    /** Bytes with the frame of a packet, which are not checked. */
+    /** Wraps bytes in the form of a packet without checking them. */
     constructor(bytes: Uint8Array);
     readonly bytes: Uint8Array;
     /** Its descriptor set. */
@@ -150,33 +150,33 @@ export declare class Packet {
     get rightChecksum(): Uint8Array;
     /** Is the checksum correct? */
     get sound(): boolean;
-    /** From a device: when it arrived, in seconds since 1970, by the clock of this computer. */
+    /** For a packet from a device: when it arrived, in seconds since 1970 by this computer's clock. */
     readonly time?: number;
-    /** The fields. A wrong length raises "field_length" after those before it. */
+    /** Yields the fields; throws "field_length" at a malformed one. */
     fields(): Generator<RawField, void, undefined>;
-    /** The first field of a type; undefined if there is none. Raises a MipError if it cannot be decoded. */
+    /** Returns the first field of a type; undefined if there is none. Throws a MipError if it cannot be decoded. */
     find<F extends Field>(kind: FieldClass<F>): F | undefined;
-    /** The fields of a type, in order. Raises a MipError if one cannot be decoded. */
+    /** Returns the fields of a type, in order. Throws a MipError if one cannot be decoded. */
     findAll<F extends Field>(kind: FieldClass<F>): F[];
 }
 
-/** Finds packets in a stream that contains anything else too and arrives in any pieces. */
+/** Finds packets in a stream that may contain anything else, too, and arrives in pieces of any size. */
 export declare class Parser {
-    /** @param options.onSkipped is called with bytes that belong to no packet, in order with the packets */
+    /** @param options.onSkipped is called with bytes that are not part of a packet, in order with the packets */
     constructor(options?: { onSkipped?: (bytes: Uint8Array) => void });
-    /** Bytes so far that belong to no packet. */
+    /** The number of bytes so far that are not part of a packet. */
     readonly skipped: number;
-    /** The packets that are complete with these bytes, which are copied. */
+    /** Returns the packets that these bytes, which are copied, complete. */
     feed(bytes: Bytes): Packet[];
-    /** The stream has ended: returns the packets inside an incomplete one. */
+    /** Ends the stream: returns the packets within an incomplete one. */
     flush(): Packet[];
-    /** Gives up an incomplete packet only if whole packets follow its first bytes: it was noise. */
+    /** Discards an incomplete packet if a whole packet begins within it, because it was noise. */
     lookBehind(): Packet[];
 }
 
 /**
- * The parts of bytes, in order. "damaged" is a packet with a wrong checksum whose fields end where it does, and
- * "incomplete" the beginning of one at the end. Neither hides a whole packet.
+ * Divides bytes into segments, in order. "damaged" is a packet with a wrong checksum whose fields end exactly where it
+ * does, and "incomplete" the beginning of a packet at the end. Neither hides a whole packet.
  */
 export declare function segments(bytes: Bytes): {
     kind: "packet" | "damaged" | "incomplete" | "other";
@@ -191,12 +191,12 @@ export interface Answer {
     type: "answer";
     command: Command;
     accepted: boolean;
-    /** 0 if the command is accepted, else the reason why it is rejected. */
+    /** The acknowledge code: 0 if the command was accepted, otherwise the reason why it was rejected. */
     code: number;
     response?: Response;
-    /** The reason why there is no response: the device sent none ("missing_response"), or it cannot be decoded. */
+    /** The reason why there is no response: the device sent none ("missing_response"), or one that cannot be decoded. */
     error?: MipError;
-    /** The response, not decoded. */
+    /** The undecoded response. */
     raw?: RawField;
 }
 
@@ -206,11 +206,11 @@ export interface TimedOut {
     command: Command;
 }
 
-/** A packet with fields that answer no command: data, or an unexpected reply. */
+/** A packet with fields that do not answer a command: data, or an unexpected reply. */
 export interface Received {
     type: "received";
     packet: Packet;
-    /** The fields that answer no command, up to a malformed one. */
+    /** The fields that do not answer a command, up to a malformed one. */
     fields: RawField[];
     /** The error of a malformed field. */
     error?: MipError;
@@ -226,67 +226,67 @@ export interface Closed {
 export type ClientEvent = Answer | TimedOut | Received;
 
 /**
- * The command client, without input or output. Times are in seconds of any clock that does not jump.
+ * The command client, without input or output. Times are in seconds by any clock that does not jump.
  *
- * After a command without an answer, the next ones are sent after a barrier, a packet of several commands that change
- * nothing: replies before its answer are events like data, and answer no command after it.
+ * After a command that was not answered, a barrier precedes the next ones: a packet of several commands that change
+ * nothing. Replies that arrive before the barrier's are events like data, and are not matched to commands after it.
  */
 export declare class Client {
-    /** @param options.timeout seconds until a command times out; longer for commands that take longer */
+    /** @param options.timeout seconds until a command times out, unless the specification states more for it */
     constructor(options?: { timeout?: number; onSkipped?: (bytes: Uint8Array) => void });
-    /** The commands that wait for an answer, the oldest first. */
+    /** The commands that wait for a reply, oldest first. */
     get pending(): Command[];
-    /** The number of received bytes that are part of no packet. */
+    /** The number of received bytes that are not part of a packet. */
     get skipped(): number;
     /** The time at which the next command times out; undefined if none waits. */
     get deadline(): number | undefined;
     /**
-     * The bytes to send: one packet with these commands, all of one set, behind a barrier if an earlier command was not
-     * answered. Raises a MipError, and waits for no answer then.
+     * Returns the bytes to send: one packet with these commands, all of one set, preceded by a barrier if an earlier
+     * command was not answered. If they cannot be encoded, throws a MipError and waits for nothing.
      *
-     * @param options.timeout seconds for these commands, in place of their usual time-outs
-     * @param options.wait false if answers are not expected, and are events like data
+     * @param options.timeout seconds for these commands, instead of their usual time-outs
+     * @param options.wait false to expect no replies; any that arrive are events, like data
      */
     send(commands: readonly Command[], now: number, options?: { timeout?: number; wait?: boolean }): Uint8Array;
-    /** The events of these bytes and this time. */
+    /** Processes received bytes. Returns the events up to now: answers, other packets, time-outs. */
     receive(bytes: Bytes, now: number): ClientEvent[];
-    /** The commands that have timed out. */
+    /** Returns the commands that have timed out, and other events. */
     poll(now: number): ClientEvent[];
-    /** Gives up an incomplete packet only if whole packets follow its first bytes. Call it when nothing arrives for a while. */
+    /** Discards an incomplete packet if a whole packet begins within it. Call this when nothing has arrived for a while. */
     lookBehind(now: number): ClientEvent[];
-    /** Gives up an incomplete packet, for example at the end of a file. */
+    /** Discards an incomplete packet, for example at the end of a file, and searches its bytes. */
     flush(now: number): ClientEvent[];
     /**
-     * Stops waiting for this command. A late answer to it does not answer another one.
+     * Stops waiting for this command. A late reply to it is not matched to another one.
      *
-     * @param options.silent the device does not answer it
+     * @param options.silent true if the device does not reply to it
      */
     cancel(command: Command, options?: { silent?: boolean }): void;
     /**
-     * The connection was lost: gives up an incomplete packet, and the commands that wait time out. Replies that still arrive
-     * over the next connection are not taken for answers to later commands.
+     * Handles a lost connection: waiting commands time out, and an incomplete packet is discarded. Replies that still
+     * arrive over the next connection are not matched to later commands.
      */
     interrupt(): ClientEvent[];
 }
 
 // ---------------------------------------------------------------------------------------------------- a device
 
-/** The transport of the bytes. */
+/** The connection to a device, which transports the bytes. */
 export interface Port {
-    /** The bytes that arrive; ends when the port is lost. */
+    /** Yields the bytes that arrive; ends when the port is lost. */
     bytes(): AsyncIterable<Uint8Array>;
     write(bytes: Uint8Array): void | Promise<void>;
     close(): void | Promise<void>;
 }
 
 export interface DeviceOptions {
-    /** Seconds until a command times out, 1 by default; longer for commands that take longer. */
+    /** Seconds until a command times out, 1 by default, unless the specification states more for it. */
     timeout?: number;
-    /** The number of packets that are kept until they are read; the oldest are dropped. */
+    /** The number of packets that can wait to be read; beyond that, the oldest are dropped. */
     capacity?: number;
-    /** Is called with all bytes that arrive, to record them. */
+    /** Called with all bytes that arrive, to record them. */
     onBytes?: (bytes: Uint8Array) => void;
-    /** Is called with bytes that belong to no packet. */
+    /** Called with bytes that are not part of a packet. */
     onSkipped?: (bytes: Uint8Array) => void;
 }
 
@@ -295,56 +295,56 @@ type Answers<C extends readonly Command[]> = { -readonly [I in keyof C]: C[I] ex
 /** A device at a port. Iterate over it to read its data: `for await (const packet of device)`. */
 export declare class Device implements AsyncIterable<Packet> {
     private constructor();
-    /** @param open opens the port, also if the device is opened again */
+    /** @param open opens the port, and is called again by `reopen` */
     static open(open: () => Promise<Port>, options?: DeviceOptions): Promise<Device>;
     /** Is the port closed or lost? Data that has arrived can still be read. */
     get closed(): boolean;
     /** The number of packets that were dropped because they were not read in time. */
     readonly dropped: number;
-    /** The number of bytes that are part of no packet. */
+    /** The number of bytes that are not part of a packet. */
     get skipped(): number;
     /** The number of packets that can be read without waiting. */
     get waiting(): number;
     /**
-     * Sends a command, waits for the answer and returns the response; undefined if it has none.
+     * Sends a command, waits for the reply and returns the response; undefined if it has none.
      *
-     * Raises a MipError: "refused" (with `code`), "timeout", "missing_response", "closed", or why the response cannot be
+     * Throws a MipError: "refused" (with `code`), "timeout", "missing_response", "closed", or why the response cannot be
      * decoded; and, before anything is sent, why the command cannot be encoded.
      *
-     * @param options.timeout seconds for this one
+     * @param options.timeout seconds to wait for this command
      */
     request<R extends Response | undefined>(command: Command<R>, options?: { timeout?: number }): Promise<R>;
-    /** Sends commands of one set in one packet; the response of each. Raises the error of the first that has failed. */
+    /** Sends commands of one set in one packet and returns the response of each. Throws the error of the first that fails. */
     requestAll<const C extends readonly Command[]>(commands: C, options?: { timeout?: number }): Promise<Answers<C>>;
-    /** The same, but returns the outcomes, those of failed commands too; undefined for one that is not acknowledged. */
+    /** Like `requestAll`, but returns all outcomes, even of failed commands; undefined for one that is never acknowledged. */
     exchange(commands: readonly Command[], options?: { timeout?: number }): Promise<(Answer | TimedOut | Closed | undefined)[]>;
-    /** Sends commands of one set in one packet and waits for nothing: answers are treated as data. */
+    /** Sends commands of one set in one packet and does not wait for replies, which are treated as data. */
     send(...commands: Command[]): Promise<void>;
-    /** Sets the device to idle and identifies it: the response of the command for that. */
+    /** Sets the device to idle and returns its identity: the response of the command for that. */
     identify(): Promise<Identity>;
     /**
-     * Starts data: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`, in Hz; 0 is as often as the device can. Replaces the
-     * message format of the set, switches it on and resumes. Returns the rates.
+     * Starts streaming: `stream([[ScaledAccel, 100], [ScaledGyro, 100]])`. Rates are in Hz; 0 is the highest that the device
+     * supports. Replaces the set's message format, enables its stream and resumes. Returns the rates.
      *
-     * Raises a MipError: "rate", before anything is changed, if a rate is not the base rate divided by a whole number;
-     * "set" if the fields have no set in common; and those of `request`.
+     * Throws a MipError: "rate", before anything is changed, if a rate is not the base rate divided by a whole number;
+     * "set" if the fields have no set in common; and the errors of `request`.
      *
      * @param options.set the descriptor set, if the fields occur in several
      */
     stream(rates: Iterable<readonly [FieldClass<Data>, number]>, options?: { set?: number }): Promise<Map<FieldClass<Data>, number>>;
-    /** The packets of data as they arrive. Ends when the device is closed; raises "closed" when the port is lost. */
+    /** Yields data packets as they arrive, until the device is closed; throws "closed" when the port is lost. */
     [Symbol.asyncIterator](): AsyncGenerator<Packet, void, undefined>;
-    /** The next packet of data; undefined if none arrives within `timeout` seconds, or if the device is closed. */
+    /** Returns the next data packet, or undefined if none arrives within `timeout` seconds or the device is closed. */
     next(options?: { timeout?: number }): Promise<Packet | undefined>;
-    /** The fields of these types as they arrive. Raises a MipError for one that cannot be decoded. */
+    /** Yields the fields of these types as they arrive. Throws a MipError at one that cannot be decoded. */
     fields<F extends Data>(...kinds: FieldClass<F>[]): AsyncGenerator<F, void, undefined>;
-    /** Discards the data that was not read yet. */
+    /** Discards the data that has not been read yet. */
     clear(): void;
-    /** Closes the port. Commands that wait end with "closed", and loops over the data end. */
+    /** Closes the port. Waiting commands end with "closed", and loops over the data end. */
     close(): Promise<void>;
     /**
-     * Opens the port again, after it was lost, and keeps trying for up to `within` seconds (30).
-     * Waiting data is kept. The device may have restarted: apply its settings again.
+     * Opens a lost port again, trying for up to `within` seconds (30). Data that waits to be read is kept. The device may
+     * have restarted, so apply its settings again.
      */
     reopen(options?: { within?: number }): Promise<void>;
 }

@@ -1,4 +1,4 @@
-// Packets: their frame, their fields, and building them.
+// Packets: checks, builds and divides them into fields.
 
 import { MipError, bytesOf, checksum, concatenated, described, sameBytes, toHex } from "./bytes.mjs";
 import { MAX_FIELD_DATA, Reader } from "./codec.mjs";
@@ -13,15 +13,15 @@ const MAX_PAYLOAD = 255;
 /** Descriptor set of the fields that are valid in every data set. */
 export const SHARED_SET = 255;
 
-/** Data sets have this number or a larger one; below are command sets. */
+/** The lowest number of a data set; command sets are below. */
 export const FIRST_DATA_SET = 128;
 
-/** May a packet have this descriptor set? 0 and 255 stand for the fields of all sets of commands, and of data. */
+/** May a packet have this descriptor set? Not 0 or 255, which denote all command sets and all data sets. */
 export function isSet(number) {
     return Number.isInteger(number) && number > 0 && number < SHARED_SET;
 }
 
-/** A field of a packet, not decoded: its `descriptor` and `data`, the `set` of the packet, and its `offset` in that. */
+/** An undecoded field: its `descriptor` and `data`, the packet's `set`, and the field's `offset` in the packet. */
 export class RawField {
     constructor(set, descriptor, data, offset) {
         this.set = set;
@@ -31,13 +31,13 @@ export class RawField {
     }
 }
 
-/** Bytes that have the frame of a packet; the checksum may be wrong. */
+/** Bytes in the form of a packet; the checksum may be wrong. */
 export class Packet {
     constructor(bytes) {
         this.bytes = bytes;
     }
 
-    /** A whole packet; anything else raises a MipError: "sync", "length" or "checksum". */
+    /** Checks that bytes are a whole packet. Throws a MipError: "sync", "length" or "checksum". */
     static from(given) {
         const bytes = bytesOf(given);
         if (!sameBytes(bytes.subarray(0, 2), SYNC)) throw new MipError("sync", `it does not begin with ${toHex(SYNC, " ")}`);
@@ -52,7 +52,7 @@ export class Packet {
         return packet;
     }
 
-    /** A packet of fields, each with a `descriptor` and `data`. Raises a MipError if they do not fit. */
+    /** Builds a packet from fields, each with a `descriptor` and `data`. Throws a MipError if they do not fit. */
     static build(set, fields) {
         if (!isSet(set)) throw new MipError("set", `no packet has descriptor set ${described(set)}`);
         const payload = concatenated(
@@ -90,7 +90,7 @@ export class Packet {
         return sameBytes(this.checksum, this.rightChecksum);
     }
 
-    /** The fields. A wrong length raises a MipError after those before it. */
+    /** Yields the fields; throws a MipError at a malformed one. */
     *fields() {
         const { bytes, set } = this;
         const found = [];
@@ -101,7 +101,7 @@ export class Packet {
         if (wrong) throw wrong;
     }
 
-    /** Calls `visit(at, end)` for each field until it returns true; returns the error of a wrong length. */
+    /** Calls `visit(at, end)` for each field until it returns true; returns the error of a malformed field. */
     walk(visit) {
         const { bytes } = this;
         const last = bytes.length - TAIL;
@@ -115,12 +115,12 @@ export class Packet {
         return undefined;
     }
 
-    /** The first field of a type; undefined if there is none. Raises a MipError if it cannot be decoded. */
+    /** Returns the first field of a type; undefined if there is none. Throws a MipError if it cannot be decoded. */
     find(kind) {
         return this.#search(kind, true)[0];
     }
 
-    /** The fields of a type, in order. Raises a MipError if one cannot be decoded. */
+    /** Returns the fields of a type, in order. Throws a MipError if one cannot be decoded. */
     findAll(kind) {
         return this.#search(kind, false);
     }

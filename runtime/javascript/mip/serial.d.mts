@@ -11,9 +11,9 @@ export interface SerialPortLike {
 }
 
 /**
- * Opens the port of a device. Raises "no_device" if none answers at any baud rate.
+ * Opens the port of a device. Throws "no_device" if none answers at any baud rate.
  *
- * @param port what `navigator.serial.requestPort()` returns; a browser asks its user only after a click
- * @param options.baud the baud rate; without it, the one at which the device answers is found
+ * @param port the result of `navigator.serial.requestPort()`; browsers prompt the user only after a click
+ * @param options.baud the baud rate; if omitted, the rate at which the device answers is detected
  */
 export declare function openSerial(port: SerialPortLike, options?: DeviceOptions & { baud?: number }): Promise<Device>;

@@ -1,12 +1,12 @@
-// Starts the data of a device at rates in Hz.
+// Starts a device's data at rates in Hz.
 
 import { MipError } from "./bytes.mjs";
 
 const LARGEST = 0xffff; // decimation
 
-/** @param rates a Map: class of a field -> Hz, 0 for as often as the device can */
+/** @param rates a Map: class of a field -> Hz, 0 for the highest rate */
 export async function stream(device, session, rates, set) {
-    if (!session) throw new MipError("session", "the specification of this package names no commands for it");
+    if (!session) throw new MipError("session", "this package's specification has no commands for it");
     const number = setOf(rates, set);
     const { base, older } = await baseRate(device, session, number);
     const decimations = new Map([...rates].map(([kind, rate]) => [kind, decimation(base, rate)]));
@@ -16,7 +16,7 @@ export async function stream(device, session, rates, set) {
         const words = missing.map(([kind, rate]) => `${kind.NAME} at ${rate} Hz (nearest: ${nearest.get(kind)} Hz)`);
         throw new MipError("rate", `the base rate is ${base} Hz; not possible: ${words.join(", ")}`, { base, nearest });
     }
-    // Fields that all sets share come first: they are repeated in each packet of a long message.
+    // Fields that all sets share come first, because each packet of a long message repeats them.
     const kinds = [...decimations.keys()].sort((a, b) => Array.isArray(a.SETS) - Array.isArray(b.SETS));
     const items = kinds.map((kind) => session.item(kind.DESCRIPTOR, decimations.get(kind)));
     await device.request(older ? older.format(items) : session.format(number, items));
@@ -25,7 +25,7 @@ export async function stream(device, session, rates, set) {
     return nearest;
 }
 
-/** The base rate of a set in Hz, and the commands of older devices if the device is one. */
+/** Reads the base rate of a set in Hz; also returns the commands of older devices if this is one. */
 async function baseRate(device, session, set) {
     try {
         return { base: session.rate(await device.request(session.baseRate(set))) };
@@ -40,12 +40,12 @@ async function baseRate(device, session, set) {
     }
 }
 
-/** The descriptor set that all of these fields have. */
+/** Returns the descriptor set that all of these fields occur in. */
 export function setOf(rates, set) {
     const kinds = [...rates.keys()];
     for (const [kind, rate] of rates) {
         if (!(typeof rate === "number" && rate >= 0)) {
-            throw new MipError("range", `${kind.NAME}: a rate is 0 (as often as the device can) or more, not ${rate}`);
+            throw new MipError("range", `${kind.NAME}: a rate must be 0 (the highest rate) or more, not ${rate}`);
         }
     }
     if (set !== undefined) {
@@ -62,7 +62,7 @@ export function setOf(rates, set) {
     return common[0];
 }
 
-/** The decimation of the nearest rate; 1 for the highest. */
+/** Returns the decimation for the nearest rate; 1 for the highest rate. */
 export function decimation(base, wanted) {
     if (!base || !wanted || wanted >= base) return 1;
     const below = Math.min(Math.floor(base / wanted), LARGEST);

@@ -1,4 +1,4 @@
-// The interface for tools, without classes: the model of the protocol, and values by the names of the specification.
+// The interface for tools, without classes: the protocol's model, and values by their names in the specification.
 
 import type { Bytes, MipError, Packet, RawField } from "./index.mjs";
 
@@ -6,9 +6,9 @@ export { checksum, fromHex, MipError, Packet, Parser, segments, toHex } from "./
 
 /** An object of mip.json, described by its README and schema. */
 export type Item = { readonly [name: string]: any };
-/** Values of a field by the names of the specification. */
+/** Values of a field by their names in the specification. */
 export type Plain = { [name: string]: any };
-/** A value that is not divided further: its path, its operation, and where its bytes are in the data. */
+/** A value that is not divided further: its path, its operation, and the position of its bytes in the data. */
 export interface Part {
     path: (string | number)[];
     operation: Item;
@@ -23,12 +23,12 @@ export interface Options {
 
 /** Descriptor set of the fields that are valid in every data set. */
 export declare const SHARED_SET: 255;
-/** Data sets have this number or a larger one; below are command sets. */
+/** The lowest number of a data set; command sets are below. */
 export declare const FIRST_DATA_SET: 128;
 /** May a packet have this descriptor set? */
 export declare function isSet(number: number): boolean;
 export declare function sameBytes(a: Uint8Array, b: Uint8Array): boolean;
-/** The number of a float; a NaN with other bits than the usual one is the text of its bits, "0x7fe5bf7f". */
+/** Decodes a float; a NaN with unusual bits becomes the text of its bits, "0x7fe5bf7f". */
 export declare function readFloat(bytes: Uint8Array): number | string;
 export declare function writeFloat(value: number | string, size: 4 | 8, what: string): Uint8Array;
 
@@ -41,34 +41,34 @@ export declare class Protocol {
     readonly sets: Map<number, Item>;
     readonly functions: Map<number, Item>;
     readonly acknowledge: Item;
-    /** A field by its name, "3dm.pps_source_control", or by its name in one of its sets, "gnss_2.dop". */
+    /** Finds a field by its name, "3dm.pps_source_control", or its name in one of its sets, "gnss_2.dop". */
     field(name: string): Item;
     type(name: string): Item;
     scalar(name: string): Item;
-    /** The layouts that a descriptor may have in a packet of this set. */
+    /** Returns the layouts that a descriptor may have in a packet of this set. */
     candidates(set: number, descriptor: number): Item[];
-    /** The layout of these data; undefined if there is none. */
+    /** Chooses the layout of data; undefined if none fits. */
     choose(set: number, descriptor: number, data: Bytes): Item | undefined;
-    /** The number of required parameters, without the function selector. */
+    /** Returns the number of required parameters, without the function selector. */
     required(field: Item, selector?: number): number;
 }
-/** The sets in which a field occurs, with its name in each. */
+/** Returns the sets in which a field occurs, with its name in each. */
 export declare function placesOf(field: Item): { set: number; name: string }[];
-/** The full name of a field in a set: "gnss_2.dop". */
+/** Returns the full name of a field in a set: "gnss_2.dop". */
 export declare function nameIn(field: Item, set: number): string;
-/** "scaled_accel" -> "scaledAccel": a parameter as a member of objects, or a function as a constructor. */
+/** Converts the name of a parameter or a function to that of a member or a constructor: "scaled_accel" to "scaledAccel". */
 export declare function memberName(words: string): string;
 
 export declare function decodeData(protocol: Protocol, field: Item, data: Bytes, options?: Options): { values: Plain; trailing: number };
 export declare function encodeData(protocol: Protocol, field: Item, values: Plain): Uint8Array;
 export declare function partsOf(protocol: Protocol, field: Item, values: Plain): Part[];
-/** The fields of a packet with their values and parts; a wrong length is the last entry. */
+/** Returns the fields of a packet with their values and parts; the error of a malformed field is the last entry. */
 export declare function decodePacket(
     protocol: Protocol,
     packet: Packet,
     options?: Options,
 ): (Partial<RawField> & { field?: Item; values?: Plain; trailing?: number; parts?: Part[]; error?: MipError })[];
-/** A packet of fields: `{ name, values }`, or `{ descriptor, raw }`. */
+/** Builds a packet from fields: `{ name, values }`, or `{ descriptor, raw }`. */
 export declare function buildPacket(
     protocol: Protocol,
     set: number,
@@ -89,5 +89,5 @@ export declare function bitsOf(
     value: number | bigint | number[],
 ): { found: { bits: Item; value: bigint; flag: boolean; named?: Item }[]; rest: bigint };
 export declare function unitOf(parameter: Item, index?: number): string;
-/** The number by which a base rate is divided for the nearest rate that a device can send; 1 for 0 Hz, the highest. */
+/** Returns the decimation of a base rate for the nearest rate that a device supports; 1 for 0 Hz, the highest. */
 export declare function decimation(base: number, wanted: number): number;

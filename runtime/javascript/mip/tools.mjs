@@ -1,4 +1,4 @@
-// The interface for tools, without classes: the model of the protocol, and values by the names of the specification.
+// The interface for tools, without classes: the protocol's model, and values by their names in the specification.
 
 export { checksum, fromHex, MipError, readFloat, sameBytes, toHex, writeFloat } from "./bytes.mjs";
 export { memberName } from "./codec.mjs";

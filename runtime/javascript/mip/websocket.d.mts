@@ -1,8 +1,8 @@
-// A device behind a WebSocket whose binary messages are the bytes of its port, in any division.
+// A device at a WebSocket, whose binary messages carry the bytes of the device's port, divided in any way.
 
 import type { Device, DeviceOptions } from "./index.mjs";
 
-/** Connects to a device. @param options.WebSocket the class, where it is not global: Node 18 and 20 */
+/** Connects to a device. @param options.WebSocket the class, if it is not global, as in Node 18 and 20 */
 export declare function openWebSocket(
     url: string | URL,
     options?: DeviceOptions & { WebSocket?: new (url: string | URL) => any },
