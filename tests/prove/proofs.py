@@ -407,8 +407,10 @@ def write(title: str, rows: list[str]) -> None:
 
 
 def write_core(results: list[tuple[Proof, Result]]) -> None:
-    rows = [f"| {p.name} | {p.bounds} | {r.outcome}, {r.properties} properties |" for p, r in results]
-    write("the core", ["| Core | Looked at | Result |", "|---|---|---|", *rows])
+    rows = [
+        f"| `{p.sources[0]}` | {p.name} | {p.bounds} | {r.outcome}, {r.properties} properties |" for p, r in results
+    ]
+    write("the core", ["| File | Proof | Looked at | Result |", "|---|---|---|---|", *rows])
 
 
 def write_layouts(results: list[tuple[Proof, Result]]) -> None:
