@@ -18,7 +18,7 @@ import type * as types from "./types.mjs";
 export interface PollEntry {
     /** Field descriptor. */
     descriptor: number;
-    /** In place of a decimation. Reserved: send 0. */
+    /** Reserved; occupies the position of a decimation. Reserved: send 0. */
     reserved: number;
 }
 
@@ -39,8 +39,7 @@ export declare const FactoryStreamingAction: Enumeration<FactoryStreamingAction>
 
 export type ConstellationId = Flavor<number, "3dm.constellation_id">;
 /**
- * Constellation in the settings of a receiver. The values are not those of `types.GnssConstellation`, which GNSS data
- * use.
+ * Constellation in receiver settings. The values are not those of `types.GnssConstellation`, which GNSS data use.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
@@ -71,7 +70,7 @@ export declare const ConstellationOptions: Bitfield<ConstellationOptions> & {
 };
 
 /**
- * Tracking of one constellation by a receiver.
+ * Settings for the tracking of one constellation.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
@@ -80,7 +79,7 @@ export interface ConstellationSettingsEntry {
     constellationId: ConstellationId;
     /** 1 switches it on, 0 off. Range: 0 to 1. */
     enable: number;
-    /** Channels reserved for it. Unit: 1. Range: 0 to 32. */
+    /** Number of channels reserved for it. Unit: 1. Range: 0 to 32. */
     reservedChannels: number;
     /** Maximum number of channels that it uses. Unit: 1. Range: 0 to 32. */
     maxChannels: number;
@@ -90,7 +89,7 @@ export interface ConstellationSettingsEntry {
 
 export type SbasOptions = Flavor<number, "3dm.sbas_options">;
 /**
- * Use of SBAS.
+ * Purposes for which SBAS is used.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -105,7 +104,7 @@ export declare const SbasOptions: Bitfield<SbasOptions> & {
 
 export type AssistedFixOption = Flavor<number, "3dm.assisted_fix_option">;
 /**
- * Storage of the last fix of a receiver.
+ * Use of a receiver's last fix at power-up.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -276,7 +275,7 @@ export declare const ImuTimestampSelector: Enumeration<ImuTimestampSelector> & {
 
 export type OdometerMode = Flavor<number, "3dm.odometer_mode">;
 /**
- * Operation of the odometer input.
+ * Operating mode of the odometer input.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -394,11 +393,11 @@ export type Gx4SystemState = Flavor<number, "3dm.gx4_system_state">;
  * - mip-sdk-2014: Device Status (0x0C,0x64)
  */
 export declare const Gx4SystemState: Enumeration<Gx4SystemState> & {
-    /** The system starts. */
+    /** The system is starting. */
     readonly INIT: Gx4SystemState & 1;
-    /** The sensors start. */
+    /** The sensors are starting. */
     readonly SENSOR_STARTUP: Gx4SystemState & 2;
-    /** The system runs. */
+    /** The system is running. */
     readonly RUNNING: Gx4SystemState & 3;
 };
 
@@ -708,7 +707,7 @@ export declare class DeviceStatusBasicResponse extends Response {
     /** Reserved. */
     statusFlags: number;
     /**
-     * State of the system; its values are not documented.
+     * State of the system; the meaning of its values is not documented.
      *
      * - On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `Gx4SystemState`.
      */
@@ -768,7 +767,7 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
     /** On the wire only: status_selector. Diagnostic status. Always 2. */
     /** Reserved. */
     statusFlags: number;
-    /** State of the system; its values are not documented. */
+    /** State of the system; the meaning of its values is not documented. */
     systemState: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
@@ -821,13 +820,13 @@ export declare class DeviceStatusDiagnosticGnssResponse extends Response {
     /** On the wire only: status_selector. Diagnostic status. Always 2. */
     /** Reserved. */
     statusFlags: number;
-    /** State of the system; its values are not documented. */
+    /** State of the system; the meaning of its values is not documented. */
     systemState: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
     /** Power state of the GNSS receiver. */
     gnssPowerState: number;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
@@ -890,13 +889,13 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
     /** On the wire only: status_selector. Diagnostic status. Always 2. */
     /** Reserved. */
     statusFlags: number;
-    /** State of the system; its values are not documented. */
+    /** State of the system; the meaning of its values is not documented. */
     systemState: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
     /** Power state of the GNSS receiver. */
     gnssPowerState: number;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
@@ -965,7 +964,7 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
     /** On the wire only: status_selector. Diagnostic status. Always 2. */
     /** Reserved. */
     statusFlags: number;
-    /** State of the system; its values are not documented. */
+    /** State of the system; the meaning of its values is not documented. */
     systemState: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
@@ -975,9 +974,9 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
     coldStartOnPowerOn: number;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     temperature: number;
-    /** System timer at the last temperature. Unit: ms. */
+    /** System timer at the last temperature measurement. Unit: ms. */
     temperatureLastTime: number;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
@@ -1042,7 +1041,7 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
     statusFlags: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
@@ -1119,11 +1118,11 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
     reserved: number;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     temperature: number;
-    /** System timer at the last temperature. Unit: ms. */
+    /** System timer at the last temperature measurement. Unit: ms. */
     temperatureLastTime: number;
     /** State of the temperature measurement. */
     temperatureError: number;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
@@ -1182,11 +1181,11 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
     pressureRange: number;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     temperature: number;
-    /** System timer at the last temperature. Unit: ms. */
+    /** System timer at the last temperature measurement. Unit: ms. */
     temperatureLastTime: number;
     /** State of the temperature measurement; 0 is normal. */
     temperatureError: number;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
@@ -1232,7 +1231,7 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
     systemTimer: bigint;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     temperature: number;
-    /** System timer at the last temperature. Unit: ms. */
+    /** System timer at the last temperature measurement. Unit: ms. */
     temperatureLastTime: number;
     /** True if a temperature sensor is faulty. */
     badTemperatureSensorDetected: boolean;
@@ -1240,7 +1239,7 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
     coldTemperatureDetected: boolean;
     /** True if a supply voltage is out of range. */
     badVoltageDetected: boolean;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     ppsCount: number;
     /** System timer at the last pulse. Unit: ms. */
     ppsLastTime: number;
@@ -1248,7 +1247,7 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
     imuStreamEnabled: boolean;
     /** Sensor data packets that were not sent. Unit: 1. */
     imuDroppedPackets: number;
-    /** State of the port; its values are not known. */
+    /** State of the port; the meaning of its values is not known. */
     commPortState: number;
     /** Present baud rate of the port. Unit: Bd. */
     commPortBaudRate: number;
@@ -1282,13 +1281,13 @@ export declare class DeviceStatusBasicGx3Response extends Response {
     /** Model number of the device. */
     modelNumber: number;
     /** On the wire only: status_selector. Basic status. Always 1. */
-    /** Part of the device that the port talks to. */
+    /** Part of the device that the port is connected to. */
     commMode: number;
     /** Port in use. */
     commDevice: number;
-    /** Settings of the data streams; their bits are not known. */
+    /** Settings of the data streams; the meaning of the bits is not known. */
     settingsFlags: number;
-    /** State of the port; its values are not known. */
+    /** State of the port; the meaning of its values is not known. */
     commState: number;
     /** Baud rate of the port. Unit: Bd. */
     commBaudRate: number;
@@ -1316,13 +1315,13 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
     /** Model number of the device. */
     modelNumber: number;
     /** On the wire only: status_selector. Diagnostic status. Always 2. */
-    /** Part of the device that the port talks to. */
+    /** Part of the device that the port is connected to. */
     commMode: number;
     /** Port in use. */
     commDevice: number;
-    /** Settings of the data streams; their bits are not known. */
+    /** Settings of the data streams; the meaning of the bits is not known. */
     settingsFlags: number;
-    /** State of the port; its values are not known. */
+    /** State of the port; the meaning of its values is not known. */
     commState: number;
     /** Baud rate of the port. Unit: Bd. */
     commBaudRate: number;
@@ -1334,7 +1333,7 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
     commPortWriteOverruns: number;
     /** Overruns while reading from the port. Unit: 1. */
     commPortReadOverruns: number;
-    /** State of the USB port; its values are not known. */
+    /** State of the USB port; the meaning of its values is not known. */
     usbState: number;
     /** Bytes sent over USB. Unit: byte. */
     usbBytesWritten: number;
@@ -1344,9 +1343,9 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
     usbWriteOverruns: number;
     /** Overruns while reading from USB. Unit: 1. */
     usbReadOverruns: number;
-    /** State of the receiver's driver; its values are not known. */
+    /** State of the receiver's driver; the meaning of its values is not known. */
     gnssDriverState: number;
-    /** State of the port to the receiver; its values are not known. */
+    /** State of the port to the receiver; the meaning of its values is not known. */
     gnssPortState: number;
     /** Bytes sent to the receiver. Unit: byte. */
     gnssBytesWritten: number;
@@ -1360,9 +1359,9 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
     gnssMessageCount: number;
     /** Messages of the receiver that arrived late. Unit: 1. */
     gnssDelayedMessageCount: number;
-    /** State of the IMU's driver; its values are not known. */
+    /** State of the IMU's driver; the meaning of its values is not known. */
     imuDriverState: number;
-    /** State of the port to the IMU; its values are not known. */
+    /** State of the port to the IMU; the meaning of its values is not known. */
     imuPortState: number;
     /** Bytes sent to the IMU. Unit: byte. */
     imuBytesWritten: number;
@@ -1418,9 +1417,9 @@ export declare class ImuTimestampResponse extends Response {
  */
 export declare class ComplementaryFilterResponse extends Response {
     constructor(values: Values<ComplementaryFilterResponse>);
-    /** Corrects pitch and roll (up, in terms of the 5-series). */
+    /** True enables the pitch and roll correction, which 5-series manuals call up compensation. */
     pitchRollEnable: boolean;
-    /** Corrects the heading (north, in terms of the 5-series). */
+    /** True enables the heading correction, which 5-series manuals call north compensation. */
     headingEnable: boolean;
     /** Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10. */
     pitchRollTimeConstant: number;
@@ -1655,7 +1654,7 @@ export declare class GetEventSupportResponse extends Response {
     constructor(values: Values<GetEventSupportResponse>);
     /** Query specified in the command. */
     query: EventSupportQuery;
-    /** Number of slots; instances go from 1 to this. Unit: 1. */
+    /** Number of slots; instances are numbered from 1 to this. Unit: 1. */
     maxInstances: number;
     /** On the wire only: num_entries. Number of types. The number of elements of `entries`. */
     /**
@@ -1893,8 +1892,8 @@ export declare class LowPassFilterResponse extends Response {
  * Also called `poll_imu_message`. Not acknowledged if `suppressAck` is true. Supported by 3DM-CX5-10, 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device rejects the command. Descriptors
- * that the device does not know are ignored. The data is sent in a separate packet after the reply.
+ * An empty list polls the fields that `ImuMessageFormat` stores; if nothing is stored, the device rejects the command.
+ * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.
  *
  * - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
  */
@@ -1940,7 +1939,7 @@ export declare class PollGnssData extends Command<undefined> {
  * Also called `poll_filter_message`. Not acknowledged if `suppressAck` is true. Supported by 3DM-GQ4-45, 3DM-GX5-15,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * An empty list polls what `FilterMessageFormat` stores; if nothing is stored, the device rejects the command.
+ * An empty list polls the fields that `FilterMessageFormat` stores; if none are, the device rejects the command.
  * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply.
  *
  * - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
@@ -1980,7 +1979,7 @@ export declare class PollNmeaData extends Command<undefined> {
 /**
  * Get IMU Data Base Rate (0x0C,0x06).
  *
- * Gets the rate that is divided by the decimations of `ImuMessageFormat`.
+ * Gets the base rate, which is divided by the decimations of `ImuMessageFormat`.
  *
  * Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -1994,7 +1993,7 @@ export declare class GetImuBaseRate extends Command<GetImuBaseRateResponse> {
 /**
  * Get GNSS Data Base Rate (0x0C,0x07).
  *
- * Gets the rate that is divided by the decimations of `GnssMessageFormat`.
+ * Gets the base rate, which is divided by the decimations of `GnssMessageFormat`.
  *
  * Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
@@ -2113,7 +2112,7 @@ export declare class FilterMessageFormat<R extends Response | undefined = undefi
 /**
  * Get Estimation Filter Data Base Rate (0x0C,0x0B).
  *
- * Gets the rate that is divided by the decimations of `FilterMessageFormat`.
+ * Gets the base rate, which is divided by the decimations of `FilterMessageFormat`.
  *
  * Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -2166,9 +2165,9 @@ export declare class NmeaMessageFormat<R extends Response | undefined = undefine
  *
  * Not acknowledged if `suppressAck` is true. Supported by 3DM-CV7-GNSS/INS.
  *
- * An empty list polls what `MessageFormat` stores; if nothing is stored, the device rejects the command. Descriptors
- * that the device does not know are ignored. The data is sent in a separate packet after the reply, on the port of the
- * command. List shared descriptors (0xD0 and up) before the others.
+ * An empty list polls the fields that `MessageFormat` stores; if nothing is stored, the device rejects the command.
+ * Descriptors that the device does not know are ignored. The data is sent in a separate packet after the reply, on the
+ * port of the command. List shared descriptors (0xD0 and up) before the others.
  *
  * - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
  */
@@ -2186,7 +2185,7 @@ export declare class PollData extends Command<undefined> {
 /**
  * Get Data Base Rate (0x0C,0x0E).
  *
- * Gets the rate that is divided by the decimations of a descriptor set.
+ * Gets the base rate, which is divided by the decimations of a descriptor set.
  *
  * Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -2728,7 +2727,7 @@ export declare class DeviceSettings extends Command<undefined> {
  * `filter_data.CompAccel` and `sensor.CompOrientationUpdateMatrix`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same transformation; the value read
- * back may be another form of it. Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll
+ * back may be another form of it. Starting aligned with the vehicle frame, the sensor is rotated by yaw, pitch and roll
  * about its own z, y and x axes, in this order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` Every change
  * resets the complementary filter, the estimation filter and all low-pass filters. On some older devices the setting is
  * the inverse rotation.
@@ -3382,13 +3381,13 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * Corrects pitch and roll (up, in terms of the 5-series). Required for `write`.
+     * True enables the pitch and roll correction, which 5-series manuals call up compensation. Required for `write`.
      *
      * - On the 3DM-GX5-15: default true.
      */
     pitchRollEnable?: boolean;
     /**
-     * Corrects the heading (north, in terms of the 5-series). Required for `write`.
+     * True enables the heading correction, which 5-series manuals call north compensation. Required for `write`.
      *
      * - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not
      *   offer it.
@@ -3456,7 +3455,7 @@ export declare class SensorRange<R extends Response | undefined = undefined | Se
  */
 export declare class GetCalibratedSensorRanges extends Command<GetCalibratedSensorRangesResponse> {
     constructor(values: Values<GetCalibratedSensorRanges>);
-    /** The sensor; not all. */
+    /** Sensor to query; `all` is not allowed. */
     sensor: SensorRangeType;
 }
 

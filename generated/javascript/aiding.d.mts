@@ -120,7 +120,7 @@ export declare class FrameConfigResponse extends Response {
  */
 export declare class EchoControlResponse extends Response {
     constructor(values: Values<EchoControlResponse>);
-    /** Answers to the measurements. */
+    /** Reply mode. */
     mode: AidingEchoMode;
 }
 
@@ -190,7 +190,7 @@ export declare class EchoControl<R extends Response | undefined = undefined | Ec
     constructor(values: Values<EchoControl>);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /** Answers to the measurements. Required for `write`. */
+    /** Reply mode. Required for `write`. */
     mode?: AidingEchoMode;
     /** Apply the new setting. */
     static write(values: { mode: AidingEchoMode }): EchoControl<undefined>;

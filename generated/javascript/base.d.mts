@@ -32,7 +32,7 @@ export interface BaseDeviceInfo {
 }
 
 export type GpsTimeField = Flavor<number, "base.gps_time_field">;
-/** The part of the GPS time that a value holds. */
+/** The part of the GPS time that a value contains. */
 export declare const GpsTimeField: Enumeration<GpsTimeField> & {
     readonly WEEK_NUMBER: GpsTimeField & 1;
     /** Time of week in whole seconds. */
@@ -341,7 +341,7 @@ export declare class ContinuousBuiltInTest extends Command<ContinuousBuiltInTest
  * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms. Send it alone in a packet while
- * the device is idle, and wait 250 ms before going on. Commands and data during the change may be lost, or sent at
+ * the device is idle, and wait 250 ms before you continue. Commands and data during the change may be lost, or sent at
  * either rate.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
@@ -391,11 +391,11 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
  * only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked. On the 3DM-CV7-GNSS/INS, the
- * time may have another epoch than GPS time, for example that of Unix time; `shared.ExternalTimestamp` then has it,
- * too. The PPS supplies the fraction of the second; send the whole second that began at its last edge. Send it within
- * 250 ms after the rising edge of the PPS. Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS
- * needs it at least once. Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS
- * receiver is the PPS source.
+ * time may have another epoch than GPS time, for example that of Unix time; `shared.ExternalTimestamp` then has the
+ * same epoch. The PPS supplies the fraction of the second; send the whole second that began at its last edge. Send it
+ * within 250 ms after the rising edge of the PPS. Once per second is recommended for the 3DM-GX5-15; the
+ * 3DM-CV7-GNSS/INS needs it at least once. Send it again after a glitch of the PPS. It is usually not needed if an
+ * internal GNSS receiver is the PPS source.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)

@@ -19,7 +19,7 @@ import type * as types from "./types.mjs";
  */
 export declare class GetCalibrationResponse extends Response {
     constructor(values: Values<GetCalibrationResponse>);
-    /** Displacement for each count of the converter. Uncertain: The unit; mm for each count is likely. */
+    /** Displacement per count of the converter. Uncertain: The unit; mm per count is likely. */
     slope: number;
     /** Displacement at zero counts. Uncertain: The unit; mm is likely. */
     offset: number;
@@ -42,7 +42,7 @@ export declare class OutputRateResponse extends Response {
 /**
  * Get Analog to Displacement Calibration (0x11,0x01).
  *
- * Reads the linear function by which the device converts the counts of its converter to a displacement.
+ * Reads the linear function with which the device converts the counts of its converter to a displacement.
  *
  * No device is certain to support it. Also called `get_analog_displacement_calibration`. Answered by
  * `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.

@@ -64,8 +64,8 @@ export declare class Timestamp extends Data {
     /** Validity of the time of displacement data. */
     flags: TimestampFlags;
     /**
-     * UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if `TimestampFlags.TIME` of
-     * `flags` is set.
+     * UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if `TimestampFlags.TIME`
+     * of `flags` is set.
      */
     time: bigint;
 }

@@ -138,9 +138,9 @@ export type AdaptiveMeasurementSelector = Flavor<number, "filter.adaptive_measur
 export declare const AdaptiveMeasurementSelector: Enumeration<AdaptiveMeasurementSelector> & {
     /** No adaptation. */
     readonly DISABLED: AdaptiveMeasurementSelector & 0;
-    /** Adapted by the limits specified by the command. */
+    /** The limits in the command determine the weights. */
     readonly FIXED: AdaptiveMeasurementSelector & 1;
-    /** Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later. */
+    /** The filter determines the weights; the limits are ignored. 3DM-GX5 and later. */
     readonly AUTO: AdaptiveMeasurementSelector & 2;
 };
 
@@ -198,7 +198,7 @@ export type AccelConstraint = Flavor<number, "filter.accel_constraint">;
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 export declare const AccelConstraint: Enumeration<AccelConstraint> & {
-    /** Nothing. */
+    /** No assumption. */
     readonly NONE: AccelConstraint & 0;
     /** The filter assumes no acceleration. */
     readonly ZERO_ACCEL: AccelConstraint & 1;
@@ -211,7 +211,7 @@ export type VelocityConstraint = Flavor<number, "filter.velocity_constraint">;
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 export declare const VelocityConstraint: Enumeration<VelocityConstraint> & {
-    /** Nothing. */
+    /** No assumption. */
     readonly NONE: VelocityConstraint & 0;
     /** The filter assumes that the device does not move. */
     readonly ZERO_VELOCITY: VelocityConstraint & 1;
@@ -226,7 +226,7 @@ export type AngularConstraint = Flavor<number, "filter.angular_constraint">;
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 export declare const AngularConstraint: Enumeration<AngularConstraint> & {
-    /** Nothing. */
+    /** No assumption. */
     readonly NONE: AngularConstraint & 0;
     /** The filter assumes no rotation. */
     readonly ZERO_ANGULAR_RATE: AngularConstraint & 1;
@@ -656,9 +656,9 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurementResponse extends Resp
     adaptiveMeasurement: AdaptiveMeasurementSelector;
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
-    /** Lower limit of the error. Unit: m/s^2. */
+    /** Lower limit of the gravity magnitude error. Unit: m/s^2. */
     lowLimit: number;
-    /** Upper limit of the error. Unit: m/s^2. */
+    /** Upper limit of the gravity magnitude error. Unit: m/s^2. */
     highLimit: number;
     /** Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. */
     lowLimitUncertainty: number;
@@ -682,13 +682,13 @@ export declare class MagMagnitudeErrorAdaptiveMeasurementResponse extends Respon
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
     /**
-     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-     * states m/s^2 in the command and gauss in the response.
+     * Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a
+     * manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     lowLimit: number;
     /**
-     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
-     * states m/s^2 in the command and gauss in the response.
+     * Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a
+     * manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     highLimit: number;
     /**
@@ -722,8 +722,8 @@ export declare class MagDipAngleErrorAdaptiveMeasurementResponse extends Respons
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     frequency: number;
     /**
-     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
-     * quantity.
+     * Upper limit of the dip angle error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is inferred from
+     * the quantity.
      */
     highLimit: number;
     /**
@@ -1204,7 +1204,7 @@ export declare class SensorToVehicleRotationEuler<R extends Response | undefined
 /**
  * Sensor to vehicle offset (0x0D,0x12).
  *
- * Sets the origin of the vehicle frame, as seen from the sensor.
+ * Sets the origin of the vehicle frame relative to the sensor.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleOffsetResponse`. Changes
  * `filter_data.LlhPosition`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The
@@ -1552,7 +1552,7 @@ export declare class GyroNoise<R extends Response | undefined = undefined | Gyro
 /**
  * Accelerometer bias model (0x0D,0x1C).
  *
- * Sets the parameters of the model by which the accelerometer bias drifts.
+ * Sets the parameters of the accelerometer bias drift model.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`. Probably changes
  * `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
@@ -1585,7 +1585,7 @@ export declare class AccelBiasModel<R extends Response | undefined = undefined |
 /**
  * Gyroscope bias model (0x0D,0x1D).
  *
- * Sets the parameters of the model by which the gyroscope bias drifts.
+ * Sets the parameters of the gyroscope bias drift model.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`. Probably changes
  * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
@@ -1620,7 +1620,7 @@ export declare class GyroBiasModel<R extends Response | undefined = undefined | 
 /**
  * Automatic zero velocity update (0x0D,0x1E).
  *
- * Lets the filter assume that the device is at rest while its GNSS speed is low.
+ * Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.NedVelocityUncertainty` and
@@ -1686,7 +1686,7 @@ export declare class ExternalHeadingUpdateWithTime extends Command<undefined> {
 /**
  * Zero angular rate update (0x0D,0x20).
  *
- * Lets the filter assume that the device is not rotating while its angular rate is low.
+ * Sets whether the filter assumes that the device is not rotating while its angular rate is low.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`. Probably changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.GyroBias` and
@@ -2080,7 +2080,7 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
 /**
  * Gravity magnitude error adaptive measurement (0x0D,0x44).
  *
- * Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
+ * Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes `filter_data.AttitudeQuaternion`,
@@ -2088,9 +2088,9 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
  * `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Also called accelerometer magnitude error adaptive measurement. All parameters after the selector keep their values
- * if they are omitted. Filter and limits take effect only with `fixed`. Raise the limits where vibration is strong,
- * lower them where it is weak. High limits reduce the accuracy of pitch and roll under linear acceleration, low limits
- * reduce the accuracy of the heading.
+ * if they are omitted. The low-pass filter and the limits take effect only with `fixed`. Raise the limits where
+ * vibration is strong, lower them where it is weak. High limits reduce the accuracy of pitch and roll under linear
+ * acceleration, low limits reduce the accuracy of the heading.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -2107,9 +2107,9 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
     adaptiveMeasurement?: AdaptiveMeasurementSelector;
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional. */
     frequency?: number;
-    /** Lower limit of the error. Unit: m/s^2. Optional. */
+    /** Lower limit of the gravity magnitude error. Unit: m/s^2. Optional. */
     lowLimit?: number;
-    /** Upper limit of the error. Unit: m/s^2. Optional. */
+    /** Upper limit of the gravity magnitude error. Unit: m/s^2. Optional. */
     highLimit?: number;
     /** Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. Optional. */
     lowLimitUncertainty?: number;
@@ -2159,13 +2159,13 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
     frequency?: number;
     /**
-     * Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK states m/s^2; a manual
-     * of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Lower limit of the magnetic field magnitude error. Unit: gauss. Required for `write`. Uncertain: The unit. The
+     * SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     lowLimit?: number;
     /**
-     * Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK states m/s^2; a manual
-     * of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Upper limit of the magnetic field magnitude error. Unit: gauss. Required for `write`. Uncertain: The unit. The
+     * SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
      */
     highLimit?: number;
     /**
@@ -2220,8 +2220,8 @@ export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | un
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`. */
     frequency?: number;
     /**
-     * Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK states m/s^2; rad is
-     * inferred from the quantity.
+     * Upper limit of the dip angle error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK states m/s^2;
+     * rad is inferred from the quantity.
      */
     highLimit?: number;
     /**
@@ -2811,7 +2811,7 @@ export declare class SpeedLeverArm<R extends Response | undefined = undefined | 
 /**
  * Vertical gyro constraint (0x0D,0x62).
  *
- * Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
+ * Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `VerticalGyroConstraintControlResponse`.
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
@@ -2842,7 +2842,7 @@ export declare class VerticalGyroConstraintControl<R extends Response | undefine
 /**
  * Wheeled vehicle constraint (0x0D,0x63).
  *
- * Lets the filter assume that the vehicle moves only along its x axis.
+ * Sets whether the filter assumes that the vehicle moves only along its x axis.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `WheeledVehicleConstraintControlResponse`.
  * Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`,

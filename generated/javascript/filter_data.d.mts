@@ -341,7 +341,7 @@ export declare const Cv7StatusFlags: Bitfield<Cv7StatusFlags> & {
 /**
  * LLH position (0x82,0x01).
  *
- * Estimated position.
+ * Estimated position as latitude, longitude and height.
  *
  * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -368,7 +368,7 @@ export declare class LlhPosition extends Data {
 /**
  * NED velocity (0x82,0x02).
  *
- * Estimated velocity.
+ * Estimated velocity in the NED frame.
  *
  * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -546,7 +546,7 @@ export declare class LlhPositionUncertainty extends Data {
 /**
  * NED velocity uncertainty (0x82,0x09).
  *
- * Standard deviation of the estimated velocity.
+ * Standard deviation of the estimated velocity in the NED frame.
  *
  * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -654,8 +654,8 @@ export declare class AccelBiasUncertainty extends Data {
 export declare class LinearAccel extends Data {
     constructor(values: Values<LinearAccel>);
     /**
-     * Zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0,
-     * z 0. Valid if `ValidFlags.VALID` of `validFlags` is set.
+     * Linear acceleration; zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
+     * and level: x 0, y 0, z 0. Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     accel: types.Vector3f;
     /** Validity of the values of a field. */
@@ -833,7 +833,7 @@ export declare class GravityVector extends Data {
 /**
  * Heading update source state (0x82,0x14).
  *
- * The last heading that updated the filter and where it came from.
+ * The last heading that updated the filter, and its source.
  *
  * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -1250,7 +1250,7 @@ export declare class MagResidualVector extends Data {
 /**
  * Antenna offset correction (0x82,0x30).
  *
- * Estimated error of the offset of the GNSS antenna.
+ * Estimated error of the GNSS antenna offset.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
@@ -1272,7 +1272,7 @@ export declare class AntennaOffsetCorrection extends Data {
 /**
  * Antenna offset correction uncertainty (0x82,0x31).
  *
- * Standard deviation of the estimated error of the offset of the GNSS antenna.
+ * Standard deviation of the estimated error of the GNSS antenna offset.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
@@ -1339,7 +1339,7 @@ export declare class ClockCorrectionUncertainty extends Data {
 /**
  * Multi-antenna offset correction (0x82,0x34).
  *
- * Estimated error of the offset of one GNSS antenna.
+ * Estimated error of one GNSS antenna's offset.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -1363,7 +1363,7 @@ export declare class MultiAntennaOffsetCorrection extends Data {
 /**
  * Multi-antenna offset correction uncertainty (0x82,0x35).
  *
- * Standard deviation of the estimated error of the offset of one GNSS antenna.
+ * Standard deviation of the estimated error of one GNSS antenna's offset.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -1385,7 +1385,7 @@ export declare class MultiAntennaOffsetCorrectionUncertainty extends Data {
 /**
  * ECEF position uncertainty (0x82,0x36).
  *
- * Standard deviation of the estimated position.
+ * Standard deviation of the estimated position in Earth-fixed coordinates.
  *
  * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -1405,7 +1405,7 @@ export declare class EcefPositionUncertainty extends Data {
 /**
  * ECEF velocity uncertainty (0x82,0x37).
  *
- * Standard deviation of the estimated velocity.
+ * Standard deviation of the estimated velocity in Earth-fixed coordinates.
  *
  * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -1425,7 +1425,7 @@ export declare class EcefVelocityUncertainty extends Data {
 /**
  * ECEF position (0x82,0x40).
  *
- * Estimated position.
+ * Estimated position in Earth-fixed coordinates.
  *
  * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -1445,7 +1445,7 @@ export declare class EcefPosition extends Data {
 /**
  * ECEF velocity (0x82,0x41).
  *
- * Estimated velocity.
+ * Estimated velocity in Earth-fixed coordinates.
  *
  * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -1634,7 +1634,7 @@ export declare class GnssDualAntennaStatus extends Data {
      */
     tow: number;
     /**
-     * Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen from above. Valid if
+     * Heading derived from the baseline of the antennas. Unit: rad. Positive: clockwise seen from above. Valid if
      * `ValidFlags.VALID` of `validFlags` is set.
      */
     heading: number;
@@ -1664,16 +1664,16 @@ export declare class AidingFrameConfigError extends Data {
     constructor(values: Values<AidingFrameConfigError>);
     /** Number of the frame. */
     frameId: number;
-    /** Error of the translation. Elements: x, y, z. Unit: m. */
+    /** Estimated error of the translation. Elements: x, y, z. Unit: m. */
     translation: types.Vector3f;
-    /** Error of the rotation. Elements: w, x, y, z. Unit: 1. */
+    /** Estimated error of the rotation. Elements: w, x, y, z. Unit: 1. */
     attitude: types.Quatf;
 }
 
 /**
  * Aiding frame configuration error uncertainty (0x82,0x51).
  *
- * Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
+ * Uncertainty of the error that `AidingFrameConfigError` estimates.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *

@@ -87,7 +87,7 @@ export declare const ReceiverId: Enumeration<ReceiverId> & {
 
 export type ReceiverResetType = Flavor<number, "gnss.receiver_reset_type">;
 /**
- * Extent of the restart of a receiver.
+ * Extent of a receiver restart.
  *
  * - mip-sdk-4: Receiver Reset (0x0E,0x03)
  */

@@ -11,7 +11,7 @@
  * - gnss_2 (0x92): Measurements and status of the second internal GNSS receiver.
  * - gnss_corrections (0x93): RTK corrections that the device receives. Data is sent as it is received.
  * - gnss_external (0x94): Data that an external GNSS receiver sends to the device in NMEA sentences. A field may need
- *   several sentences; a value that NMEA does not provide is not valid. Times are those of the sentences.
+ *   several sentences; a value that NMEA does not provide is not valid. Times are taken from the sentences.
  * - gnss_external_2 (0x95): Data that a second external GNSS receiver sends to the device. Uncertain: The name. It is
  *   from a page on the 3DM-CV7-INS that the vendor published for trial; the SDK calls the set GNSS 5.
  */
@@ -138,7 +138,7 @@ export type FixFlags = Flavor<number, "gnss_data.fix_flags">;
 export declare const FixFlags: Bitfield<FixFlags> & {
     /** SBAS corrections were used in the fix. Bit 0. */
     readonly SBAS_USED: FixFlags;
-    /** Differential corrections. Bit 1. */
+    /** Differential corrections were used in the fix. Bit 1. */
     readonly DGNSS_USED: FixFlags;
 };
 
@@ -158,7 +158,7 @@ export declare const FixInfoFlags: Bitfield<FixInfoFlags> & {
 export type SvFlags = Flavor<number, "gnss_data.sv_flags">;
 /** State of a satellite. */
 export declare const SvFlags: Bitfield<SvFlags> & {
-    /** The position fix uses it. Bit 0. */
+    /** The satellite is used in the position fix. Bit 0. */
     readonly USED_FOR_NAVIGATION: SvFlags;
     /** The satellite reports that its signals can be used. Bit 1. */
     readonly HEALTHY: SvFlags;
@@ -184,7 +184,7 @@ export declare const SvInfoFlags: Bitfield<SvInfoFlags> & {
 };
 
 export type ReceiverState = Flavor<number, "gnss_data.receiver_state">;
-/** Power and operation of a GNSS receiver. */
+/** Operating state of a GNSS receiver. */
 export declare const ReceiverState: Enumeration<ReceiverState> & {
     readonly OFF: ReceiverState & 0;
     readonly ON: ReceiverState & 1;
@@ -207,7 +207,7 @@ export declare const AntennaState: Enumeration<AntennaState> & {
 };
 
 export type AntennaPower = Flavor<number, "gnss_data.antenna_power">;
-/** Supply of the antenna. */
+/** State of the antenna's power supply. */
 export declare const AntennaPower: Enumeration<AntennaPower> & {
     readonly OFF: AntennaPower & 0;
     readonly ON: AntennaPower & 1;
@@ -281,11 +281,11 @@ export declare const GpsLeapSecondsFlags: Bitfield<GpsLeapSecondsFlags> & {
 };
 
 export type SbasSystem = Flavor<number, "gnss_data.sbas_system">;
-/** Satellite based augmentation system. */
+/** Satellite-based augmentation system (SBAS). */
 export declare const SbasSystem: Enumeration<SbasSystem> & {
     /** Not known. */
     readonly UNKNOWN: SbasSystem & 0;
-    /** North America. */
+    /** WAAS, the North American system. */
     readonly WAAS: SbasSystem & 1;
     /** EGNOS, the European system. */
     readonly EGNOS: SbasSystem & 2;
@@ -385,20 +385,20 @@ export declare const RfErrorDetectionFlags: Bitfield<RfErrorDetectionFlags> & {
     readonly JAMMING_STATE: RfErrorDetectionFlags;
     /** `spoofing_state` is valid. Bit 2. */
     readonly SPOOFING_STATE: RfErrorDetectionFlags;
-    /** Frequency; only set by firmware that sends it. Bit 3. */
+    /** `frequency` is valid; set only by firmware that sends the frequency. Bit 3. */
     readonly FREQUENCY: RfErrorDetectionFlags;
     /** All values are valid. Bits 0 to 3. Overlaps other bits. */
     readonly FLAGS: RfErrorDetectionFlags;
 };
 
 export type HeadingFixType = Flavor<number, "gnss_data.heading_fix_type">;
-/** Solution of the carrier phase ambiguities for a heading. */
+/** Resolution of the carrier phase ambiguities for a heading. */
 export declare const HeadingFixType: Enumeration<HeadingFixType> & {
     /** Not known. */
     readonly UNKNOWN: HeadingFixType & 0;
-    /** Real numbers, which is less accurate. */
+    /** The ambiguities are real numbers, which is less accurate. */
     readonly FLOAT: HeadingFixType & 1;
-    /** Whole numbers of cycles. */
+    /** The ambiguities are fixed to whole numbers of cycles. */
     readonly FIXED: HeadingFixType & 2;
 };
 
@@ -540,13 +540,13 @@ export declare const RtkEpochStatus: Bitfield<RtkEpochStatus> & {
     readonly ANTENNA_LOCATION_RECEIVED: RtkEpochStatus;
     /** The description of the base station's antenna has arrived. Bit 1. */
     readonly ANTENNA_DESCRIPTION_RECEIVED: RtkEpochStatus;
-    /** GPS corrections. Bit 2. */
+    /** GPS corrections have arrived. Bit 2. */
     readonly GPS_RECEIVED: RtkEpochStatus;
-    /** GLONASS corrections. Bit 3. */
+    /** GLONASS corrections have arrived. Bit 3. */
     readonly GLONASS_RECEIVED: RtkEpochStatus;
-    /** Galileo corrections. Bit 4. */
+    /** Galileo corrections have arrived. Bit 4. */
     readonly GALILEO_RECEIVED: RtkEpochStatus;
-    /** BeiDou corrections. Bit 5. */
+    /** BeiDou corrections have arrived. Bit 5. */
     readonly BEIDOU_RECEIVED: RtkEpochStatus;
     /** GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. Bit 6. */
     readonly USING_GPS_MSM_MESSAGES: RtkEpochStatus;
@@ -584,7 +584,7 @@ export type EphemerisFlags = Flavor<number, "gnss_data.ephemeris_flags">;
 export declare const EphemerisFlags: Bitfield<EphemerisFlags> & {
     /** The ephemeris is valid. Bit 0. */
     readonly EPHEMERIS: EphemerisFlags;
-    /** The data of the modernized navigation message are included. Bit 1. */
+    /** Data of the modernized navigation message is included. Bit 1. */
     readonly MODERN_DATA: EphemerisFlags;
     /** `isc_l2c` is the correction for L5, not for L2. Bit 2. */
     readonly ISC_L5: EphemerisFlags;
@@ -604,7 +604,7 @@ export type GlonassEphemerisFlags = Flavor<number, "gnss_data.glonass_ephemeris_
 export declare const GlonassEphemerisFlags: Bitfield<GlonassEphemerisFlags> & {
     /** The ephemeris is valid. Bit 0. */
     readonly EPHEMERIS: GlonassEphemerisFlags;
-    /** All of them. Bit 0. Overlaps other bits. */
+    /** All values are valid. Bit 0. Overlaps other bits. */
     readonly FLAGS: GlonassEphemerisFlags;
 };
 
@@ -834,7 +834,7 @@ export declare class Dop extends Data {
 /**
  * UTC time (0x08).
  *
- * Coordinated universal time as the receiver knows it.
+ * Coordinated universal time (UTC) according to the receiver.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
@@ -845,7 +845,7 @@ export declare class Dop extends Data {
  */
 export declare class UtcTime extends Data {
     constructor(values: Values<UtcTime>);
-    /** Year with its century. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `validFlags` is set. */
+    /** Year with four digits. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `validFlags` is set. */
     year: number;
     /** Month, 1 for January. Range: 1 to 12. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `validFlags` is set. */
     month: number;
@@ -868,7 +868,7 @@ export declare class UtcTime extends Data {
 /**
  * GPS time (0x09).
  *
- * GPS time as the receiver knows it.
+ * GPS time according to the receiver.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
@@ -897,7 +897,7 @@ export declare class GpsTime extends Data {
  * No device is certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections
  * (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only from the MicroStrain MIP SDK.
  *
- * Clock info 2 replaces it, with more detail.
+ * Clock info 2 supersedes it and is more detailed.
  *
  * - mip-sdk-4: Clock Info (0x81,0x0A)
  */
@@ -919,7 +919,7 @@ export declare class ClockInfo extends Data {
 /**
  * Fix info (0x0B).
  *
- * Type of the position fix and what it is based on.
+ * Type of the position fix, with the satellites and corrections used.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
@@ -945,7 +945,7 @@ export declare class FixInfo extends Data {
 /**
  * Satellite info (0x0C).
  *
- * One satellite that is tracked.
+ * State of one tracked satellite.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet
@@ -991,11 +991,11 @@ export declare class SvInfo extends Data {
  */
 export declare class HardwareStatus extends Data {
     constructor(values: Values<HardwareStatus>);
-    /** Power and operation of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `validFlags` is set. */
+    /** Operating state of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `validFlags` is set. */
     receiverState: ReceiverState;
     /** Electrical condition of the antenna. Valid if `HardwareStatusFlags.ANTENNA_STATE` of `validFlags` is set. */
     antennaState: AntennaState;
-    /** Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `validFlags` is set. */
+    /** State of the antenna's power supply. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `validFlags` is set. */
     antennaPower: AntennaPower;
     /** Valid parts of the hardware status. */
     validFlags: HardwareStatusFlags;
@@ -1041,17 +1041,17 @@ export declare class DgpsInfo extends Data {
 }
 
 /**
- * DGPS info with a satellite (0x0E).
+ * DGPS info for one satellite (0x0E).
  *
- * Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+ * Differential correction for one satellite, in the layout that the SDK has for DGPS info.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Distinguished from `DgpsInfo` by the size of its data. Not listed in any device profile.
  * Known only from the MicroStrain MIP SDK. Uncertain: Whether any device sends it. The values are those of
- * `DgpsChannel`, but the flags are those of `DgpsInfo`, so a mistake of the SDK is likely.
+ * `DgpsChannel`, but the flags are those of `DgpsInfo`, so a mistake in the SDK is likely.
  *
  * The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have `DgpsInfo`. The flags of
- * `base_station_id`, `base_station_status` and `num_channels` belong to no value of this layout.
+ * `base_station_id`, `base_station_status` and `num_channels` correspond to no value in this layout.
  *
  * - mip-sdk-4: Dgps Info (0x81,0x0E)
  */
@@ -1207,9 +1207,9 @@ export declare class SbasInfo extends Data {
  */
 export declare class SbasCorrection extends Data {
     constructor(values: Values<SbasCorrection>);
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     index: number;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     count: number;
     /** GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -1253,7 +1253,7 @@ export declare class SbasCorrection extends Data {
  */
 export declare class RfErrorDetection extends Data {
     constructor(values: Values<RfErrorDetection, "reserved">);
-    /** Band that the states are about. Valid if `RfErrorDetectionFlags.RF_BAND` of `validFlags` is set. */
+    /** Band to which the states apply. Valid if `RfErrorDetectionFlags.RF_BAND` of `validFlags` is set. */
     rfBand: RfBand;
     /** State of jamming in this band. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `validFlags` is set. */
     jammingState: JammingState;
@@ -1312,9 +1312,9 @@ export declare class Heading extends Data {
  */
 export declare class SatelliteStatus extends Data {
     constructor(values: Values<SatelliteStatus>);
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     index: number;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     count: number;
     /**
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `SatelliteStatusFlags.TOW` of
@@ -1356,9 +1356,9 @@ export declare class SatelliteStatus extends Data {
  */
 export declare class Raw extends Data {
     constructor(values: Values<Raw>);
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     index: number;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     count: number;
     /**
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `RawFlags.TOW` of `validFlags` is set.
@@ -1411,7 +1411,7 @@ export declare class Raw extends Data {
      */
     dopplerUncertainty: number;
     /**
-     * Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0. Valid if
+     * Minimum time for which the carrier phase has been locked. Unit: s. Range: at least 0. Valid if
      * `RawFlags.LOCK_TIME` of `validFlags` is set.
      */
     lockTime: number;
@@ -1422,7 +1422,7 @@ export declare class Raw extends Data {
 /**
  * Base station info (0x30).
  *
- * The base station of the corrections, from an RTCM message 1005 or 1006.
+ * Base station that sends the corrections, from RTCM message 1005 or 1006.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
@@ -1445,8 +1445,8 @@ export declare class BaseStationInfo extends Data {
      */
     ecefPosition: types.Vector3d;
     /**
-     * Height of the antenna above the marker that was surveyed. Unit: m. Valid if `BaseStationInfoFlags.HEIGHT` of
-     * `validFlags` is set.
+     * Height of the antenna above the surveyed marker. Unit: m. Valid if `BaseStationInfoFlags.HEIGHT` of `validFlags`
+     * is set.
      */
     height: number;
     /** Number of the station. Range: 0 to 4095. Valid if `BaseStationInfoFlags.STATION_ID` of `validFlags` is set. */
@@ -1528,9 +1528,9 @@ export declare class RtkCorrectionsStatus extends Data {
  */
 export declare class GpsEphemeris extends Data {
     constructor(values: Values<GpsEphemeris>);
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     index: number;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     count: number;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -1645,17 +1645,17 @@ export declare class GpsEphemeris extends Data {
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
  *
- * The interface control document of GLONASS explains p and ft. A period of four years has 1461 days; no source states
- * how nt, a u8, counts them.
+ * The GLONASS interface control document explains p and ft. A period of four years has 1461 days; no source states how
+ * nt, a u8, counts them.
  *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
  */
 export declare class GlonassEphemeris extends Data {
     constructor(values: Values<GlonassEphemeris>);
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     index: number;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     count: number;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -1750,9 +1750,9 @@ export declare class GlonassEphemeris extends Data {
  */
 export declare class GalileoEphemeris extends Data {
     constructor(values: Values<GalileoEphemeris>);
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     index: number;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     count: number;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -1780,13 +1780,13 @@ export declare class GalileoEphemeris extends Data {
     /** Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `validFlags` is set. */
     tGd: number;
     /**
-     * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `validFlags`
-     * is set.
+     * Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+     * `validFlags` is set.
      */
     iscL1ca: number;
     /**
-     * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
-     * `validFlags` is set.
+     * Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if
+     * `EphemerisFlags.EPHEMERIS` of `validFlags` is set.
      */
     iscL2c: number;
     /**
@@ -1878,9 +1878,9 @@ export declare class GalileoEphemeris extends Data {
  */
 export declare class BeidouEphemeris extends Data {
     constructor(values: Values<BeidouEphemeris>);
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     index: number;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     count: number;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     tow: number;
@@ -1908,13 +1908,13 @@ export declare class BeidouEphemeris extends Data {
     /** Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `validFlags` is set. */
     tGd: number;
     /**
-     * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `validFlags`
-     * is set.
+     * Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+     * `validFlags` is set.
      */
     iscL1ca: number;
     /**
-     * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
-     * `validFlags` is set.
+     * Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if
+     * `EphemerisFlags.EPHEMERIS` of `validFlags` is set.
      */
     iscL2c: number;
     /**
@@ -1993,7 +1993,7 @@ export declare class BeidouEphemeris extends Data {
 /**
  * GPS ionospheric correction (0x71).
  *
- * Model of the ionosphere that GPS broadcasts.
+ * Ionospheric model that GPS broadcasts.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Also called `gps_iono_corr`. Not listed in any device profile. Known only from the
@@ -2025,7 +2025,7 @@ export declare class GpsIonoCorrection extends Data {
 /**
  * Galileo ionospheric correction (0x73).
  *
- * Model of the ionosphere that Galileo broadcasts.
+ * Ionospheric model that Galileo broadcasts.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
@@ -2060,7 +2060,7 @@ export declare class GalileoIonoCorrection extends Data {
 /**
  * BeiDou ionospheric correction (0x74).
  *
- * Model of the ionosphere that BeiDou broadcasts.
+ * Ionospheric model that BeiDou broadcasts.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the

@@ -31,7 +31,7 @@ export declare const OverrangeFlags: Bitfield<OverrangeFlags> & {
     readonly MAG_Y: OverrangeFlags;
     /** The magnetometer z axis is near or outside its range. Bit 10. Concerns `ScaledMag`. */
     readonly MAG_Z: OverrangeFlags;
-    /** Pressure sensor. Bit 12. Concerns `ScaledPressure`. */
+    /** The pressure sensor is near or outside its range. Bit 12. Concerns `ScaledPressure`. */
     readonly PRESSURE: OverrangeFlags;
 };
 

@@ -31,11 +31,11 @@ export declare const CommProtocols: Bitfield<CommProtocols> & {
 export type ProtocolMode = Flavor<number, "system.protocol_mode">;
 /** Part of the device that the host communicates with, and its protocol. */
 export declare const ProtocolMode: Enumeration<ProtocolMode> & {
-    /** The device itself, MIP. */
+    /** The device itself; the protocol is MIP. */
     readonly STANDARD: ProtocolMode & 1;
-    /** The internal inertial sensor, MIP. */
+    /** The internal inertial sensor; the protocol is MIP. */
     readonly SENSOR_DIRECT: ProtocolMode & 2;
-    /** The internal GNSS receiver, NMEA and UBX; only on models that have one. */
+    /** The internal GNSS receiver, if there is one; the protocols are NMEA and UBX. */
     readonly GNSS_DIRECT: ProtocolMode & 3;
 };
 

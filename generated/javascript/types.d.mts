@@ -566,7 +566,7 @@ export interface EventTriggerThreshold {
     /** Kind of comparison. */
     type: EventThresholdType;
     /**
-     * Kind of comparison. Selected by `type`.
+     * Thresholds of the comparison. Selected by `type`.
      *
      * - If `type` is `EventThresholdType.WINDOW`: `window: EventThresholdWindow`.
      * - If `type` is `EventThresholdType.INTERVAL`: `interval: EventThresholdInterval`.
@@ -840,9 +840,9 @@ export type GpioBehavior = Flavor<number, "gpio_behavior">;
 export declare const GpioBehavior: Enumeration<GpioBehavior> & {
     /** Input; the default. */
     readonly INPUT: GpioBehavior & 1;
-    /** Output, low at first; low again at power-up if the configuration is saved. */
+    /** Output, initially low; also low at power-up if the configuration is saved. */
     readonly OUTPUT_LOW: GpioBehavior & 2;
-    /** Output, high at first; high again at power-up if the configuration is saved. */
+    /** Output, initially high; also high at power-up if the configuration is saved. */
     readonly OUTPUT_HIGH: GpioBehavior & 3;
 };
 
@@ -970,7 +970,7 @@ export interface NmeaMessage {
     messageId: NmeaMessageId;
     /** The talker in the sentence. */
     talkerId: NmeaTalkerId;
-    /** Data descriptor set that the contents are taken from. */
+    /** Data descriptor set from which the contents are taken. */
     sourceDescriptorSet: number;
     /** Base rate of the source descriptor set divided by the desired rate; a poll ignores it. */
     decimation: number;
@@ -996,7 +996,7 @@ export declare const CommInterface: Enumeration<CommInterface> & {
     readonly UART_3: CommInterface & 19;
     /** First virtual serial port of USB. */
     readonly USB_1: CommInterface & 33;
-    /** Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM. */
+    /** Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM. */
     readonly USB_2: CommInterface & 34;
 };
 

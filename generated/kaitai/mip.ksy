@@ -1574,7 +1574,7 @@ types:
         doc: All bits as a number.
   mip_3dm_sbas_options:
     -kind: bits
-    doc: Use of SBAS.
+    doc: Purposes for which SBAS is used.
     seq:
       - id: unused_3
         type: b13
@@ -1878,7 +1878,7 @@ types:
         type: b3
       - id: pressure
         type: b1
-        doc: Pressure sensor.
+        doc: The pressure sensor is near or outside its range.
       - id: unused_11
         type: b1
       - id: mag_z
@@ -2128,7 +2128,7 @@ types:
         type: b14
       - id: dgnss_used
         type: b1
-        doc: Differential corrections.
+        doc: Differential corrections were used in the fix.
       - id: sbas_used
         type: b1
         doc: SBAS corrections were used in the fix.
@@ -2169,7 +2169,7 @@ types:
         doc: The satellite reports that its signals can be used.
       - id: used_for_navigation
         type: b1
-        doc: The position fix uses it.
+        doc: The satellite is used in the position fix.
     instances:
       number:
         value: "(used_for_navigation ? 1 : 0) + (healthy ? 2 : 0) + (unused_2 * 4)"
@@ -2400,7 +2400,7 @@ types:
         type: b12
       - id: frequency
         type: b1
-        doc: Frequency; only set by firmware that sends it.
+        doc: "`frequency` is valid; set only by firmware that sends the frequency."
       - id: spoofing_state
         type: b1
         doc: "`spoofing_state` is valid."
@@ -2617,16 +2617,16 @@ types:
         doc: GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004.
       - id: beidou_received
         type: b1
-        doc: BeiDou corrections.
+        doc: BeiDou corrections have arrived.
       - id: galileo_received
         type: b1
-        doc: Galileo corrections.
+        doc: Galileo corrections have arrived.
       - id: glonass_received
         type: b1
-        doc: GLONASS corrections.
+        doc: GLONASS corrections have arrived.
       - id: gps_received
         type: b1
-        doc: GPS corrections.
+        doc: GPS corrections have arrived.
       - id: antenna_description_received
         type: b1
         doc: "The description of the base station's antenna has arrived."
@@ -2685,7 +2685,7 @@ types:
         doc: "`isc_l2c` is the correction for L5, not for L2."
       - id: modern_data
         type: b1
-        doc: The data of the modernized navigation message are included.
+        doc: Data of the modernized navigation message is included.
       - id: ephemeris
         type: b1
         doc: The ephemeris is valid.
@@ -2711,7 +2711,7 @@ types:
         doc: All bits as a number.
       flags:
         value: "ephemeris"
-        doc: All of them.
+        doc: All values are valid.
   gnss_data_gps_iono_correction_flags:
     -kind: bits
     doc: Valid parts of the model.
@@ -3156,7 +3156,7 @@ types:
         doc: Kind of comparison.
       - id: thresholds
         type: thresholds_cases
-        doc: Kind of comparison.
+        doc: Thresholds of the comparison.
     types:
       thresholds_cases:
         -kind: union
@@ -3222,7 +3222,7 @@ types:
         doc: The talker in the sentence.
       - id: source_descriptor_set
         type: u1
-        doc: Data descriptor set that the contents are taken from.
+        doc: Data descriptor set from which the contents are taken.
       - id: decimation
         type: u2
         doc: Base rate of the source descriptor set divided by the desired rate; a poll ignores it.
@@ -3269,9 +3269,9 @@ types:
         doc: Field descriptor.
       - id: reserved
         type: u2
-        doc: "In place of a decimation. Reserved: send 0."
+        doc: "Reserved; occupies the position of a decimation. Reserved: send 0."
   mip_3dm_constellation_settings_entry:
-    doc: Tracking of one constellation by a receiver.
+    doc: Settings for the tracking of one constellation.
     seq:
       - id: constellation_id
         type: u1
@@ -3282,7 +3282,7 @@ types:
         doc: "1 switches it on, 0 off. Range: 0 to 1."
       - id: reserved_channels
         type: u1
-        doc: "Channels reserved for it. Unit: 1. Range: 0 to 32."
+        doc: "Number of channels reserved for it. Unit: 1. Range: 0 to 32."
       - id: max_channels
         type: u1
         doc: "Maximum number of channels that it uses. Unit: 1. Range: 0 to 32."
@@ -3568,10 +3568,10 @@ types:
         doc: Sentences to send.
   mip_3dm_get_imu_base_rate:
     -orig-id: 3dm.get_imu_base_rate
-    doc: "Get IMU Data Base Rate. Gets the rate that is divided by the decimations of `mip_3dm_imu_message_format`."
+    doc: "Get IMU Data Base Rate. Gets the base rate, which is divided by the decimations of `mip_3dm_imu_message_format`."
   mip_3dm_get_gnss_base_rate:
     -orig-id: 3dm.get_gnss_base_rate
-    doc: "Get GNSS Data Base Rate. Gets the rate that is divided by the decimations of `mip_3dm_gnss_message_format`."
+    doc: "Get GNSS Data Base Rate. Gets the base rate, which is divided by the decimations of `mip_3dm_gnss_message_format`."
   mip_3dm_imu_message_format:
     -orig-id: 3dm.imu_message_format
     doc: IMU Message Format. Sets the fields of the sensor data packets (0x80), their order and their decimations.
@@ -3637,7 +3637,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_get_filter_base_rate:
     -orig-id: 3dm.get_filter_base_rate
-    doc: "Get Estimation Filter Data Base Rate. Gets the rate that is divided by the decimations of `mip_3dm_filter_message_format`."
+    doc: "Get Estimation Filter Data Base Rate. Gets the base rate, which is divided by the decimations of `mip_3dm_filter_message_format`."
   mip_3dm_nmea_message_format:
     -orig-id: 3dm.nmea_message_format
     doc: NMEA Message Format. Sets the NMEA sentences that the device streams.
@@ -3681,7 +3681,7 @@ types:
         doc: Field descriptors.
   mip_3dm_get_base_rate:
     -orig-id: 3dm.get_base_rate
-    doc: Get Data Base Rate. Gets the rate that is divided by the decimations of a descriptor set.
+    doc: Get Data Base Rate. Gets the base rate, which is divided by the decimations of a descriptor set.
     seq:
       - id: descriptor_set
         type: u1
@@ -4315,11 +4315,11 @@ types:
       - id: pitch_roll_enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Corrects pitch and roll (up, in terms of the 5-series).
+        doc: True enables the pitch and roll correction, which 5-series manuals call up compensation.
       - id: heading_enable
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
-        doc: Corrects the heading (north, in terms of the 5-series).
+        doc: True enables the heading correction, which 5-series manuals call north compensation.
       - id: pitch_roll_time_constant
         type: f4
         if: function_value == function_selector::write or _io.size >= 7
@@ -4353,7 +4353,7 @@ types:
       - id: sensor
         type: u1
         enum: mip_3dm_sensor_range_type
-        doc: The sensor; not all.
+        doc: "Sensor to query; `all` is not allowed."
   mip_3dm_low_pass_filter:
     -orig-id: 3dm.low_pass_filter
     doc: Low-Pass Anti-Aliasing Filter. Configures the low-pass filter of a data field.
@@ -4668,7 +4668,7 @@ types:
         doc: Reserved.
       - id: system_state
         type: u2
-        doc: State of the system; its values are not documented.
+        doc: State of the system; the meaning of its values is not documented.
       - id: system_timer
         type: u4
         doc: "Time since start-up. Unit: ms."
@@ -4705,7 +4705,7 @@ types:
         doc: Reserved.
       - id: system_state
         type: u2
-        doc: State of the system; its values are not documented.
+        doc: State of the system; the meaning of its values is not documented.
       - id: system_timer
         type: u4
         doc: "Time since start-up. Unit: ms."
@@ -4758,7 +4758,7 @@ types:
         doc: Reserved.
       - id: system_state
         type: u2
-        doc: State of the system; its values are not documented.
+        doc: State of the system; the meaning of its values is not documented.
       - id: system_timer
         type: u4
         doc: "Time since start-up. Unit: ms."
@@ -4767,7 +4767,7 @@ types:
         doc: Power state of the GNSS receiver.
       - id: pps_count
         type: u4
-        doc: "Pulses per second that were counted. Unit: 1."
+        doc: "Number of PPS pulses counted. Unit: 1."
       - id: pps_last_time
         type: u4
         doc: "System timer at the last pulse. Unit: ms."
@@ -4835,7 +4835,7 @@ types:
         doc: Reserved.
       - id: system_state
         type: u2
-        doc: State of the system; its values are not documented.
+        doc: State of the system; the meaning of its values is not documented.
       - id: system_timer
         type: u4
         doc: "Time since start-up. Unit: ms."
@@ -4844,7 +4844,7 @@ types:
         doc: Power state of the GNSS receiver.
       - id: pps_count
         type: u4
-        doc: "Pulses per second that were counted. Unit: 1."
+        doc: "Number of PPS pulses counted. Unit: 1."
       - id: pps_last_time
         type: u4
         doc: "System timer at the last pulse. Unit: ms."
@@ -4921,7 +4921,7 @@ types:
         doc: Reserved.
       - id: system_state
         type: u2
-        doc: State of the system; its values are not documented.
+        doc: State of the system; the meaning of its values is not documented.
       - id: system_timer
         type: u4
         doc: "Time since start-up. Unit: ms."
@@ -4936,10 +4936,10 @@ types:
         doc: "Temperature of the board. Unit: degC."
       - id: temperature_last_time
         type: u4
-        doc: "System timer at the last temperature. Unit: ms."
+        doc: "System timer at the last temperature measurement. Unit: ms."
       - id: pps_count
         type: u4
-        doc: "Pulses per second that were counted. Unit: 1."
+        doc: "Number of PPS pulses counted. Unit: 1."
       - id: pps_last_time
         type: u4
         doc: "System timer at the last pulse. Unit: ms."
@@ -5010,7 +5010,7 @@ types:
         doc: "Time since start-up. Unit: ms."
       - id: pps_count
         type: u4
-        doc: "Pulses per second that were counted. Unit: 1."
+        doc: "Number of PPS pulses counted. Unit: 1."
       - id: pps_last_time
         type: u4
         doc: "System timer at the last pulse. Unit: ms."
@@ -5099,13 +5099,13 @@ types:
         doc: "Temperature of the board. Unit: degC."
       - id: temperature_last_time
         type: u4
-        doc: "System timer at the last temperature. Unit: ms."
+        doc: "System timer at the last temperature measurement. Unit: ms."
       - id: temperature_error
         type: u1
         doc: State of the temperature measurement.
       - id: pps_count
         type: u4
-        doc: "Pulses per second that were counted. Unit: 1."
+        doc: "Number of PPS pulses counted. Unit: 1."
       - id: pps_last_time
         type: u4
         doc: "System timer at the last pulse. Unit: ms."
@@ -5167,13 +5167,13 @@ types:
         doc: "Temperature of the board. Unit: degC."
       - id: temperature_last_time
         type: u4
-        doc: "System timer at the last temperature. Unit: ms."
+        doc: "System timer at the last temperature measurement. Unit: ms."
       - id: temperature_error
         type: u1
         doc: State of the temperature measurement; 0 is normal.
       - id: pps_count
         type: u4
-        doc: "Pulses per second that were counted. Unit: 1."
+        doc: "Number of PPS pulses counted. Unit: 1."
       - id: pps_last_time
         type: u4
         doc: "System timer at the last pulse. Unit: ms."
@@ -5217,7 +5217,7 @@ types:
         doc: "Temperature of the board. Unit: degC."
       - id: temperature_last_time
         type: u4
-        doc: "System timer at the last temperature. Unit: ms."
+        doc: "System timer at the last temperature measurement. Unit: ms."
       - id: bad_temperature_sensor_detected
         type: u1
         doc: True if a temperature sensor is faulty.
@@ -5229,7 +5229,7 @@ types:
         doc: True if a supply voltage is out of range.
       - id: pps_count
         type: u4
-        doc: "Pulses per second that were counted. Unit: 1."
+        doc: "Number of PPS pulses counted. Unit: 1."
       - id: pps_last_time
         type: u4
         doc: "System timer at the last pulse. Unit: ms."
@@ -5241,7 +5241,7 @@ types:
         doc: "Sensor data packets that were not sent. Unit: 1."
       - id: comm_port_state
         type: u2
-        doc: State of the port; its values are not known.
+        doc: State of the port; the meaning of its values is not known.
       - id: comm_port_baud_rate
         type: u4
         doc: "Present baud rate of the port. Unit: Bd."
@@ -5270,16 +5270,16 @@ types:
         doc: Basic status.
       - id: comm_mode
         type: u1
-        doc: Part of the device that the port talks to.
+        doc: Part of the device that the port is connected to.
       - id: comm_device
         type: u1
         doc: Port in use.
       - id: settings_flags
         type: u4
-        doc: Settings of the data streams; their bits are not known.
+        doc: Settings of the data streams; the meaning of the bits is not known.
       - id: comm_state
         type: u2
-        doc: State of the port; its values are not known.
+        doc: State of the port; the meaning of its values is not known.
       - id: comm_baud_rate
         type: u4
         doc: "Baud rate of the port. Unit: Bd."
@@ -5296,16 +5296,16 @@ types:
         doc: Diagnostic status.
       - id: comm_mode
         type: u1
-        doc: Part of the device that the port talks to.
+        doc: Part of the device that the port is connected to.
       - id: comm_device
         type: u1
         doc: Port in use.
       - id: settings_flags
         type: u4
-        doc: Settings of the data streams; their bits are not known.
+        doc: Settings of the data streams; the meaning of the bits is not known.
       - id: comm_state
         type: u2
-        doc: State of the port; its values are not known.
+        doc: State of the port; the meaning of its values is not known.
       - id: comm_baud_rate
         type: u4
         doc: "Baud rate of the port. Unit: Bd."
@@ -5323,7 +5323,7 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
       - id: usb_state
         type: u2
-        doc: State of the USB port; its values are not known.
+        doc: State of the USB port; the meaning of its values is not known.
       - id: usb_bytes_written
         type: u4
         doc: "Bytes sent over USB. Unit: byte."
@@ -5338,10 +5338,10 @@ types:
         doc: "Overruns while reading from USB. Unit: 1."
       - id: gnss_driver_state
         type: u2
-        doc: "State of the receiver's driver; its values are not known."
+        doc: "State of the receiver's driver; the meaning of its values is not known."
       - id: gnss_port_state
         type: u2
-        doc: State of the port to the receiver; its values are not known.
+        doc: State of the port to the receiver; the meaning of its values is not known.
       - id: gnss_bytes_written
         type: u4
         doc: "Bytes sent to the receiver. Unit: byte."
@@ -5362,10 +5362,10 @@ types:
         doc: "Messages of the receiver that arrived late. Unit: 1."
       - id: imu_driver_state
         type: u2
-        doc: "State of the IMU's driver; its values are not known."
+        doc: "State of the IMU's driver; the meaning of its values is not known."
       - id: imu_port_state
         type: u2
-        doc: State of the port to the IMU; its values are not known.
+        doc: State of the port to the IMU; the meaning of its values is not known.
       - id: imu_bytes_written
         type: u4
         doc: "Bytes sent to the IMU. Unit: byte."
@@ -5409,10 +5409,10 @@ types:
     seq:
       - id: pitch_roll_enable
         type: u1
-        doc: Corrects pitch and roll (up, in terms of the 5-series).
+        doc: True enables the pitch and roll correction, which 5-series manuals call up compensation.
       - id: heading_enable
         type: u1
-        doc: Corrects the heading (north, in terms of the 5-series).
+        doc: True enables the heading correction, which 5-series manuals call north compensation.
       - id: pitch_roll_time_constant
         type: f4
         doc: "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10."
@@ -5563,7 +5563,7 @@ types:
         doc: Query specified in the command.
       - id: max_instances
         type: u1
-        doc: "Number of slots; instances go from 1 to this. Unit: 1."
+        doc: "Number of slots; instances are numbered from 1 to this. Unit: 1."
       - id: num_entries
         type: u1
         valid:
@@ -5831,7 +5831,7 @@ types:
         doc: "Yaw angle. Unit: rad."
   filter_sensor_to_vehicle_offset:
     -orig-id: filter.sensor_to_vehicle_offset
-    doc: Sensor to vehicle offset. Sets the origin of the vehicle frame, as seen from the sensor.
+    doc: Sensor to vehicle offset. Sets the origin of the vehicle frame relative to the sensor.
     seq:
       - id: function_value
         -orig-id: function
@@ -5979,7 +5979,7 @@ types:
         doc: "Standard deviation per axis. Unit: rad/s. Range: greater than 0."
   filter_accel_bias_model:
     -orig-id: filter.accel_bias_model
-    doc: Accelerometer bias model. Sets the parameters of the model by which the accelerometer bias drifts.
+    doc: Accelerometer bias model. Sets the parameters of the accelerometer bias drift model.
     seq:
       - id: function_value
         -orig-id: function
@@ -5996,7 +5996,7 @@ types:
         doc: "Standard deviation of the noise per axis. Unit: m/s^2. Range: greater than 0."
   filter_gyro_bias_model:
     -orig-id: filter.gyro_bias_model
-    doc: Gyroscope bias model. Sets the parameters of the model by which the gyroscope bias drifts.
+    doc: Gyroscope bias model. Sets the parameters of the gyroscope bias drift model.
     seq:
       - id: function_value
         -orig-id: function
@@ -6013,7 +6013,7 @@ types:
         doc: "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0."
   filter_auto_zupt:
     -orig-id: filter.auto_zupt
-    doc: Automatic zero velocity update. Lets the filter assume that the device is at rest while its GNSS speed is low.
+    doc: Automatic zero velocity update. Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
     seq:
       - id: function_value
         -orig-id: function
@@ -6050,7 +6050,7 @@ types:
         doc: North that the heading refers to.
   filter_auto_angular_zupt:
     -orig-id: filter.auto_angular_zupt
-    doc: Zero angular rate update. Lets the filter assume that the device is not rotating while its angular rate is low.
+    doc: Zero angular rate update. Sets whether the filter assumes that the device is not rotating while its angular rate is low.
     seq:
       - id: function_value
         -orig-id: function
@@ -6216,7 +6216,7 @@ types:
         doc: "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793."
   filter_accel_magnitude_error_adaptive_measurement:
     -orig-id: filter.accel_magnitude_error_adaptive_measurement
-    doc: Gravity magnitude error adaptive measurement. Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
+    doc: Gravity magnitude error adaptive measurement. Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
     seq:
       - id: function_value
         -orig-id: function
@@ -6235,11 +6235,11 @@ types:
       - id: low_limit
         type: f4
         if: _io.size >= 10
-        doc: "Lower limit of the error. Unit: m/s^2."
+        doc: "Lower limit of the gravity magnitude error. Unit: m/s^2."
       - id: high_limit
         type: f4
         if: _io.size >= 14
-        doc: "Upper limit of the error. Unit: m/s^2."
+        doc: "Upper limit of the gravity magnitude error. Unit: m/s^2."
       - id: low_limit_uncertainty
         type: f4
         if: _io.size >= 18
@@ -6273,11 +6273,11 @@ types:
       - id: low_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Lower limit of the error. Unit: gauss."
+        doc: "Lower limit of the magnetic field magnitude error. Unit: gauss."
       - id: high_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "Upper limit of the error. Unit: gauss."
+        doc: "Upper limit of the magnetic field magnitude error. Unit: gauss."
       - id: low_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 18
@@ -6310,7 +6310,7 @@ types:
       - id: high_limit
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
-        doc: "Upper limit of the error. Unit: rad."
+        doc: "Upper limit of the dip angle error. Unit: rad."
       - id: high_limit_uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 14
@@ -6609,7 +6609,7 @@ types:
         doc: "From the sensor to the point of measurement. Unit: m. Frame: vehicle."
   filter_vertical_gyro_constraint_control:
     -orig-id: filter.vertical_gyro_constraint_control
-    doc: Vertical gyro constraint. Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
+    doc: Vertical gyro constraint. Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
     seq:
       - id: function_value
         -orig-id: function
@@ -6622,7 +6622,7 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
   filter_wheeled_vehicle_constraint_control:
     -orig-id: filter.wheeled_vehicle_constraint_control
-    doc: Wheeled vehicle constraint. Lets the filter assume that the vehicle moves only along its x axis.
+    doc: Wheeled vehicle constraint. Sets whether the filter assumes that the vehicle moves only along its x axis.
     seq:
       - id: function_value
         -orig-id: function
@@ -6858,10 +6858,10 @@ types:
         doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
-        doc: "Lower limit of the error. Unit: m/s^2."
+        doc: "Lower limit of the gravity magnitude error. Unit: m/s^2."
       - id: high_limit
         type: f4
-        doc: "Upper limit of the error. Unit: m/s^2."
+        doc: "Upper limit of the gravity magnitude error. Unit: m/s^2."
       - id: low_limit_uncertainty
         type: f4
         doc: "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0."
@@ -6884,10 +6884,10 @@ types:
         doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: low_limit
         type: f4
-        doc: "Lower limit of the error. Unit: gauss."
+        doc: "Lower limit of the magnetic field magnitude error. Unit: gauss."
       - id: high_limit
         type: f4
-        doc: "Upper limit of the error. Unit: gauss."
+        doc: "Upper limit of the magnetic field magnitude error. Unit: gauss."
       - id: low_limit_uncertainty
         type: f4
         doc: "Standard deviation at the lower limit. Unit: gauss. Range: at least 0."
@@ -6909,7 +6909,7 @@ types:
         doc: "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."
       - id: high_limit
         type: f4
-        doc: "Upper limit of the error. Unit: rad."
+        doc: "Upper limit of the dip angle error. Unit: rad."
       - id: high_limit_uncertainty
         type: f4
         doc: "Standard deviation at the upper limit. Unit: rad. Range: at least 0."
@@ -7496,7 +7496,7 @@ types:
         doc: Time of the last transfer.
   displacement_get_calibration:
     -orig-id: displacement.get_calibration
-    doc: Get Analog to Displacement Calibration. Reads the linear function by which the device converts the counts of its converter to a displacement.
+    doc: Get Analog to Displacement Calibration. Reads the linear function with which the device converts the counts of its converter to a displacement.
   displacement_output_rate:
     -orig-id: displacement.output_rate
     doc: Displacement Output Data Rate. Reads the rate at which displacement is measured.
@@ -7525,7 +7525,7 @@ types:
     seq:
       - id: slope
         type: f4
-        doc: Displacement for each count of the converter.
+        doc: Displacement per count of the converter.
       - id: offset
         type: f4
         doc: Displacement at zero counts.
@@ -7591,7 +7591,7 @@ types:
         type: u1
         enum: aiding_aiding_echo_mode
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Answers to the measurements.
+        doc: Reply mode.
   aiding_ecef_position:
     -orig-id: aiding.ecef_position
     doc: ECEF position. Sends a measured position in Earth-fixed coordinates.
@@ -7808,7 +7808,7 @@ types:
       - id: mode
         type: u1
         enum: aiding_aiding_echo_mode
-        doc: Answers to the measurements.
+        doc: Reply mode.
   system_interface_control:
     -orig-id: system.interface_control
     doc: Interface control. Sets the protocols that a port receives and sends.
@@ -8176,11 +8176,11 @@ types:
         doc: Valid dilutions of precision.
   gnss_data_utc_time:
     -orig-id: gnss_data.utc_time
-    doc: UTC time. Coordinated universal time as the receiver knows it.
+    doc: UTC time. Coordinated universal time (UTC) according to the receiver.
     seq:
       - id: year
         type: u2
-        doc: "Year with its century. Valid if `valid_flags.gnss_date_time` is set."
+        doc: "Year with four digits. Valid if `valid_flags.gnss_date_time` is set."
       - id: month
         type: u1
         doc: "Month, 1 for January. Range: 1 to 12. Valid if `valid_flags.gnss_date_time` is set."
@@ -8204,7 +8204,7 @@ types:
         doc: Valid parts of the time.
   gnss_data_gps_time:
     -orig-id: gnss_data.gps_time
-    doc: GPS time. GPS time as the receiver knows it.
+    doc: GPS time. GPS time according to the receiver.
     seq:
       - id: tow
         type: f8
@@ -8233,7 +8233,7 @@ types:
         doc: Valid clock parameters.
   gnss_data_fix_info:
     -orig-id: gnss_data.fix_info
-    doc: Fix info. Type of the position fix and what it is based on.
+    doc: Fix info. Type of the position fix, with the satellites and corrections used.
     seq:
       - id: fix_type
         type: u1
@@ -8250,7 +8250,7 @@ types:
         doc: Valid parts of the fix information.
   gnss_data_sv_info:
     -orig-id: gnss_data.sv_info
-    doc: Satellite info. One satellite that is tracked.
+    doc: Satellite info. State of one tracked satellite.
     seq:
       - id: channel
         type: u1
@@ -8280,7 +8280,7 @@ types:
       - id: receiver_state
         type: u1
         enum: gnss_data_receiver_state
-        doc: "Power and operation of the receiver. Valid if `valid_flags.sensor_state` is set."
+        doc: "Operating state of the receiver. Valid if `valid_flags.sensor_state` is set."
       - id: antenna_state
         type: u1
         enum: gnss_data_antenna_state
@@ -8288,7 +8288,7 @@ types:
       - id: antenna_power
         type: u1
         enum: gnss_data_antenna_power
-        doc: "Supply of the antenna. Valid if `valid_flags.antenna_power` is set."
+        doc: "State of the antenna's power supply. Valid if `valid_flags.antenna_power` is set."
       - id: valid_flags
         type: gnss_data_hardware_status_flags
         doc: Valid parts of the hardware status.
@@ -8313,7 +8313,7 @@ types:
         doc: Valid parts of the state of the corrections.
   gnss_data_dgps_info_satellite:
     -orig-id: gnss_data.dgps_info_satellite
-    doc: DGPS info with a satellite. Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+    doc: DGPS info for one satellite. Differential correction for one satellite, in the layout that the SDK has for DGPS info.
     seq:
       - id: satellite_id
         type: u1
@@ -8410,10 +8410,10 @@ types:
     seq:
       - id: index
         type: u1
-        doc: Number of this field within the epoch.
+        doc: Index of this field within the epoch.
       - id: count
         type: u1
-        doc: Number of these fields in the epoch.
+        doc: Number of such fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800."
@@ -8446,7 +8446,7 @@ types:
       - id: rf_band
         type: u1
         enum: gnss_data_rf_band
-        doc: "Band that the states are about. Valid if `valid_flags.rf_band` is set."
+        doc: "Band to which the states apply. Valid if `valid_flags.rf_band` is set."
       - id: jamming_state
         type: u1
         enum: gnss_data_jamming_state
@@ -8489,10 +8489,10 @@ types:
     seq:
       - id: index
         type: u1
-        doc: Number of this field within the epoch.
+        doc: Index of this field within the epoch.
       - id: count
         type: u1
-        doc: Number of these fields in the epoch.
+        doc: Number of such fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
@@ -8524,10 +8524,10 @@ types:
     seq:
       - id: index
         type: u1
-        doc: Number of this field within the epoch.
+        doc: Index of this field within the epoch.
       - id: count
         type: u1
-        doc: Number of these fields in the epoch.
+        doc: Number of such fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.tow` is set."
@@ -8578,13 +8578,13 @@ types:
         doc: "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if `valid_flags.doppler_uncertainty` is set."
       - id: lock_time
         type: f4
-        doc: "Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0. Valid if `valid_flags.lock_time` is set."
+        doc: "Minimum time for which the carrier phase has been locked. Unit: s. Range: at least 0. Valid if `valid_flags.lock_time` is set."
       - id: valid_flags
         type: gnss_data_raw_flags
         doc: Valid parts of the observation.
   gnss_data_base_station_info:
     -orig-id: gnss_data.base_station_info
-    doc: Base station info. The base station of the corrections, from an RTCM message 1005 or 1006.
+    doc: Base station info. Base station that sends the corrections, from RTCM message 1005 or 1006.
     seq:
       - id: tow
         type: f8
@@ -8597,7 +8597,7 @@ types:
         doc: "Position of the station. Unit: m. Frame: ecef. Valid if `valid_flags.ecef_position` is set."
       - id: height
         type: f4
-        doc: "Height of the antenna above the marker that was surveyed. Unit: m. Valid if `valid_flags.height` is set."
+        doc: "Height of the antenna above the surveyed marker. Unit: m. Valid if `valid_flags.height` is set."
       - id: station_id
         type: u2
         doc: "Number of the station. Range: 0 to 4095. Valid if `valid_flags.station_id` is set."
@@ -8649,10 +8649,10 @@ types:
     seq:
       - id: index
         type: u1
-        doc: Number of this field within the epoch.
+        doc: Index of this field within the epoch.
       - id: count
         type: u1
-        doc: Number of these fields in the epoch.
+        doc: Number of such fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
@@ -8755,10 +8755,10 @@ types:
     seq:
       - id: index
         type: u1
-        doc: Number of this field within the epoch.
+        doc: Index of this field within the epoch.
       - id: count
         type: u1
-        doc: Number of these fields in the epoch.
+        doc: Number of such fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
@@ -8835,10 +8835,10 @@ types:
     seq:
       - id: index
         type: u1
-        doc: Number of this field within the epoch.
+        doc: Index of this field within the epoch.
       - id: count
         type: u1
-        doc: Number of these fields in the epoch.
+        doc: Number of such fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
@@ -8874,10 +8874,10 @@ types:
         doc: "Group delay. Unit: s. Valid if `valid_flags.ephemeris` is set."
       - id: isc_l1ca
         type: f8
-        doc: "Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if `valid_flags.ephemeris` is set."
       - id: isc_l2c
         type: f8
-        doc: "Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if `valid_flags.ephemeris` is set."
       - id: t_oe
         type: f8
         doc: "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.ephemeris` is set."
@@ -8941,10 +8941,10 @@ types:
     seq:
       - id: index
         type: u1
-        doc: Number of this field within the epoch.
+        doc: Index of this field within the epoch.
       - id: count
         type: u1
-        doc: Number of these fields in the epoch.
+        doc: Number of such fields in the epoch.
       - id: tow
         type: f8
         doc: "GPS time of week. Unit: s. Range: at least 0, less than 604800."
@@ -8980,10 +8980,10 @@ types:
         doc: "Group delay. Unit: s. Valid if `valid_flags.ephemeris` is set."
       - id: isc_l1ca
         type: f8
-        doc: "Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if `valid_flags.ephemeris` is set."
       - id: isc_l2c
         type: f8
-        doc: "Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if `valid_flags.ephemeris` is set."
+        doc: "Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if `valid_flags.ephemeris` is set."
       - id: t_oe
         type: f8
         doc: "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if `valid_flags.ephemeris` is set."
@@ -9043,7 +9043,7 @@ types:
         doc: Contents of the ephemeris.
   gnss_data_gps_iono_correction:
     -orig-id: gnss_data.gps_iono_correction
-    doc: GPS ionospheric correction. Model of the ionosphere that GPS broadcasts.
+    doc: GPS ionospheric correction. Ionospheric model that GPS broadcasts.
     seq:
       - id: tow
         type: f8
@@ -9066,7 +9066,7 @@ types:
         doc: Valid parts of the model.
   gnss_data_galileo_iono_correction:
     -orig-id: gnss_data.galileo_iono_correction
-    doc: Galileo ionospheric correction. Model of the ionosphere that Galileo broadcasts.
+    doc: Galileo ionospheric correction. Ionospheric model that Galileo broadcasts.
     seq:
       - id: tow
         type: f8
@@ -9087,7 +9087,7 @@ types:
         doc: Valid parts of the model.
   gnss_data_beidou_iono_correction:
     -orig-id: gnss_data.beidou_iono_correction
-    doc: BeiDou ionospheric correction. Model of the ionosphere that BeiDou broadcasts.
+    doc: BeiDou ionospheric correction. Ionospheric model that BeiDou broadcasts.
     seq:
       - id: tow
         type: f8
@@ -9115,7 +9115,7 @@ types:
         doc: Valid parts of the model.
   filter_data_llh_position:
     -orig-id: filter_data.llh_position
-    doc: LLH position. Estimated position.
+    doc: LLH position. Estimated position as latitude, longitude and height.
     seq:
       - id: latitude
         type: f8
@@ -9131,7 +9131,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_ned_velocity:
     -orig-id: filter_data.ned_velocity
-    doc: NED velocity. Estimated velocity.
+    doc: NED velocity. Estimated velocity in the NED frame.
     seq:
       - id: north
         type: f4
@@ -9219,7 +9219,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_ned_velocity_uncertainty:
     -orig-id: filter_data.ned_velocity_uncertainty
-    doc: NED velocity uncertainty. Standard deviation of the estimated velocity.
+    doc: NED velocity uncertainty. Standard deviation of the estimated velocity in the NED frame.
     seq:
       - id: north
         type: f4
@@ -9275,7 +9275,7 @@ types:
     seq:
       - id: accel
         type: vector3f
-        doc: "Zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Linear acceleration; zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9347,7 +9347,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_heading_update_state:
     -orig-id: filter_data.heading_update_state
-    doc: Heading update source state. The last heading that updated the filter and where it came from.
+    doc: Heading update source state. The last heading that updated the filter, and its source.
     seq:
       - id: heading
         type: f4
@@ -9557,7 +9557,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_antenna_offset_correction:
     -orig-id: filter_data.antenna_offset_correction
-    doc: Antenna offset correction. Estimated error of the offset of the GNSS antenna.
+    doc: Antenna offset correction. Estimated error of the GNSS antenna offset.
     seq:
       - id: offset
         type: vector3f
@@ -9567,7 +9567,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_antenna_offset_correction_uncertainty:
     -orig-id: filter_data.antenna_offset_correction_uncertainty
-    doc: Antenna offset correction uncertainty. Standard deviation of the estimated error of the offset of the GNSS antenna.
+    doc: Antenna offset correction uncertainty. Standard deviation of the estimated error of the GNSS antenna offset.
     seq:
       - id: offset_uncertainty
         type: vector3f
@@ -9609,7 +9609,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_multi_antenna_offset_correction:
     -orig-id: filter_data.multi_antenna_offset_correction
-    doc: Multi-antenna offset correction. Estimated error of the offset of one GNSS antenna.
+    doc: "Multi-antenna offset correction. Estimated error of one GNSS antenna's offset."
     seq:
       - id: receiver_id
         type: u1
@@ -9622,7 +9622,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_multi_antenna_offset_correction_uncertainty:
     -orig-id: filter_data.multi_antenna_offset_correction_uncertainty
-    doc: Multi-antenna offset correction uncertainty. Standard deviation of the estimated error of the offset of one GNSS antenna.
+    doc: "Multi-antenna offset correction uncertainty. Standard deviation of the estimated error of one GNSS antenna's offset."
     seq:
       - id: receiver_id
         type: u1
@@ -9635,7 +9635,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_ecef_position_uncertainty:
     -orig-id: filter_data.ecef_position_uncertainty
-    doc: ECEF position uncertainty. Standard deviation of the estimated position.
+    doc: ECEF position uncertainty. Standard deviation of the estimated position in Earth-fixed coordinates.
     seq:
       - id: position_uncertainty
         type: vector3f
@@ -9645,7 +9645,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_ecef_velocity_uncertainty:
     -orig-id: filter_data.ecef_velocity_uncertainty
-    doc: ECEF velocity uncertainty. Standard deviation of the estimated velocity.
+    doc: ECEF velocity uncertainty. Standard deviation of the estimated velocity in Earth-fixed coordinates.
     seq:
       - id: velocity_uncertainty
         type: vector3f
@@ -9655,7 +9655,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_ecef_position:
     -orig-id: filter_data.ecef_position
-    doc: ECEF position. Estimated position.
+    doc: ECEF position. Estimated position in Earth-fixed coordinates.
     seq:
       - id: position
         type: vector3d
@@ -9665,7 +9665,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_ecef_velocity:
     -orig-id: filter_data.ecef_velocity
-    doc: ECEF velocity. Estimated velocity.
+    doc: ECEF velocity. Estimated velocity in Earth-fixed coordinates.
     seq:
       - id: velocity
         type: vector3f
@@ -9778,7 +9778,7 @@ types:
         doc: "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if `valid_flags.valid` is set."
       - id: heading
         type: f4
-        doc: "Heading that follows from the baseline of the antennas. Unit: rad. Valid if `valid_flags.valid` is set."
+        doc: "Heading derived from the baseline of the antennas. Unit: rad. Valid if `valid_flags.valid` is set."
       - id: heading_uncertainty
         type: f4
         doc: "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `valid_flags.valid` is set."
@@ -9801,13 +9801,13 @@ types:
         doc: Number of the frame.
       - id: translation
         type: vector3f
-        doc: "Error of the translation. Unit: m."
+        doc: "Estimated error of the translation. Unit: m."
       - id: attitude
         type: quatf
-        doc: "Error of the rotation. Unit: 1."
+        doc: "Estimated error of the rotation. Unit: 1."
   filter_data_aiding_frame_config_error_uncertainty:
     -orig-id: filter_data.aiding_frame_config_error_uncertainty
-    doc: "Aiding frame configuration error uncertainty. Uncertainty of the estimated error of a frame that `aiding_frame_config` defines."
+    doc: "Aiding frame configuration error uncertainty. Uncertainty of the error that `filter_data_aiding_frame_config_error` estimates."
     seq:
       - id: frame_id
         type: u1
@@ -9841,7 +9841,7 @@ types:
         doc: Validity of the time of displacement data.
       - id: time
         type: u8
-        doc: "UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if `flags.time` is set."
+        doc: "UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if `flags.time` is set."
   system_data_built_in_test:
     -orig-id: system_data.built_in_test
     doc: Built-in test. Flags of the tests that run all the time.
@@ -13044,10 +13044,10 @@ enums:
       doc: Input; the default.
     2:
       id: output_low
-      doc: Output, low at first; low again at power-up if the configuration is saved.
+      doc: Output, initially low; also low at power-up if the configuration is saved.
     3:
       id: output_high
-      doc: Output, high at first; high again at power-up if the configuration is saved.
+      doc: Output, initially high; also high at power-up if the configuration is saved.
   gpio_pps_behavior:
     1:
       id: input
@@ -13153,7 +13153,7 @@ enums:
       doc: First virtual serial port of USB.
     34:
       id: usb_2
-      doc: Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM.
+      doc: Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM.
   ack_code:
     0:
       id: ok
@@ -13352,13 +13352,13 @@ enums:
   mip_3dm_gx4_system_state:
     1:
       id: init
-      doc: The system starts.
+      doc: The system is starting.
     2:
       id: sensor_startup
-      doc: The sensors start.
+      doc: The sensors are starting.
     3:
       id: running
-      doc: The system runs.
+      doc: The system is running.
   filter_dynamics_mode:
     1:
       id: portable
@@ -13436,11 +13436,11 @@ enums:
     1:
       id: fixed_value
       -orig-id: fixed
-      doc: Adapted by the limits specified by the command.
+      doc: The limits in the command determine the weights.
     2:
       id: auto_value
       -orig-id: auto
-      doc: Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later.
+      doc: The filter determines the weights; the limits are ignored. 3DM-GX5 and later.
   filter_altitude_aiding_source:
     0:
       id: none_value
@@ -13492,7 +13492,7 @@ enums:
     0:
       id: none_value
       -orig-id: none
-      doc: Nothing.
+      doc: No assumption.
     1:
       id: zero_accel
       doc: The filter assumes no acceleration.
@@ -13500,7 +13500,7 @@ enums:
     0:
       id: none_value
       -orig-id: none
-      doc: Nothing.
+      doc: No assumption.
     1:
       id: zero_velocity
       doc: The filter assumes that the device does not move.
@@ -13511,7 +13511,7 @@ enums:
     0:
       id: none_value
       -orig-id: none
-      doc: Nothing.
+      doc: No assumption.
     1:
       id: zero_angular_rate
       doc: The filter assumes no rotation.
@@ -13668,13 +13668,13 @@ enums:
   system_protocol_mode:
     1:
       id: standard
-      doc: The device itself, MIP.
+      doc: The device itself; the protocol is MIP.
     2:
       id: sensor_direct
-      doc: The internal inertial sensor, MIP.
+      doc: The internal inertial sensor; the protocol is MIP.
     3:
       id: gnss_direct
-      doc: The internal GNSS receiver, NMEA and UBX; only on models that have one.
+      doc: The internal GNSS receiver, if there is one; the protocols are NMEA and UBX.
   gnss_data_receiver_state:
     0: "off"
     1: "on"
@@ -13708,7 +13708,7 @@ enums:
       doc: Not known.
     1:
       id: waas
-      doc: North America.
+      doc: WAAS, the North American system.
     2:
       id: egnos
       doc: EGNOS, the European system.
@@ -13760,11 +13760,11 @@ enums:
     1:
       id: float_value
       -orig-id: float
-      doc: Real numbers, which is less accurate.
+      doc: The ambiguities are real numbers, which is less accurate.
     2:
       id: fixed_value
       -orig-id: fixed
-      doc: Whole numbers of cycles.
+      doc: The ambiguities are fixed to whole numbers of cycles.
   gnss_data_signal_quality:
     0:
       id: none_value

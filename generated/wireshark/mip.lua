@@ -371,7 +371,7 @@ F["sensor.overrange_flags"] = {
   { name = "mag_x", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The magnetometer x axis is near or outside its range." },
   { name = "mag_y", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "The magnetometer y axis is near or outside its range." },
   { name = "mag_z", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "The magnetometer z axis is near or outside its range." },
-  { name = "pressure", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "Pressure sensor." },
+  { name = "pressure", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "The pressure sensor is near or outside its range." },
 }
 F["sensor.odometer_flags"] = {
   { name = "odometer", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Set if an odometer is configured; its values are then valid." },
@@ -431,7 +431,7 @@ F["gnss_data.clock_info_flags"] = {
 }
 F["gnss_data.fix_flags"] = {
   { name = "sbas_used", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "SBAS corrections were used in the fix." },
-  { name = "dgnss_used", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Differential corrections." },
+  { name = "dgnss_used", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Differential corrections were used in the fix." },
 }
 F["gnss_data.fix_info_flags"] = {
   { name = "fix_type", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`fix_type` is valid." },
@@ -440,7 +440,7 @@ F["gnss_data.fix_info_flags"] = {
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
 }
 F["gnss_data.sv_flags"] = {
-  { name = "used_for_navigation", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The position fix uses it." },
+  { name = "used_for_navigation", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The satellite is used in the position fix." },
   { name = "healthy", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The satellite reports that its signals can be used." },
 }
 F["gnss_data.sv_info_flags"] = {
@@ -514,7 +514,7 @@ F["gnss_data.rf_error_detection_flags"] = {
   { name = "rf_band", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`rf_band` is valid." },
   { name = "jamming_state", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "`jamming_state` is valid." },
   { name = "spoofing_state", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`spoofing_state` is valid." },
-  { name = "frequency", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "Frequency; only set by firmware that sends it." },
+  { name = "frequency", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "`frequency` is valid; set only by firmware that sends the frequency." },
   { name = "flags", at = 0, size = 2, mask = 15, shift = 0, width = 4, doc = "All values are valid." },
 }
 E["gnss_data.heading_fix_type"] = { [0] = "unknown", [1] = "float", [2] = "fixed", }
@@ -577,10 +577,10 @@ F["gnss_data.base_station_info_flags"] = {
 F["gnss_data.rtk_epoch_status"] = {
   { name = "antenna_location_received", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The position of the base station's antenna has arrived." },
   { name = "antenna_description_received", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The description of the base station's antenna has arrived." },
-  { name = "gps_received", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "GPS corrections." },
-  { name = "glonass_received", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "GLONASS corrections." },
-  { name = "galileo_received", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Galileo corrections." },
-  { name = "beidou_received", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "BeiDou corrections." },
+  { name = "gps_received", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "GPS corrections have arrived." },
+  { name = "glonass_received", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "GLONASS corrections have arrived." },
+  { name = "galileo_received", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Galileo corrections have arrived." },
+  { name = "beidou_received", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "BeiDou corrections have arrived." },
   { name = "using_gps_msm_messages", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004." },
   { name = "using_glonass_msm_messages", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012." },
   { name = "dongle_status_read_failed", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The status of the dongle could not be read." },
@@ -598,14 +598,14 @@ F["gnss_data.rtk_corrections_status_flags"] = {
 }
 F["gnss_data.ephemeris_flags"] = {
   { name = "ephemeris", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The ephemeris is valid." },
-  { name = "modern_data", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The data of the modernized navigation message are included." },
+  { name = "modern_data", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Data of the modernized navigation message is included." },
   { name = "isc_l5", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "`isc_l2c` is the correction for L5, not for L2." },
   { name = "flags", at = 0, size = 2, mask = 7, shift = 0, width = 3, doc = "All values are valid." },
 }
 E["gnss_data.glonass_satellite_type"] = { [0] = "glonass", [1] = "glonass_m", }
 F["gnss_data.glonass_ephemeris_flags"] = {
   { name = "ephemeris", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The ephemeris is valid." },
-  { name = "flags", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "All of them." },
+  { name = "flags", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "All values are valid." },
 }
 F["gnss_data.gps_iono_correction_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "`tow` is valid." },
@@ -748,7 +748,7 @@ S["event_trigger_threshold"] = {
   { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor of the watched value. Refers to fields of descriptor_set." },
   { kind = "scalar", name = "parameter_id", type = "u8", size = 1, doc = "Number of the value in its field, counted from 1; each element of a vector counts. Range: at least 1." },
   { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_threshold_type"], doc = "Kind of comparison." },
-  { kind = "switch", name = "thresholds", tag = "type", doc = "Kind of comparison.", cases = {
+  { kind = "switch", name = "thresholds", tag = "type", doc = "Thresholds of the comparison.", cases = {
       [1] = { label = "window", item = { kind = "struct", name = "window", record = S["event_threshold_window"], doc = "" } },
       [2] = { label = "interval", item = { kind = "struct", name = "interval", record = S["event_threshold_interval"], doc = "" } }, } },
 }
@@ -769,7 +769,7 @@ S["event_action_message"] = {
 S["nmea_message"] = {
   { kind = "scalar", name = "message_id", type = "u8", size = 1, enum = E["nmea_message_id"], doc = "The sentence." },
   { kind = "scalar", name = "talker_id", type = "u8", size = 1, enum = E["nmea_talker_id"], doc = "The talker in the sentence." },
-  { kind = "scalar", name = "source_descriptor_set", type = "u8", size = 1, doc = "Data descriptor set that the contents are taken from." },
+  { kind = "scalar", name = "source_descriptor_set", type = "u8", size = 1, doc = "Data descriptor set from which the contents are taken." },
   { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "Base rate of the source descriptor set divided by the desired rate; a poll ignores it." },
 }
 S["descriptor_rate"] = {
@@ -786,12 +786,12 @@ S["base.base_device_info"] = {
 }
 S["3dm.poll_entry"] = {
   { kind = "scalar", name = "descriptor", type = "u8", size = 1, doc = "Field descriptor." },
-  { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "In place of a decimation. Reserved: send 0." },
+  { kind = "scalar", name = "reserved", type = "u16", size = 2, doc = "Reserved; occupies the position of a decimation. Reserved: send 0." },
 }
 S["3dm.constellation_settings_entry"] = {
   { kind = "scalar", name = "constellation_id", type = "u8", size = 1, enum = E["3dm.constellation_id"], doc = "Constellation that this entry configures." },
   { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 switches it on, 0 off. Range: 0 to 1." },
-  { kind = "scalar", name = "reserved_channels", type = "u8", size = 1, doc = "Channels reserved for it. Unit: 1. Range: 0 to 32." },
+  { kind = "scalar", name = "reserved_channels", type = "u8", size = 1, doc = "Number of channels reserved for it. Unit: 1. Range: 0 to 32." },
   { kind = "scalar", name = "max_channels", type = "u8", size = 1, doc = "Maximum number of channels that it uses. Unit: 1. Range: 0 to 32." },
   { kind = "scalar", name = "option_flags", type = "u16", size = 2, flags = F["3dm.constellation_options"], doc = "Options of this constellation." },
 }
@@ -1009,12 +1009,12 @@ field({ descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", title 
       { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to send.", item = { kind = "struct", name = "item", record = S["nmea_message"] } },
     } }, { { set = 0x0C, name = "3dm.poll_nmea_data", title = "Poll NMEA Data" }, })
 field({ descriptor = 0x06, name = "3dm.get_imu_base_rate", role = "command", title = "Get IMU Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of 3dm.imu_message_format.", least = 0,
+    doc = "Gets the base rate, which is divided by the decimations of 3dm.imu_message_format.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0C, name = "3dm.get_imu_base_rate", title = "Get IMU Data Base Rate" }, })
 field({ descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", title = "Get GNSS Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of 3dm.gnss_message_format.", least = 0,
+    doc = "Gets the base rate, which is divided by the decimations of 3dm.gnss_message_format.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0C, name = "3dm.get_gnss_base_rate", title = "Get GNSS Data Base Rate" }, })
@@ -1040,7 +1040,7 @@ field({ descriptor = 0x0A, name = "3dm.filter_message_format", role = "command",
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations. Refers to fields of Filter data.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     } }, { { set = 0x0C, name = "3dm.filter_message_format", title = "Estimation Filter Message Format" }, })
 field({ descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", title = "Get Estimation Filter Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of 3dm.filter_message_format.", least = 0,
+    doc = "Gets the base rate, which is divided by the decimations of 3dm.filter_message_format.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x0C, name = "3dm.get_filter_base_rate", title = "Get Estimation Filter Data Base Rate" }, })
@@ -1062,7 +1062,7 @@ field({ descriptor = 0x0D, name = "3dm.poll_data", role = "command", title = "Po
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 250, size = 1, doc = "Field descriptors. Refers to fields of descriptor_set.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0C, name = "3dm.poll_data", title = "Poll Data" }, })
 field({ descriptor = 0x0E, name = "3dm.get_base_rate", role = "command", title = "Get Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of a descriptor set.", least = 1,
+    doc = "Gets the base rate, which is divided by the decimations of a descriptor set.", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 0x80 to 0xFE." },
@@ -1342,8 +1342,8 @@ field({ descriptor = 0x51, name = "3dm.complementary_filter", role = "command", 
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "Corrects pitch and roll (up, in terms of the 5-series). On the 3DM-GX5-15: default true." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "Corrects the heading (north, in terms of the 5-series). On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "True enables the pitch and roll correction, which 5-series manuals call up compensation. On the 3DM-GX5-15: default true." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "True enables the heading correction, which 5-series manuals call north compensation. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
     } }, { { set = 0x0C, name = "3dm.complementary_filter", title = "Complementary Filter Configuration" }, })
@@ -1359,7 +1359,7 @@ field({ descriptor = 0x53, name = "3dm.get_calibrated_sensor_ranges", role = "co
     doc = "Gets the ranges that a sensor supports.", least = 1,
     always = 1,
     rows = {
-      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "The sensor; not all." },
+      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor to query; `all` is not allowed." },
     } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges", title = "Get Calibrated Sensor Ranges" }, })
 field({ descriptor = 0x54, name = "3dm.low_pass_filter", role = "command", title = "Low-Pass Anti-Aliasing Filter",
     doc = "Configures the low-pass filter of a data field.", least = 1,
@@ -1531,7 +1531,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_response", role = "re
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
-      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented. On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of gx4_system_state.", readings = { {device = "3dm-gx4-45", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-st", enum = E["3dm.gx4_system_state"] }, } },
+      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; the meaning of its values is not documented. On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of gx4_system_state.", readings = { {device = "3dm-gx4-45", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.gx4_system_state"] }, {device = "3dm-rq1-45-st", enum = E["3dm.gx4_system_state"] }, } },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_basic_response", title = "Basic Device Status" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_basic_without_state_response", role = "response", title = "Basic Device Status without a state",
@@ -1552,7 +1552,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role 
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
-      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented." },
+      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; the meaning of its values is not documented." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
       { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "True if filter data is streamed." },
@@ -1574,10 +1574,10 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", 
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
-      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented." },
+      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; the meaning of its values is not documented." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
       { kind = "scalar", name = "gnss_power_state", type = "u8", size = 1, doc = "Power state of the GNSS receiver." },
-      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
+      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
       { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "gnss_stream_enabled", type = "bool", size = 1, doc = "True if GNSS data is streamed." },
@@ -1604,10 +1604,10 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response"
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
-      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented." },
+      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; the meaning of its values is not documented." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
       { kind = "scalar", name = "gnss_power_state", type = "u8", size = 1, doc = "Power state of the GNSS receiver." },
-      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
+      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
       { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "gnss_stream_enabled", type = "bool", size = 1, doc = "True if GNSS data is streamed." },
@@ -1637,13 +1637,13 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response"
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
-      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; its values are not documented." },
+      { kind = "scalar", name = "system_state", type = "u16", size = 2, doc = "State of the system; the meaning of its values is not documented." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
       { kind = "scalar", name = "gnss_power_state", type = "u8", size = 1, doc = "Power state of the GNSS receiver." },
       { kind = "scalar", name = "cold_start_on_power_on", type = "u8", size = 1, doc = "True if the receiver starts cold at power-up." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
-      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
-      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
+      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
+      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
       { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "gnss_stream_enabled", type = "bool", size = 1, doc = "True if GNSS data is streamed." },
@@ -1671,7 +1671,7 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", r
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
+      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
       { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "filter_stream_enabled", type = "bool", size = 1, doc = "True if filter data is streamed." },
@@ -1705,9 +1705,9 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Largest acceleration that can be measured." },
       { kind = "scalar", name = "reserved", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
-      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
+      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
       { kind = "scalar", name = "temperature_error", type = "u8", size = 1, doc = "State of the temperature measurement." },
-      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
+      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
       { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
@@ -1732,9 +1732,9 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response
       { kind = "scalar", name = "mag_range", type = "float", size = 4, doc = "Largest magnetic field that can be measured." },
       { kind = "scalar", name = "pressure_range", type = "float", size = 4, doc = "Largest pressure that can be measured." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
-      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
+      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
       { kind = "scalar", name = "temperature_error", type = "u8", size = 1, doc = "State of the temperature measurement; 0 is normal." },
-      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
+      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
       { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
@@ -1753,15 +1753,15 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_imu_response
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u64", size = 8, units = {"us", }, doc = "Time since start-up. Unit: us." },
       { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
-      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
+      { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature measurement. Unit: ms." },
       { kind = "scalar", name = "bad_temperature_sensor_detected", type = "bool", size = 1, doc = "True if a temperature sensor is faulty." },
       { kind = "scalar", name = "cold_temperature_detected", type = "bool", size = 1, doc = "True if the temperature is too low." },
       { kind = "scalar", name = "bad_voltage_detected", type = "bool", size = 1, doc = "True if a supply voltage is out of range." },
-      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
+      { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Number of PPS pulses counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
       { kind = "scalar", name = "imu_stream_enabled", type = "bool", size = 1, doc = "True if sensor data is streamed." },
       { kind = "scalar", name = "imu_dropped_packets", type = "u32", size = 4, doc = "Sensor data packets that were not sent. Unit: 1." },
-      { kind = "scalar", name = "comm_port_state", type = "u16", size = 2, doc = "State of the port; its values are not known." },
+      { kind = "scalar", name = "comm_port_state", type = "u16", size = 2, doc = "State of the port; the meaning of its values is not known." },
       { kind = "scalar", name = "comm_port_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Present baud rate of the port. Unit: Bd." },
       { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
@@ -1775,10 +1775,10 @@ field({ descriptor = 0x90, name = "3dm.device_status_basic_gx3_response", role =
     rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\1", doc = "Basic status." },
-      { kind = "scalar", name = "comm_mode", type = "u8", size = 1, doc = "Part of the device that the port talks to." },
+      { kind = "scalar", name = "comm_mode", type = "u8", size = 1, doc = "Part of the device that the port is connected to." },
       { kind = "scalar", name = "comm_device", type = "u8", size = 1, doc = "Port in use." },
-      { kind = "scalar", name = "settings_flags", type = "u32", size = 4, doc = "Settings of the data streams; their bits are not known." },
-      { kind = "scalar", name = "comm_state", type = "u16", size = 2, doc = "State of the port; its values are not known." },
+      { kind = "scalar", name = "settings_flags", type = "u32", size = 4, doc = "Settings of the data streams; the meaning of the bits is not known." },
+      { kind = "scalar", name = "comm_state", type = "u16", size = 2, doc = "State of the port; the meaning of its values is not known." },
       { kind = "scalar", name = "comm_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
     } }, { { set = 0x0C, name = "3dm.device_status_basic_gx3_response", title = "Basic Device Status of the 3DM-GX3-35 and 3DM-GX3-45" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", role = "response", title = "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45",
@@ -1788,30 +1788,30 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", r
     rows = {
       { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device." },
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
-      { kind = "scalar", name = "comm_mode", type = "u8", size = 1, doc = "Part of the device that the port talks to." },
+      { kind = "scalar", name = "comm_mode", type = "u8", size = 1, doc = "Part of the device that the port is connected to." },
       { kind = "scalar", name = "comm_device", type = "u8", size = 1, doc = "Port in use." },
-      { kind = "scalar", name = "settings_flags", type = "u32", size = 4, doc = "Settings of the data streams; their bits are not known." },
-      { kind = "scalar", name = "comm_state", type = "u16", size = 2, doc = "State of the port; its values are not known." },
+      { kind = "scalar", name = "settings_flags", type = "u32", size = 4, doc = "Settings of the data streams; the meaning of the bits is not known." },
+      { kind = "scalar", name = "comm_state", type = "u16", size = 2, doc = "State of the port; the meaning of its values is not known." },
       { kind = "scalar", name = "comm_baud_rate", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate of the port. Unit: Bd." },
       { kind = "scalar", name = "comm_port_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-      { kind = "scalar", name = "usb_state", type = "u16", size = 2, doc = "State of the USB port; its values are not known." },
+      { kind = "scalar", name = "usb_state", type = "u16", size = 2, doc = "State of the USB port; the meaning of its values is not known." },
       { kind = "scalar", name = "usb_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent over USB. Unit: byte." },
       { kind = "scalar", name = "usb_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over USB. Unit: byte." },
       { kind = "scalar", name = "usb_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to USB. Unit: 1." },
       { kind = "scalar", name = "usb_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from USB. Unit: 1." },
-      { kind = "scalar", name = "gnss_driver_state", type = "u16", size = 2, doc = "State of the receiver's driver; its values are not known." },
-      { kind = "scalar", name = "gnss_port_state", type = "u16", size = 2, doc = "State of the port to the receiver; its values are not known." },
+      { kind = "scalar", name = "gnss_driver_state", type = "u16", size = 2, doc = "State of the receiver's driver; the meaning of its values is not known." },
+      { kind = "scalar", name = "gnss_port_state", type = "u16", size = 2, doc = "State of the port to the receiver; the meaning of its values is not known." },
       { kind = "scalar", name = "gnss_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent to the receiver. Unit: byte." },
       { kind = "scalar", name = "gnss_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received from the receiver. Unit: byte." },
       { kind = "scalar", name = "gnss_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the receiver. Unit: 1." },
       { kind = "scalar", name = "gnss_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the receiver. Unit: 1." },
       { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
       { kind = "scalar", name = "gnss_delayed_message_count", type = "u32", size = 4, doc = "Messages of the receiver that arrived late. Unit: 1." },
-      { kind = "scalar", name = "imu_driver_state", type = "u16", size = 2, doc = "State of the IMU's driver; its values are not known." },
-      { kind = "scalar", name = "imu_port_state", type = "u16", size = 2, doc = "State of the port to the IMU; its values are not known." },
+      { kind = "scalar", name = "imu_driver_state", type = "u16", size = 2, doc = "State of the IMU's driver; the meaning of its values is not known." },
+      { kind = "scalar", name = "imu_port_state", type = "u16", size = 2, doc = "State of the port to the IMU; the meaning of its values is not known." },
       { kind = "scalar", name = "imu_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent to the IMU. Unit: byte." },
       { kind = "scalar", name = "imu_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received from the IMU. Unit: byte." },
       { kind = "scalar", name = "imu_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the IMU. Unit: 1." },
@@ -1836,8 +1836,8 @@ field({ descriptor = 0x97, name = "3dm.complementary_filter_response", role = "r
     doc = "", least = 10,
     always = 4,
     rows = {
-      { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "Corrects pitch and roll (up, in terms of the 5-series)." },
-      { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "Corrects the heading (north, in terms of the 5-series)." },
+      { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "True enables the pitch and roll correction, which 5-series manuals call up compensation." },
+      { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "True enables the heading correction, which 5-series manuals call north compensation." },
       { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10." },
       { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." },
     } }, { { set = 0x0C, name = "3dm.complementary_filter_response", title = "Complementary Filter Configuration response" }, })
@@ -1935,7 +1935,7 @@ field({ descriptor = 0xB4, name = "3dm.get_event_support_response", role = "resp
     always = 4,
     rows = {
       { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Query specified in the command." },
-      { kind = "scalar", name = "max_instances", type = "u8", size = 1, doc = "Number of slots; instances go from 1 to this. Unit: 1." },
+      { kind = "scalar", name = "max_instances", type = "u8", size = 1, doc = "Number of slots; instances are numbered from 1 to this. Unit: 1." },
       { kind = "counter", name = "num_entries", type = "u8", size = 1, doc = "Number of types." },
       { kind = "array", name = "entries", counter = "num_entries", capacity = 125, size = 2, doc = "The types. If query is trigger_types: type has values of event_trigger_type. If query is action_types: type has values of event_action_type.", readings = { {by = "query", value = 1, member = "type", enum = E["event_trigger_type"] }, {by = "query", value = 2, member = "type", enum = E["event_action_type"] }, }, item = { kind = "struct", name = "item", record = S["3dm.event_support_info"] } },
     } }, { { set = 0x0C, name = "3dm.get_event_support_response", title = "Get Supported Events response" }, })
@@ -2080,7 +2080,7 @@ field({ descriptor = 0x11, name = "filter.sensor_to_vehicle_rotation_euler", rol
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "yaw", type = "float", size = 4, units = {"rad", }, doc = "Yaw angle. Unit: rad." }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_rotation_euler", title = "Sensor to vehicle frame transformation" }, })
 field({ descriptor = 0x12, name = "filter.sensor_to_vehicle_offset", role = "command", title = "Sensor to vehicle offset",
-    doc = "Sets the origin of the vehicle frame, as seen from the sensor.", least = 1,
+    doc = "Sets the origin of the vehicle frame relative to the sensor.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2157,7 +2157,7 @@ field({ descriptor = 0x1B, name = "filter.gyro_noise", role = "command", title =
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.gyro_noise", title = "Gyroscope noise" }, })
 field({ descriptor = 0x1C, name = "filter.accel_bias_model", role = "command", title = "Accelerometer bias model",
-    doc = "Sets the parameters of the model by which the accelerometer bias drifts.", least = 1,
+    doc = "Sets the parameters of the accelerometer bias drift model.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2165,7 +2165,7 @@ field({ descriptor = 0x1C, name = "filter.accel_bias_model", role = "command", t
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Standard deviation of the noise per axis. Unit: m/s^2. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.accel_bias_model", title = "Accelerometer bias model" }, })
 field({ descriptor = 0x1D, name = "filter.gyro_bias_model", role = "command", title = "Gyroscope bias model",
-    doc = "Sets the parameters of the model by which the gyroscope bias drifts.", least = 1,
+    doc = "Sets the parameters of the gyroscope bias drift model.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2173,7 +2173,7 @@ field({ descriptor = 0x1D, name = "filter.gyro_bias_model", role = "command", ti
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.gyro_bias_model", title = "Gyroscope bias model" }, })
 field({ descriptor = 0x1E, name = "filter.auto_zupt", role = "command", title = "Automatic zero velocity update",
-    doc = "Lets the filter assume that the device is at rest while its GNSS speed is low.", least = 1,
+    doc = "Sets whether the filter assumes that the device is at rest while its GNSS speed is low.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2191,7 +2191,7 @@ field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", ro
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update_with_time", title = "External heading update with time" }, })
 field({ descriptor = 0x20, name = "filter.auto_angular_zupt", role = "command", title = "Zero angular rate update",
-    doc = "Lets the filter assume that the device is not rotating while its angular rate is low.", least = 1,
+    doc = "Sets whether the filter assumes that the device is not rotating while its angular rate is low.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2282,14 +2282,14 @@ field({ descriptor = 0x43, name = "filter.magnetic_declination_source", role = "
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Declination; used only if `source` is manual. Unit: rad. Range: -3.141592653589793 to 3.141592653589793." }, } },
     } }, { { set = 0x0D, name = "filter.magnetic_declination_source", title = "Magnetic declination source" }, })
 field({ descriptor = 0x44, name = "filter.accel_magnitude_error_adaptive_measurement", role = "command", title = "Gravity magnitude error adaptive measurement",
-    doc = "Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.", least = 1,
+    doc = "Sets how far the filter trusts gravity measurements whose magnitude is not as expected.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the gravity magnitude error. Unit: m/s^2." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the gravity magnitude error. Unit: m/s^2." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." }, } },
       { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0." }, } },
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2. Range: at least 0." }, } },
@@ -2301,8 +2301,8 @@ field({ descriptor = 0x45, name = "filter.mag_magnitude_error_adaptive_measureme
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only disabled and fixed." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the magnetic field magnitude error. Unit: gauss." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the magnetic field magnitude error. Unit: gauss." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." }, } },
       { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0." }, } },
       { kind = "group", first = 7, last = 7, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0." }, } },
@@ -2314,7 +2314,7 @@ field({ descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_measureme
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." }, } },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement", title = "Magnetometer dip angle error adaptive measurement" }, })
@@ -2445,14 +2445,14 @@ field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", ti
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.speed_lever_arm", title = "Speed measurement lever arm" }, })
 field({ descriptor = 0x62, name = "filter.vertical_gyro_constraint_control", role = "command", title = "Vertical gyro constraint",
-    doc = "Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.", least = 1,
+    doc = "Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
     } }, { { set = 0x0D, name = "filter.vertical_gyro_constraint_control", title = "Vertical gyro constraint" }, })
 field({ descriptor = 0x63, name = "filter.wheeled_vehicle_constraint_control", role = "command", title = "Wheeled vehicle constraint",
-    doc = "Lets the filter assume that the vehicle moves only along its x axis.", least = 1,
+    doc = "Sets whether the filter assumes that the vehicle moves only along its x axis.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -2620,8 +2620,8 @@ field({ descriptor = 0xB3, name = "filter.accel_magnitude_error_adaptive_measure
     rows = {
       { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
-      { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the error. Unit: m/s^2." },
-      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the error. Unit: m/s^2." },
+      { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Lower limit of the gravity magnitude error. Unit: m/s^2." },
+      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"m/s^2", }, doc = "Upper limit of the gravity magnitude error. Unit: m/s^2." },
       { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Standard deviation at the upper limit. Unit: m/s^2. Range: at least 0." },
       { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"m/s^2", }, doc = "Smallest standard deviation. Unit: m/s^2. Range: at least 0." },
@@ -2632,8 +2632,8 @@ field({ descriptor = 0xB4, name = "filter.mag_magnitude_error_adaptive_measureme
     rows = {
       { kind = "scalar", name = "adaptive_measurement", type = "u8", size = 1, enum = E["filter.adaptive_measurement_selector"], doc = "Kind of adaptation." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
-      { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the error. Unit: gauss." },
-      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the error. Unit: gauss." },
+      { kind = "scalar", name = "low_limit", type = "float", size = 4, units = {"gauss", }, doc = "Lower limit of the magnetic field magnitude error. Unit: gauss." },
+      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"gauss", }, doc = "Upper limit of the magnetic field magnitude error. Unit: gauss." },
       { kind = "scalar", name = "low_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the lower limit. Unit: gauss. Range: at least 0." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Standard deviation at the upper limit. Unit: gauss. Range: at least 0." },
       { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"gauss", }, doc = "Smallest standard deviation. Unit: gauss. Range: at least 0." },
@@ -2644,7 +2644,7 @@ field({ descriptor = 0xB5, name = "filter.mag_dip_angle_error_adaptive_measureme
     rows = {
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "True if the adaptation is on." },
       { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0." },
-      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the error. Unit: rad." },
+      { kind = "scalar", name = "high_limit", type = "float", size = 4, units = {"rad", }, doc = "Upper limit of the dip angle error. Unit: rad." },
       { kind = "scalar", name = "high_limit_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation at the upper limit. Unit: rad. Range: at least 0." },
       { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.mag_dip_angle_error_adaptive_measurement_response", title = "Magnetometer dip angle error adaptive measurement response" }, })
@@ -2997,7 +2997,7 @@ field({ descriptor = 0x8A, name = "rtk.service_status_response", role = "respons
       { kind = "scalar", name = "last_bytes_time", type = "u64", size = 8, doc = "Time of the last transfer." },
     } }, { { set = 0x0F, name = "rtk.service_status_response", title = "Service status response" }, })
 field({ descriptor = 0x01, name = "displacement.get_calibration", role = "command", title = "Get Analog to Displacement Calibration",
-    doc = "Reads the linear function by which the device converts the counts of its converter to a displacement.", least = 0,
+    doc = "Reads the linear function with which the device converts the counts of its converter to a displacement.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x11, name = "displacement.get_calibration", title = "Get Analog to Displacement Calibration" }, })
@@ -3018,7 +3018,7 @@ field({ descriptor = 0x81, name = "displacement.get_calibration_response", role 
     doc = "", least = 8,
     always = 2,
     rows = {
-      { kind = "scalar", name = "slope", type = "float", size = 4, doc = "Displacement for each count of the converter." },
+      { kind = "scalar", name = "slope", type = "float", size = 4, doc = "Displacement per count of the converter." },
       { kind = "scalar", name = "offset", type = "float", size = 4, doc = "Displacement at zero counts." },
     } }, { { set = 0x11, name = "displacement.get_calibration_response", title = "Get Analog to Displacement Calibration response" }, })
 field({ descriptor = 0x82, name = "displacement.output_rate_response", role = "response", title = "Displacement Output Data Rate response",
@@ -3045,7 +3045,7 @@ field({ descriptor = 0x1F, name = "aiding.echo_control", role = "command", title
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "Answers to the measurements." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "Reply mode." }, } },
     } }, { { set = 0x13, name = "aiding.echo_control", title = "Echo control" }, })
 field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", title = "ECEF position",
     doc = "Sends a measured position in Earth-fixed coordinates.", least = 49,
@@ -3156,7 +3156,7 @@ field({ descriptor = 0x9F, name = "aiding.echo_control_response", role = "respon
     doc = "", least = 1,
     always = 1,
     rows = {
-      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "Answers to the measurements." },
+      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "Reply mode." },
     } }, { { set = 0x13, name = "aiding.echo_control_response", title = "Echo control response" }, })
 field({ descriptor = 0x02, name = "system.interface_control", role = "command", title = "Interface control",
     doc = "Sets the protocols that a port receives and sends.", least = 1,
@@ -3399,10 +3399,10 @@ field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Valid dilutions of precision." },
     } }, { { set = 0x81, name = "gnss_data.dop", title = "DOP" }, { set = 0x91, name = "gnss_1.dop", title = "DOP" }, { set = 0x92, name = "gnss_2.dop", title = "DOP" }, { set = 0x93, name = "gnss_corrections.dop", title = "DOP" }, { set = 0x94, name = "gnss_external.dop", title = "DOP" }, { set = 0x95, name = "gnss_external_2.dop", title = "DOP" }, })
 field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "UTC time",
-    doc = "Coordinated universal time as the receiver knows it.", least = 13,
+    doc = "Coordinated universal time (UTC) according to the receiver.", least = 13,
     always = 8,
     rows = {
-      { kind = "scalar", name = "year", type = "u16", size = 2, doc = "Year with its century. Valid if valid_flags.gnss_date_time is set." },
+      { kind = "scalar", name = "year", type = "u16", size = 2, doc = "Year with four digits. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "month", type = "u8", size = 1, doc = "Month, 1 for January. Range: 1 to 12. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "day", type = "u8", size = 1, doc = "Day of the month. Range: 1 to 31. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "hour", type = "u8", size = 1, doc = "Hour of the day. Range: 0 to 23. Valid if valid_flags.gnss_date_time is set." },
@@ -3412,7 +3412,7 @@ field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.utc_time_flags"], doc = "Valid parts of the time." },
     } }, { { set = 0x81, name = "gnss_data.utc_time", title = "UTC time" }, { set = 0x91, name = "gnss_1.utc_time", title = "UTC time" }, { set = 0x92, name = "gnss_2.utc_time", title = "UTC time" }, { set = 0x93, name = "gnss_corrections.utc_time", title = "UTC time" }, { set = 0x94, name = "gnss_external.utc_time", title = "UTC time" }, { set = 0x95, name = "gnss_external_2.utc_time", title = "UTC time" }, })
 field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "GPS time",
-    doc = "GPS time as the receiver knows it.", least = 12,
+    doc = "GPS time according to the receiver.", least = 12,
     always = 3,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
@@ -3429,7 +3429,7 @@ field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title =
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Valid clock parameters." },
     } }, { { set = 0x81, name = "gnss_data.clock_info", title = "Clock info" }, { set = 0x91, name = "gnss_1.clock_info", title = "Clock info" }, { set = 0x92, name = "gnss_2.clock_info", title = "Clock info" }, { set = 0x93, name = "gnss_corrections.clock_info", title = "Clock info" }, { set = 0x94, name = "gnss_external.clock_info", title = "Clock info" }, { set = 0x95, name = "gnss_external_2.clock_info", title = "Clock info" }, })
 field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is based on.", least = 6,
+    doc = "Type of the position fix, with the satellites and corrections used.", least = 6,
     always = 4,
     rows = {
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Quantities that the receiver can determine at present. Valid if valid_flags.fix_type is set." },
@@ -3438,7 +3438,7 @@ field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Valid parts of the fix information." },
     } }, { { set = 0x81, name = "gnss_data.fix_info", title = "Fix info" }, { set = 0x91, name = "gnss_1.fix_info", title = "Fix info" }, { set = 0x92, name = "gnss_2.fix_info", title = "Fix info" }, { set = 0x93, name = "gnss_corrections.fix_info", title = "Fix info" }, { set = 0x94, name = "gnss_external.fix_info", title = "Fix info" }, { set = 0x95, name = "gnss_external_2.fix_info", title = "Fix info" }, })
 field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
-    doc = "One satellite that is tracked.", least = 12,
+    doc = "State of one tracked satellite.", least = 12,
     always = 7,
     rows = {
       { kind = "scalar", name = "channel", type = "u8", size = 1, doc = "Channel of the receiver that tracks the satellite. Valid if valid_flags.channel is set." },
@@ -3453,9 +3453,9 @@ field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", ti
     doc = "State of the receiver and of its antenna.", least = 5,
     always = 4,
     rows = {
-      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "Power and operation of the receiver. Valid if valid_flags.sensor_state is set." },
+      { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "Operating state of the receiver. Valid if valid_flags.sensor_state is set." },
       { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "Electrical condition of the antenna. Valid if valid_flags.antenna_state is set." },
-      { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "Supply of the antenna. Valid if valid_flags.antenna_power is set." },
+      { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "State of the antenna's power supply. Valid if valid_flags.antenna_power is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Valid parts of the hardware status." },
     } }, { { set = 0x81, name = "gnss_data.hardware_status", title = "GNSS hardware status" }, { set = 0x91, name = "gnss_1.hardware_status", title = "GNSS hardware status" }, { set = 0x92, name = "gnss_2.hardware_status", title = "GNSS hardware status" }, { set = 0x93, name = "gnss_corrections.hardware_status", title = "GNSS hardware status" }, { set = 0x94, name = "gnss_external.hardware_status", title = "GNSS hardware status" }, { set = 0x95, name = "gnss_external_2.hardware_status", title = "GNSS hardware status" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = "DGPS info",
@@ -3468,8 +3468,8 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = 
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Valid parts of the state of the corrections." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
-field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info with a satellite",
-    doc = "Differential correction for one satellite, in the layout that the SDK states for DGPS info.", least = 15,
+field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info for one satellite",
+    doc = "Differential correction for one satellite, in the layout that the SDK has for DGPS info.", least = 15,
     always = 5,
     rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite." },
@@ -3477,7 +3477,7 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data"
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Valid parts of the state of the corrections." },
-    } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info with a satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info with a satellite" }, })
+    } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info for one satellite" }, })
 field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
     doc = "Differential correction for one satellite.", least = 15,
     always = 5,
@@ -3521,8 +3521,8 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
     doc = "SBAS correction for one satellite.", least = 25,
     always = 10,
     rows = {
-      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
+      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of such fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation." },
@@ -3536,7 +3536,7 @@ field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 6,
     rows = {
-      { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band that the states are about. Valid if valid_flags.rf_band is set." },
+      { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_data.rf_band"], doc = "Band to which the states apply. Valid if valid_flags.rf_band is set." },
       { kind = "scalar", name = "jamming_state", type = "u8", size = 1, enum = E["gnss_data.jamming_state"], doc = "State of jamming in this band. Valid if valid_flags.jamming_state is set." },
       { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "State of spoofing in this band. Valid if valid_flags.spoofing_state is set." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
@@ -3557,8 +3557,8 @@ field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", t
     doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
     rows = {
-      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
+      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of such fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation. Valid if valid_flags.gnss_id is set." },
@@ -3572,8 +3572,8 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
     doc = "Raw observation of one signal of one satellite.", least = 61,
     always = 19,
     rows = {
-      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
+      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of such fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "scalar", name = "receiver_id", type = "u16", size = 2, doc = "Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if valid_flags.receiver_id is set." },
@@ -3589,17 +3589,17 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
       { kind = "scalar", name = "range_uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the pseudorange. Unit: m. Range: at least 0. Valid if valid_flags.range_uncertainty is set." },
       { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if valid_flags.carrier_phase_uncertainty is set." },
       { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if valid_flags.doppler_uncertainty is set." },
-      { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0. Valid if valid_flags.lock_time is set." },
+      { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Minimum time for which the carrier phase has been locked. Unit: s. Range: at least 0. Valid if valid_flags.lock_time is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Valid parts of the observation." },
     } }, { { set = 0x81, name = "gnss_data.raw", title = "Raw" }, { set = 0x91, name = "gnss_1.raw", title = "Raw" }, { set = 0x92, name = "gnss_2.raw", title = "Raw" }, { set = 0x93, name = "gnss_corrections.raw", title = "Raw" }, { set = 0x94, name = "gnss_external.raw", title = "Raw" }, { set = 0x95, name = "gnss_external_2.raw", title = "Raw" }, })
 field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", title = "Base station info",
-    doc = "The base station of the corrections, from an RTCM message 1005 or 1006.", least = 44,
+    doc = "Base station that sends the corrections, from RTCM message 1005 or 1006.", least = 44,
     always = 7,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week at which the message was received. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "ecef_position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the station. Unit: m. Frame: ecef. Valid if valid_flags.ecef_position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height of the antenna above the marker that was surveyed. Unit: m. Valid if valid_flags.height is set." },
+      { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height of the antenna above the surveyed marker. Unit: m. Valid if valid_flags.height is set." },
       { kind = "scalar", name = "station_id", type = "u16", size = 2, doc = "Number of the station. Range: 0 to 4095. Valid if valid_flags.station_id is set." },
       { kind = "scalar", name = "indicators", type = "u16", size = 2, flags = F["gnss_data.base_station_indicators"], doc = "Properties of the station. Valid if valid_flags.indicators is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.base_station_info_flags"], doc = "Valid values." },
@@ -3623,8 +3623,8 @@ field({ descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", titl
     doc = "Broadcast orbit and clock of one GPS satellite.", least = 218,
     always = 34,
     rows = {
-      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
+      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of such fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
@@ -3662,8 +3662,8 @@ field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", 
     doc = "Broadcast orbit and clock of one GLONASS satellite.", least = 102,
     always = 25,
     rows = {
-      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
+      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of such fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
@@ -3692,8 +3692,8 @@ field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", 
     doc = "Broadcast orbit and clock of one Galileo satellite.", least = 218,
     always = 34,
     rows = {
-      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
+      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of such fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
@@ -3705,8 +3705,8 @@ field({ descriptor = 0x63, name = "gnss_data.galileo_ephemeris", role = "data", 
       { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set." },
@@ -3731,8 +3731,8 @@ field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", t
     doc = "Broadcast orbit and clock of one BeiDou satellite.", least = 218,
     always = 34,
     rows = {
-      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
-      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of these fields in the epoch." },
+      { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Index of this field within the epoch." },
+      { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of such fields in the epoch." },
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
@@ -3744,8 +3744,8 @@ field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", t
       { kind = "scalar", name = "af1", type = "double", size = 8, units = {"s/s", }, doc = "Clock drift. Unit: s/s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "af2", type = "double", size = 8, units = {"s/s^2", }, doc = "Clock drift rate. Unit: s/s^2. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "t_gd", type = "double", size = 8, units = {"s", }, doc = "Group delay. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if valid_flags.ephemeris is set." },
-      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "isc_l1ca", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "isc_l2c", type = "double", size = 8, units = {"s", }, doc = "Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "t_oe", type = "double", size = 8, units = {"s", }, doc = "Reference time of the ephemeris. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "a", type = "double", size = 8, units = {"m", }, doc = "Semi-major axis. Unit: m. Range: greater than 0. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "a_dot", type = "double", size = 8, units = {"m/s", }, doc = "Rate of the semi-major axis. Unit: m/s. Valid if valid_flags.ephemeris is set." },
@@ -3767,7 +3767,7 @@ field({ descriptor = 0x64, name = "gnss_data.beidou_ephemeris", role = "data", t
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ephemeris_flags"], doc = "Contents of the ephemeris." },
     } }, { { set = 0x81, name = "gnss_data.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x91, name = "gnss_1.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x92, name = "gnss_2.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x93, name = "gnss_corrections.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x94, name = "gnss_external.beidou_ephemeris", title = "BeiDou ephemeris" }, { set = 0x95, name = "gnss_external_2.beidou_ephemeris", title = "BeiDou ephemeris" }, })
 field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data", title = "GPS ionospheric correction",
-    doc = "Model of the ionosphere that GPS broadcasts.", least = 76,
+    doc = "Ionospheric model that GPS broadcasts.", least = 76,
     always = 5,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
@@ -3777,7 +3777,7 @@ field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data"
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Valid parts of the model." },
     } }, { { set = 0x81, name = "gnss_data.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x91, name = "gnss_1.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x92, name = "gnss_2.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x93, name = "gnss_corrections.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x94, name = "gnss_external.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x95, name = "gnss_external_2.gps_iono_correction", title = "GPS ionospheric correction" }, })
 field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
-    doc = "Model of the ionosphere that Galileo broadcasts.", least = 37,
+    doc = "Ionospheric model that Galileo broadcasts.", least = 37,
     always = 5,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
@@ -3787,7 +3787,7 @@ field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "d
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Valid parts of the model." },
     } }, { { set = 0x81, name = "gnss_data.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x91, name = "gnss_1.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x92, name = "gnss_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x93, name = "gnss_corrections.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x94, name = "gnss_external.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x95, name = "gnss_external_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, })
 field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
-    doc = "Model of the ionosphere that BeiDou broadcasts.", least = 148,
+    doc = "Ionospheric model that BeiDou broadcasts.", least = 148,
     always = 6,
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
@@ -3798,7 +3798,7 @@ field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "da
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Valid parts of the model." },
     } }, { { set = 0x81, name = "gnss_data.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x91, name = "gnss_1.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x92, name = "gnss_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x93, name = "gnss_corrections.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x94, name = "gnss_external.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x95, name = "gnss_external_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, })
 field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", title = "LLH position",
-    doc = "Estimated position.", least = 26,
+    doc = "Estimated position as latitude, longitude and height.", least = 26,
     always = 4,
     rows = {
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.valid is set." },
@@ -3807,7 +3807,7 @@ field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", tit
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.llh_position", title = "LLH position" }, })
 field({ descriptor = 0x02, name = "filter_data.ned_velocity", role = "data", title = "NED velocity",
-    doc = "Estimated velocity.", least = 14,
+    doc = "Estimated velocity in the NED frame.", least = 14,
     always = 4,
     rows = {
       { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Velocity north. Unit: m/s. Frame: ned. At rest and level: 0. Valid if valid_flags.valid is set." },
@@ -3862,7 +3862,7 @@ field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role =
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.llh_position_uncertainty", title = "Position uncertainty" }, })
 field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role = "data", title = "NED velocity uncertainty",
-    doc = "Standard deviation of the estimated velocity.", least = 14,
+    doc = "Standard deviation of the estimated velocity in the NED frame.", least = 14,
     always = 4,
     rows = {
       { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
@@ -3897,7 +3897,7 @@ field({ descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", tit
     doc = "Rate of change of the velocity, with the effect of gravity removed.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration; zero while the velocity is constant. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.linear_accel", title = "Linear acceleration" }, })
 field({ descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data", title = "Compensated angular rate",
@@ -3945,7 +3945,7 @@ field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", t
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gravity_vector", title = "Gravity vector" }, })
 field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
-    doc = "The last heading that updated the filter and where it came from.", least = 12,
+    doc = "The last heading that updated the filter, and its source.", least = 12,
     always = 4,
     rows = {
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading of the sensor frame relative to true north. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
@@ -4083,14 +4083,14 @@ field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "dat
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_residual_vector", title = "Magnetometer residual vector" }, })
 field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
-    doc = "Estimated error of the offset of the GNSS antenna.", least = 14,
+    doc = "Estimated error of the GNSS antenna offset.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated correction of the configured antenna offset. Unit: m. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.antenna_offset_correction", title = "Antenna offset correction" }, })
 field({ descriptor = 0x31, name = "filter_data.antenna_offset_correction_uncertainty", role = "data", title = "Antenna offset correction uncertainty",
-    doc = "Standard deviation of the estimated error of the offset of the GNSS antenna.", least = 14,
+    doc = "Standard deviation of the estimated error of the GNSS antenna offset.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "offset_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: vehicle. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -4115,7 +4115,7 @@ field({ descriptor = 0x33, name = "filter_data.clock_correction_uncertainty", ro
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.clock_correction_uncertainty", title = "Clock correction uncertainty" }, })
 field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction", role = "data", title = "Multi-antenna offset correction",
-    doc = "Estimated error of the offset of one GNSS antenna.", least = 15,
+    doc = "Estimated error of one GNSS antenna's offset.", least = 15,
     always = 3,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
@@ -4123,7 +4123,7 @@ field({ descriptor = 0x34, name = "filter_data.multi_antenna_offset_correction",
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction", title = "Multi-antenna offset correction" }, })
 field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_uncertainty", role = "data", title = "Multi-antenna offset correction uncertainty",
-    doc = "Standard deviation of the estimated error of the offset of one GNSS antenna.", least = 15,
+    doc = "Standard deviation of the estimated error of one GNSS antenna's offset.", least = 15,
     always = 3,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver that the antenna belongs to." },
@@ -4131,28 +4131,28 @@ field({ descriptor = 0x35, name = "filter_data.multi_antenna_offset_correction_u
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.multi_antenna_offset_correction_uncertainty", title = "Multi-antenna offset correction uncertainty" }, })
 field({ descriptor = 0x36, name = "filter_data.ecef_position_uncertainty", role = "data", title = "ECEF position uncertainty",
-    doc = "Standard deviation of the estimated position.", least = 14,
+    doc = "Standard deviation of the estimated position in Earth-fixed coordinates.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "position_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Standard deviation per axis. Unit: m. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_position_uncertainty", title = "ECEF position uncertainty" }, })
 field({ descriptor = 0x37, name = "filter_data.ecef_velocity_uncertainty", role = "data", title = "ECEF velocity uncertainty",
-    doc = "Standard deviation of the estimated velocity.", least = 14,
+    doc = "Standard deviation of the estimated velocity in Earth-fixed coordinates.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "velocity_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation per axis. Unit: m/s. Frame: ecef. Range: at least 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_velocity_uncertainty", title = "ECEF velocity uncertainty" }, })
 field({ descriptor = 0x40, name = "filter_data.ecef_position", role = "data", title = "ECEF position",
-    doc = "Estimated position.", least = 26,
+    doc = "Estimated position in Earth-fixed coordinates.", least = 26,
     always = 2,
     rows = {
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the reference point. Unit: m. Frame: ecef. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ecef_position", title = "ECEF position" }, })
 field({ descriptor = 0x41, name = "filter_data.ecef_velocity", role = "data", title = "ECEF velocity",
-    doc = "Estimated velocity.", least = 14,
+    doc = "Estimated velocity in Earth-fixed coordinates.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the reference point. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -4218,7 +4218,7 @@ field({ descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", role =
     always = 6,
     rows = {
       { kind = "scalar", name = "tow", type = "float", size = 4, units = {"s", }, doc = "GPS time of week of the last measurement. Unit: s. Range: 0 to 604800. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading derived from the baseline of the antennas. Unit: rad. Positive: clockwise seen from above. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
@@ -4229,11 +4229,11 @@ field({ descriptor = 0x50, name = "filter_data.aiding_frame_config_error", role 
     always = 3,
     rows = {
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
-      { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Error of the translation. Unit: m.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "attitude", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Error of the rotation. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Estimated error of the translation. Unit: m.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "attitude", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Estimated error of the rotation. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error", title = "Aiding frame configuration error" }, })
 field({ descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncertainty", role = "data", title = "Aiding frame configuration error uncertainty",
-    doc = "Uncertainty of the estimated error of a frame that aiding.frame_config defines.", least = 25,
+    doc = "Uncertainty of the error that filter_data.aiding_frame_config_error estimates.", least = 25,
     always = 3,
     rows = {
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
@@ -4258,7 +4258,7 @@ field({ descriptor = 0x04, name = "displacement_data.timestamp", role = "data", 
     always = 2,
     rows = {
       { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["displacement_data.timestamp_flags"], doc = "Validity of the time of displacement data." },
-      { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if flags.time is set." },
+      { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if flags.time is set." },
     } }, { { set = 0x90, name = "displacement_data.timestamp", title = "Displacement Device Timestamp" }, })
 field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
     doc = "Flags of the tests that run all the time.", least = 16,

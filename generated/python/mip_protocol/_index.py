@@ -1719,7 +1719,7 @@ FIELDS: dict[str, tuple[str, str, str, str, tuple[str, ...]]] = {
         "gnss_data",
         "DgpsInfoSatellite",
         "data",
-        "DGPS info with a satellite",
+        "DGPS info for one satellite",
         (),
     ),
     "gnss_data.dgps_channel": ("gnss_data", "DgpsChannel", "data", "DGPS channel", ()),

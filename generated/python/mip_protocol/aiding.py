@@ -184,7 +184,7 @@ class EchoControlResponse(Response):
     _LAYOUT = (("mode", "B", AidingEchoMode),)
 
     mode: AidingEchoMode
-    """Answers to the measurements."""
+    """Reply mode."""
 
     def __init__(self, mode: AidingEchoMode) -> None:
         self.mode = mode
@@ -360,7 +360,7 @@ class EchoControl(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     mode: AidingEchoMode | None
-    """Answers to the measurements. Required for `write`."""
+    """Reply mode. Required for `write`."""
 
     def __init__(self, function: FunctionSelector, mode: AidingEchoMode | None = None) -> None:
         self.function = function

@@ -80,7 +80,7 @@ class BaseDeviceInfo(Structure):
 
 
 class GpsTimeField(codec.OpenEnum):
-    """The part of the GPS time that a value holds."""
+    """The part of the GPS time that a value contains."""
 
     WEEK_NUMBER = 1
     TOW = 2
@@ -554,8 +554,8 @@ class CommSpeed(Command[R]):
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The change takes effect once pending data is sent and received, after at most 250 ms. Send it
-    alone in a packet while the device is idle, and wait 250 ms before going on. Commands and data
-    during the change may be lost, or sent at either rate.
+    alone in a packet while the device is idle, and wait 250 ms before you continue. Commands and
+    data during the change may be lost, or sent at either rate.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -644,11 +644,11 @@ class GpsTimeUpdate(Command[R]):
 
     Send it once for the time of week and once for the week number after the PPS is locked. On the
     3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix time;
-    `shared.ExternalTimestamp` then has it, too. The PPS supplies the fraction of the second; send
-    the whole second that began at its last edge. Send it within 250 ms after the rising edge of the
-    PPS. Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least
-    once. Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS
-    receiver is the PPS source.
+    `shared.ExternalTimestamp` then has the same epoch. The PPS supplies the fraction of the second;
+    send the whole second that began at its last edge. Send it within 250 ms after the rising edge
+    of the PPS. Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at
+    least once. Send it again after a glitch of the PPS. It is usually not needed if an internal
+    GNSS receiver is the PPS source.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)

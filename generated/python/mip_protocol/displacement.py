@@ -32,9 +32,7 @@ class GetCalibrationResponse(Response):
     _LAYOUT = (("slope", "f", None), ("offset", "f", None))
 
     slope: float
-    """Displacement for each count of the converter. Uncertain: The unit; mm for each count is
-    likely.
-    """
+    """Displacement per count of the converter. Uncertain: The unit; mm per count is likely."""
     offset: float
     """Displacement at zero counts. Uncertain: The unit; mm is likely."""
 
@@ -72,7 +70,7 @@ class OutputRateResponse(Response):
 class GetCalibration(Command[GetCalibrationResponse]):
     """Get Analog to Displacement Calibration (0x11,0x01).
 
-    Reads the linear function by which the device converts the counts of its converter to a
+    Reads the linear function with which the device converts the counts of its converter to a
     displacement.
 
     No device is certain to support it. Also called `get_analog_displacement_calibration`. Answered

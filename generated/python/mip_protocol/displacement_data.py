@@ -101,7 +101,7 @@ class Timestamp(Data):
     flags: TimestampFlags
     """Validity of the time of displacement data."""
     time: int
-    """UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if
+    """UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if
     `TimestampFlags.TIME` of `flags` is set.
     """
 

@@ -145,9 +145,9 @@ class AdaptiveMeasurementSelector(codec.OpenEnum):
     DISABLED = 0
     """No adaptation."""
     FIXED = 1
-    """Adapted by the limits specified by the command."""
+    """The limits in the command determine the weights."""
     AUTO = 2
-    """Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later."""
+    """The filter determines the weights; the limits are ignored. 3DM-GX5 and later."""
 
 
 class AltitudeAidingSource(codec.OpenEnum):
@@ -203,7 +203,7 @@ class AccelConstraint(codec.OpenEnum):
     """
 
     NONE = 0
-    """Nothing."""
+    """No assumption."""
     ZERO_ACCEL = 1
     """The filter assumes no acceleration."""
 
@@ -215,7 +215,7 @@ class VelocityConstraint(codec.OpenEnum):
     """
 
     NONE = 0
-    """Nothing."""
+    """No assumption."""
     ZERO_VELOCITY = 1
     """The filter assumes that the device does not move."""
     WHEELED_VEHICLE = 2
@@ -229,7 +229,7 @@ class AngularConstraint(codec.OpenEnum):
     """
 
     NONE = 0
-    """Nothing."""
+    """No assumption."""
     ZERO_ANGULAR_RATE = 1
     """The filter assumes no rotation."""
 
@@ -1013,9 +1013,9 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     frequency: float
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     low_limit: float
-    """Lower limit of the error. Unit: m/s^2."""
+    """Lower limit of the gravity magnitude error. Unit: m/s^2."""
     high_limit: float
-    """Upper limit of the error. Unit: m/s^2."""
+    """Upper limit of the gravity magnitude error. Unit: m/s^2."""
     low_limit_uncertainty: float
     """Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0."""
     high_limit_uncertainty: float
@@ -1090,12 +1090,12 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     frequency: float
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     low_limit: float
-    """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
-    the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+    """Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK
+    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
     """
     high_limit: float
-    """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
-    the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+    """Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK
+    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
     """
     low_limit_uncertainty: float
     """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Uncertain: The unit.
@@ -1173,8 +1173,8 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     frequency: float
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0."""
     high_limit: float
-    """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is
-    inferred from the quantity.
+    """Upper limit of the dip angle error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad
+    is inferred from the quantity.
     """
     high_limit_uncertainty: float
     """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Uncertain: The unit. The
@@ -2133,7 +2133,7 @@ class SensorToVehicleRotationEuler(Command[R]):
 class SensorToVehicleOffset(Command[R]):
     """Sensor to vehicle offset (0x0D,0x12).
 
-    Sets the origin of the vehicle frame, as seen from the sensor.
+    Sets the origin of the vehicle frame relative to the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `SensorToVehicleOffsetResponse`. Changes `filter_data.LlhPosition`. Supported by 3DM-GX5-45.
@@ -2908,7 +2908,7 @@ class GyroNoise(Command[R]):
 class AccelBiasModel(Command[R]):
     """Accelerometer bias model (0x0D,0x1C).
 
-    Sets the parameters of the model by which the accelerometer bias drifts.
+    Sets the parameters of the accelerometer bias drift model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
     Probably changes `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by
@@ -2996,7 +2996,7 @@ class AccelBiasModel(Command[R]):
 class GyroBiasModel(Command[R]):
     """Gyroscope bias model (0x0D,0x1D).
 
-    Sets the parameters of the model by which the gyroscope bias drifts.
+    Sets the parameters of the gyroscope bias drift model.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
     Probably changes `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by
@@ -3085,7 +3085,7 @@ class GyroBiasModel(Command[R]):
 class AutoZupt(Command[R]):
     """Automatic zero velocity update (0x0D,0x1E).
 
-    Lets the filter assume that the device is at rest while its GNSS speed is low.
+    Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
@@ -3222,7 +3222,7 @@ class ExternalHeadingUpdateWithTime(Command[None]):
 class AutoAngularZupt(Command[R]):
     """Zero angular rate update (0x0D,0x20).
 
-    Lets the filter assume that the device is not rotating while its angular rate is low.
+    Sets whether the filter assumes that the device is not rotating while its angular rate is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
@@ -4123,7 +4123,7 @@ class MagneticDeclinationSource(Command[R]):
 class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
-    Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
+    Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
@@ -4132,10 +4132,10 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     by 3DM-GX5-15 and 3DM-GX5-45.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
-    selector keep their values if they are omitted. Filter and limits take effect only with `fixed`.
-    Raise the limits where vibration is strong, lower them where it is weak. High limits reduce the
-    accuracy of pitch and roll under linear acceleration, low limits reduce the accuracy of the
-    heading.
+    selector keep their values if they are omitted. The low-pass filter and the limits take effect
+    only with `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High
+    limits reduce the accuracy of pitch and roll under linear acceleration, low limits reduce the
+    accuracy of the heading.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -4192,9 +4192,9 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     frequency: float | None
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional."""
     low_limit: float | None
-    """Lower limit of the error. Unit: m/s^2. Optional."""
+    """Lower limit of the gravity magnitude error. Unit: m/s^2. Optional."""
     high_limit: float | None
-    """Upper limit of the error. Unit: m/s^2. Optional."""
+    """Upper limit of the gravity magnitude error. Unit: m/s^2. Optional."""
     low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. Optional."""
     high_limit_uncertainty: float | None
@@ -4352,12 +4352,14 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
     """
     low_limit: float | None
-    """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+    """Lower limit of the magnetic field magnitude error. Unit: gauss. Required for `write`.
+    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+    command and gauss in the response.
     """
     high_limit: float | None
-    """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
-    states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+    """Upper limit of the magnetic field magnitude error. Unit: gauss. Required for `write`.
+    Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+    command and gauss in the response.
     """
     low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: gauss. Range: at least 0. Required for `write`.
@@ -4513,8 +4515,8 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     """Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for `write`.
     """
     high_limit: float | None
-    """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
-    states m/s^2; rad is inferred from the quantity.
+    """Upper limit of the dip angle error. Unit: rad. Required for `write`. Uncertain: The unit. The
+    SDK states m/s^2; rad is inferred from the quantity.
     """
     high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: rad. Range: at least 0. Required for `write`.
@@ -5990,7 +5992,7 @@ class SpeedLeverArm(Command[R]):
 class VerticalGyroConstraintControl(Command[R]):
     """Vertical gyro constraint (0x0D,0x62).
 
-    Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
+    Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `VerticalGyroConstraintControlResponse`. Probably changes `filter_data.AttitudeQuaternion`,
@@ -6069,7 +6071,7 @@ class VerticalGyroConstraintControl(Command[R]):
 class WheeledVehicleConstraintControl(Command[R]):
     """Wheeled vehicle constraint (0x0D,0x63).
 
-    Lets the filter assume that the vehicle moves only along its x axis.
+    Sets whether the filter assumes that the vehicle moves only along its x axis.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `WheeledVehicleConstraintControlResponse`. Probably changes `filter_data.NedVelocity`,

@@ -365,7 +365,7 @@ class Cv7StatusFlags(IntFlag):
 class LlhPosition(Data):
     """LLH position (0x82,0x01).
 
-    Estimated position.
+    Estimated position as latitude, longitude and height.
 
     Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -414,7 +414,7 @@ class LlhPosition(Data):
 class NedVelocity(Data):
     """NED velocity (0x82,0x02).
 
-    Estimated velocity.
+    Estimated velocity in the NED frame.
 
     Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -707,7 +707,7 @@ class LlhPositionUncertainty(Data):
 class NedVelocityUncertainty(Data):
     """NED velocity uncertainty (0x82,0x09).
 
-    Standard deviation of the estimated velocity.
+    Standard deviation of the estimated velocity in the NED frame.
 
     Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -899,8 +899,9 @@ class LinearAccel(Data):
     _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
-    """Zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
-    and level: x 0, y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Linear acceleration; zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2.
+    Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -1171,7 +1172,7 @@ class GravityVector(Data):
 class HeadingUpdateState(Data):
     """Heading update source state (0x82,0x14).
 
-    The last heading that updated the filter and where it came from.
+    The last heading that updated the filter, and its source.
 
     Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
@@ -1938,7 +1939,7 @@ class MagResidualVector(Data):
 class AntennaOffsetCorrection(Data):
     """Antenna offset correction (0x82,0x30).
 
-    Estimated error of the offset of the GNSS antenna.
+    Estimated error of the GNSS antenna offset.
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
@@ -1974,7 +1975,7 @@ class AntennaOffsetCorrection(Data):
 class AntennaOffsetCorrectionUncertainty(Data):
     """Antenna offset correction uncertainty (0x82,0x31).
 
-    Standard deviation of the estimated error of the offset of the GNSS antenna.
+    Standard deviation of the estimated error of the GNSS antenna offset.
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
@@ -2104,7 +2105,7 @@ class ClockCorrectionUncertainty(Data):
 class MultiAntennaOffsetCorrection(Data):
     """Multi-antenna offset correction (0x82,0x34).
 
-    Estimated error of the offset of one GNSS antenna.
+    Estimated error of one GNSS antenna's offset.
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -2149,7 +2150,7 @@ class MultiAntennaOffsetCorrection(Data):
 class MultiAntennaOffsetCorrectionUncertainty(Data):
     """Multi-antenna offset correction uncertainty (0x82,0x35).
 
-    Standard deviation of the estimated error of the offset of one GNSS antenna.
+    Standard deviation of the estimated error of one GNSS antenna's offset.
 
     Supported by 3DM-CV7-GNSS/INS.
 
@@ -2195,7 +2196,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
 class EcefPositionUncertainty(Data):
     """ECEF position uncertainty (0x82,0x36).
 
-    Standard deviation of the estimated position.
+    Standard deviation of the estimated position in Earth-fixed coordinates.
 
     Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -2231,7 +2232,7 @@ class EcefPositionUncertainty(Data):
 class EcefVelocityUncertainty(Data):
     """ECEF velocity uncertainty (0x82,0x37).
 
-    Standard deviation of the estimated velocity.
+    Standard deviation of the estimated velocity in Earth-fixed coordinates.
 
     Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -2267,7 +2268,7 @@ class EcefVelocityUncertainty(Data):
 class EcefPosition(Data):
     """ECEF position (0x82,0x40).
 
-    Estimated position.
+    Estimated position in Earth-fixed coordinates.
 
     Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -2301,7 +2302,7 @@ class EcefPosition(Data):
 class EcefVelocity(Data):
     """ECEF velocity (0x82,0x41).
 
-    Estimated velocity.
+    Estimated velocity in Earth-fixed coordinates.
 
     Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
@@ -2655,8 +2656,8 @@ class GnssDualAntennaStatus(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading: float
-    """Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen
-    from above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Heading derived from the baseline of the antennas. Unit: rad. Positive: clockwise seen from
+    above. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     heading_uncertainty: float
     """Standard deviation of the heading. Unit: rad. Range: at least 0. Valid if `ValidFlags.VALID`
@@ -2715,9 +2716,9 @@ class AidingFrameConfigError(Data):
     frame_id: int
     """Number of the frame."""
     translation: types.Vector3f
-    """Error of the translation. Elements: x, y, z. Unit: m."""
+    """Estimated error of the translation. Elements: x, y, z. Unit: m."""
     attitude: types.Quatf
-    """Error of the rotation. Elements: w, x, y, z. Unit: 1."""
+    """Estimated error of the rotation. Elements: w, x, y, z. Unit: 1."""
 
     def __init__(
         self,
@@ -2733,7 +2734,7 @@ class AidingFrameConfigError(Data):
 class AidingFrameConfigErrorUncertainty(Data):
     """Aiding frame configuration error uncertainty (0x82,0x51).
 
-    Uncertainty of the estimated error of a frame that `aiding.FrameConfig` defines.
+    Uncertainty of the error that `AidingFrameConfigError` estimates.
 
     Supported by 3DM-CV7-GNSS/INS.
 

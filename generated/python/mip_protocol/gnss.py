@@ -112,7 +112,7 @@ class ReceiverId(codec.OpenEnum):
 
 
 class ReceiverResetType(codec.OpenEnum):
-    """Extent of the restart of a receiver.
+    """Extent of a receiver restart.
 
     - mip-sdk-4: Receiver Reset (0x0E,0x03)
     """

@@ -11,8 +11,8 @@ sets the same fields.
 - gnss_2 (0x92): Measurements and status of the second internal GNSS receiver.
 - gnss_corrections (0x93): RTK corrections that the device receives. Data is sent as it is received.
 - gnss_external (0x94): Data that an external GNSS receiver sends to the device in NMEA sentences. A
-  field may need several sentences; a value that NMEA does not provide is not valid. Times are those
-  of the sentences.
+  field may need several sentences; a value that NMEA does not provide is not valid. Times are taken
+  from the sentences.
 - gnss_external_2 (0x95): Data that a second external GNSS receiver sends to the device. Uncertain:
   The name. It is from a page on the 3DM-CV7-INS that the vendor published for trial; the SDK calls
   the set GNSS 5.
@@ -156,7 +156,7 @@ class FixFlags(IntFlag):
     SBAS_USED = 1 << 0
     """SBAS corrections were used in the fix. Bit 0."""
     DGNSS_USED = 1 << 1
-    """Differential corrections. Bit 1."""
+    """Differential corrections were used in the fix. Bit 1."""
 
 
 @codec.open_flag(16)
@@ -178,7 +178,7 @@ class SvFlags(IntFlag):
     """State of a satellite."""
 
     USED_FOR_NAVIGATION = 1 << 0
-    """The position fix uses it. Bit 0."""
+    """The satellite is used in the position fix. Bit 0."""
     HEALTHY = 1 << 1
     """The satellite reports that its signals can be used. Bit 1."""
 
@@ -204,7 +204,7 @@ class SvInfoFlags(IntFlag):
 
 
 class ReceiverState(codec.OpenEnum):
-    """Power and operation of a GNSS receiver."""
+    """Operating state of a GNSS receiver."""
 
     OFF = 0
     ON = 1
@@ -227,7 +227,7 @@ class AntennaState(codec.OpenEnum):
 
 
 class AntennaPower(codec.OpenEnum):
-    """Supply of the antenna."""
+    """State of the antenna's power supply."""
 
     OFF = 0
     ON = 1
@@ -306,12 +306,12 @@ class GpsLeapSecondsFlags(IntFlag):
 
 
 class SbasSystem(codec.OpenEnum):
-    """Satellite based augmentation system."""
+    """Satellite-based augmentation system (SBAS)."""
 
     UNKNOWN = 0
     """Not known."""
     WAAS = 1
-    """North America."""
+    """WAAS, the North American system."""
     EGNOS = 2
     """EGNOS, the European system."""
     MSAS = 3
@@ -415,20 +415,20 @@ class RfErrorDetectionFlags(IntFlag):
     SPOOFING_STATE = 1 << 2
     """`spoofing_state` is valid. Bit 2."""
     FREQUENCY = 1 << 3
-    """Frequency; only set by firmware that sends it. Bit 3."""
+    """`frequency` is valid; set only by firmware that sends the frequency. Bit 3."""
     FLAGS = 0xF
     """All values are valid. Bits 0 to 3. Overlaps other bits."""
 
 
 class HeadingFixType(codec.OpenEnum):
-    """Solution of the carrier phase ambiguities for a heading."""
+    """Resolution of the carrier phase ambiguities for a heading."""
 
     UNKNOWN = 0
     """Not known."""
     FLOAT = 1
-    """Real numbers, which is less accurate."""
+    """The ambiguities are real numbers, which is less accurate."""
     FIXED = 2
-    """Whole numbers of cycles."""
+    """The ambiguities are fixed to whole numbers of cycles."""
 
 
 @codec.open_flag(16)
@@ -576,13 +576,13 @@ class RtkEpochStatus(IntFlag):
     ANTENNA_DESCRIPTION_RECEIVED = 1 << 1
     """The description of the base station's antenna has arrived. Bit 1."""
     GPS_RECEIVED = 1 << 2
-    """GPS corrections. Bit 2."""
+    """GPS corrections have arrived. Bit 2."""
     GLONASS_RECEIVED = 1 << 3
-    """GLONASS corrections. Bit 3."""
+    """GLONASS corrections have arrived. Bit 3."""
     GALILEO_RECEIVED = 1 << 4
-    """Galileo corrections. Bit 4."""
+    """Galileo corrections have arrived. Bit 4."""
     BEIDOU_RECEIVED = 1 << 5
-    """BeiDou corrections. Bit 5."""
+    """BeiDou corrections have arrived. Bit 5."""
     USING_GPS_MSM_MESSAGES = 1 << 6
     """GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. Bit 6."""
     USING_GLONASS_MSM_MESSAGES = 1 << 7
@@ -623,7 +623,7 @@ class EphemerisFlags(IntFlag):
     EPHEMERIS = 1 << 0
     """The ephemeris is valid. Bit 0."""
     MODERN_DATA = 1 << 1
-    """The data of the modernized navigation message are included. Bit 1."""
+    """Data of the modernized navigation message is included. Bit 1."""
     ISC_L5 = 1 << 2
     """`isc_l2c` is the correction for L5, not for L2. Bit 2."""
     FLAGS = 0x7
@@ -644,7 +644,7 @@ class GlonassEphemerisFlags(IntFlag):
     EPHEMERIS = 1 << 0
     """The ephemeris is valid. Bit 0."""
     FLAGS = 1 << 0
-    """All of them. Bit 0. Overlaps other bits."""
+    """All values are valid. Bit 0. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -1070,7 +1070,7 @@ class Dop(Shared, Data):
 class UtcTime(Shared, Data):
     """UTC time (0x08).
 
-    Coordinated universal time as the receiver knows it.
+    Coordinated universal time (UTC) according to the receiver.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
@@ -1099,7 +1099,7 @@ class UtcTime(Shared, Data):
     )
 
     year: int
-    """Year with its century. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
+    """Year with four digits. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     month: int
     """Month, 1 for January. Range: 1 to 12. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags`
     is set.
@@ -1149,7 +1149,7 @@ class UtcTime(Shared, Data):
 class GpsTime(Shared, Data):
     """GPS time (0x09).
 
-    GPS time as the receiver knows it.
+    GPS time according to the receiver.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
@@ -1191,7 +1191,7 @@ class ClockInfo(Shared, Data):
     gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only from the
     MicroStrain MIP SDK.
 
-    Clock info 2 replaces it, with more detail.
+    Clock info 2 supersedes it and is more detailed.
 
     - mip-sdk-4: Clock Info (0x81,0x0A)
     """
@@ -1233,7 +1233,7 @@ class ClockInfo(Shared, Data):
 class FixInfo(Shared, Data):
     """Fix info (0x0B).
 
-    Type of the position fix and what it is based on.
+    Type of the position fix, with the satellites and corrections used.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
@@ -1289,7 +1289,7 @@ class FixInfo(Shared, Data):
 class SvInfo(Shared, Data):
     """Satellite info (0x0C).
 
-    One satellite that is tracked.
+    State of one tracked satellite.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
@@ -1403,15 +1403,16 @@ class HardwareStatus(Shared, Data):
     )
 
     receiver_state: ReceiverState
-    """Power and operation of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of
-    `valid_flags` is set.
+    """Operating state of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `valid_flags`
+    is set.
     """
     antenna_state: AntennaState
     """Electrical condition of the antenna. Valid if `HardwareStatusFlags.ANTENNA_STATE` of
     `valid_flags` is set.
     """
     antenna_power: AntennaPower
-    """Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is set.
+    """State of the antenna's power supply. Valid if `HardwareStatusFlags.ANTENNA_POWER` of
+    `valid_flags` is set.
     """
     valid_flags: HardwareStatusFlags
     """Valid parts of the hardware status."""
@@ -1508,19 +1509,19 @@ class DgpsInfo(Shared, Data):
 
 
 class DgpsInfoSatellite(Shared, Data):
-    """DGPS info with a satellite (0x0E).
+    """DGPS info for one satellite (0x0E).
 
-    Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+    Differential correction for one satellite, in the layout that the SDK has for DGPS info.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfo` by the size of its data. Not
     listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether any
     device sends it. The values are those of `DgpsChannel`, but the flags are those of `DgpsInfo`,
-    so a mistake of the SDK is likely.
+    so a mistake in the SDK is likely.
 
     The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have `DgpsInfo`. The
-    flags of `base_station_id`, `base_station_status` and `num_channels` belong to no value of this
-    layout.
+    flags of `base_station_id`, `base_station_status` and `num_channels` correspond to no value in
+    this layout.
 
     - mip-sdk-4: Dgps Info (0x81,0x0E)
     """
@@ -1896,9 +1897,9 @@ class SbasCorrection(Shared, Data):
     )
 
     index: int
-    """Number of this field within the epoch."""
+    """Index of this field within the epoch."""
     count: int
-    """Number of these fields in the epoch."""
+    """Number of such fields in the epoch."""
     tow: float
     """GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -1987,7 +1988,7 @@ class RfErrorDetection(Shared, Data):
     )
 
     rf_band: RfBand
-    """Band that the states are about. Valid if `RfErrorDetectionFlags.RF_BAND` of `valid_flags` is
+    """Band to which the states apply. Valid if `RfErrorDetectionFlags.RF_BAND` of `valid_flags` is
     set.
     """
     jamming_state: JammingState
@@ -2136,9 +2137,9 @@ class SatelliteStatus(Shared, Data):
     )
 
     index: int
-    """Number of this field within the epoch."""
+    """Index of this field within the epoch."""
     count: int
-    """Number of these fields in the epoch."""
+    """Number of such fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
     `SatelliteStatusFlags.TOW` of `valid_flags` is set.
@@ -2278,9 +2279,9 @@ class Raw(Shared, Data):
     )
 
     index: int
-    """Number of this field within the epoch."""
+    """Index of this field within the epoch."""
     count: int
-    """Number of these fields in the epoch."""
+    """Number of such fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if `RawFlags.TOW` of
     `valid_flags` is set.
@@ -2334,8 +2335,8 @@ class Raw(Shared, Data):
     `RawFlags.DOPPLER_UNCERTAINTY` of `valid_flags` is set.
     """
     lock_time: float
-    """Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0.
-    Valid if `RawFlags.LOCK_TIME` of `valid_flags` is set.
+    """Minimum time for which the carrier phase has been locked. Unit: s. Range: at least 0. Valid
+    if `RawFlags.LOCK_TIME` of `valid_flags` is set.
     """
     valid_flags: RawFlags
     """Valid parts of the observation."""
@@ -2386,7 +2387,7 @@ class Raw(Shared, Data):
 class BaseStationInfo(Shared, Data):
     """Base station info (0x30).
 
-    The base station of the corrections, from an RTCM message 1005 or 1006.
+    Base station that sends the corrections, from RTCM message 1005 or 1006.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
@@ -2443,7 +2444,7 @@ class BaseStationInfo(Shared, Data):
     `BaseStationInfoFlags.ECEF_POSITION` of `valid_flags` is set.
     """
     height: float
-    """Height of the antenna above the marker that was surveyed. Unit: m. Valid if
+    """Height of the antenna above the surveyed marker. Unit: m. Valid if
     `BaseStationInfoFlags.HEIGHT` of `valid_flags` is set.
     """
     station_id: int
@@ -2722,9 +2723,9 @@ class GpsEphemeris(Shared, Data):
     )
 
     index: int
-    """Number of this field within the epoch."""
+    """Index of this field within the epoch."""
     count: int
-    """Number of these fields in the epoch."""
+    """Number of such fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -2915,8 +2916,8 @@ class GlonassEphemeris(Shared, Data):
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
 
-    The interface control document of GLONASS explains p and ft. A period of four years has 1461
-    days; no source states how nt, a u8, counts them.
+    The GLONASS interface control document explains p and ft. A period of four years has 1461 days;
+    no source states how nt, a u8, counts them.
 
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
@@ -3016,9 +3017,9 @@ class GlonassEphemeris(Shared, Data):
     }
 
     index: int
-    """Number of this field within the epoch."""
+    """Index of this field within the epoch."""
     count: int
-    """Number of these fields in the epoch."""
+    """Number of such fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -3289,9 +3290,9 @@ class GalileoEphemeris(Shared, Data):
     )
 
     index: int
-    """Number of this field within the epoch."""
+    """Index of this field within the epoch."""
     count: int
-    """Number of these fields in the epoch."""
+    """Number of such fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -3319,11 +3320,11 @@ class GalileoEphemeris(Shared, Data):
     t_gd: float
     """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     isc_l1ca: float
-    """Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+    """Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if
     `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     isc_l2c: float
-    """Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+    """Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if
     `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
@@ -3604,9 +3605,9 @@ class BeidouEphemeris(Shared, Data):
     )
 
     index: int
-    """Number of this field within the epoch."""
+    """Index of this field within the epoch."""
     count: int
-    """Number of these fields in the epoch."""
+    """Number of such fields in the epoch."""
     tow: float
     """GPS time of week. Unit: s. Range: at least 0, less than 604800."""
     week_number: int
@@ -3634,11 +3635,11 @@ class BeidouEphemeris(Shared, Data):
     t_gd: float
     """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     isc_l1ca: float
-    """Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+    """Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if
     `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     isc_l2c: float
-    """Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+    """Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if
     `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
@@ -3792,7 +3793,7 @@ class BeidouEphemeris(Shared, Data):
 class GpsIonoCorrection(Shared, Data):
     """GPS ionospheric correction (0x71).
 
-    Model of the ionosphere that GPS broadcasts.
+    Ionospheric model that GPS broadcasts.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `gps_iono_corr`. Not listed in any device
@@ -3853,7 +3854,7 @@ class GpsIonoCorrection(Shared, Data):
 class GalileoIonoCorrection(Shared, Data):
     """Galileo ionospheric correction (0x73).
 
-    Model of the ionosphere that Galileo broadcasts.
+    Ionospheric model that Galileo broadcasts.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `galileo_iono_corr`. Not listed in any device
@@ -3915,7 +3916,7 @@ class GalileoIonoCorrection(Shared, Data):
 class BeidouIonoCorrection(Shared, Data):
     """BeiDou ionospheric correction (0x74).
 
-    Model of the ionosphere that BeiDou broadcasts.
+    Ionospheric model that BeiDou broadcasts.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Also called `beidou_iono_corr`. Not listed in any device

@@ -31,7 +31,7 @@ class PollEntry(Structure):
     descriptor: int
     """Field descriptor."""
     reserved: int
-    """In place of a decimation. Reserved: send 0."""
+    """Reserved; occupies the position of a decimation. Reserved: send 0."""
 
     def __init__(self, descriptor: int, reserved: int = 0) -> None:
         self.descriptor = descriptor
@@ -53,8 +53,8 @@ class FactoryStreamingAction(codec.OpenEnum):
 
 
 class ConstellationId(codec.OpenEnum):
-    """Constellation in the settings of a receiver. The values are not those of
-    `types.GnssConstellation`, which GNSS data use.
+    """Constellation in receiver settings. The values are not those of `types.GnssConstellation`,
+    which GNSS data use.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     """
@@ -85,7 +85,7 @@ class ConstellationOptions(IntFlag):
 
 
 class ConstellationSettingsEntry(Structure):
-    """Tracking of one constellation by a receiver.
+    """Settings for the tracking of one constellation.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     """
@@ -112,7 +112,7 @@ class ConstellationSettingsEntry(Structure):
     enable: int
     """1 switches it on, 0 off. Range: 0 to 1."""
     reserved_channels: int
-    """Channels reserved for it. Unit: 1. Range: 0 to 32."""
+    """Number of channels reserved for it. Unit: 1. Range: 0 to 32."""
     max_channels: int
     """Maximum number of channels that it uses. Unit: 1. Range: 0 to 32."""
     option_flags: ConstellationOptions
@@ -135,7 +135,7 @@ class ConstellationSettingsEntry(Structure):
 
 @codec.open_flag(16)
 class SbasOptions(IntFlag):
-    """Use of SBAS.
+    """Purposes for which SBAS is used.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -149,7 +149,7 @@ class SbasOptions(IntFlag):
 
 
 class AssistedFixOption(codec.OpenEnum):
-    """Storage of the last fix of a receiver.
+    """Use of a receiver's last fix at power-up.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -349,7 +349,7 @@ class ImuTimestampSelector(codec.OpenEnum):
 
 
 class OdometerMode(codec.OpenEnum):
-    """Operation of the odometer input.
+    """Operating mode of the odometer input.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -470,11 +470,11 @@ class Gx4SystemState(codec.OpenEnum):
     """
 
     INIT = 1
-    """The system starts."""
+    """The system is starting."""
     SENSOR_STARTUP = 2
-    """The sensors start."""
+    """The sensors are starting."""
     RUNNING = 3
-    """The system runs."""
+    """The system is running."""
 
 
 class ImuMessageFormatResponse(Response):
@@ -1089,7 +1089,7 @@ class DeviceStatusBasicResponse(Response):
     status_flags: int
     """Reserved."""
     system_state: int
-    """State of the system; its values are not documented.
+    """State of the system; the meaning of its values is not documented.
 
     - On the 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of `Gx4SystemState`.
     """
@@ -1244,7 +1244,7 @@ class DeviceStatusDiagnosticResponse(Response):
     status_flags: int
     """Reserved."""
     system_state: int
-    """State of the system; its values are not documented."""
+    """State of the system; the meaning of its values is not documented."""
     system_timer: int
     """Time since start-up. Unit: ms."""
     imu_stream_enabled: bool
@@ -1419,13 +1419,13 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     status_flags: int
     """Reserved."""
     system_state: int
-    """State of the system; its values are not documented."""
+    """State of the system; the meaning of its values is not documented."""
     system_timer: int
     """Time since start-up. Unit: ms."""
     gnss_power_state: int
     """Power state of the GNSS receiver."""
     pps_count: int
-    """Pulses per second that were counted. Unit: 1."""
+    """Number of PPS pulses counted. Unit: 1."""
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
@@ -1634,13 +1634,13 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     status_flags: int
     """Reserved."""
     system_state: int
-    """State of the system; its values are not documented."""
+    """State of the system; the meaning of its values is not documented."""
     system_timer: int
     """Time since start-up. Unit: ms."""
     gnss_power_state: int
     """Power state of the GNSS receiver."""
     pps_count: int
-    """Pulses per second that were counted. Unit: 1."""
+    """Number of PPS pulses counted. Unit: 1."""
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
@@ -1861,7 +1861,7 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     status_flags: int
     """Reserved."""
     system_state: int
-    """State of the system; its values are not documented."""
+    """State of the system; the meaning of its values is not documented."""
     system_timer: int
     """Time since start-up. Unit: ms."""
     gnss_power_state: int
@@ -1871,9 +1871,9 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     temperature: float
     """Temperature of the board. Unit: degC. Uncertain: The unit is inferred."""
     temperature_last_time: int
-    """System timer at the last temperature. Unit: ms."""
+    """System timer at the last temperature measurement. Unit: ms."""
     pps_count: int
-    """Pulses per second that were counted. Unit: 1."""
+    """Number of PPS pulses counted. Unit: 1."""
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
@@ -2073,7 +2073,7 @@ class DeviceStatusDiagnosticGx4Response(Response):
     system_timer: int
     """Time since start-up. Unit: ms."""
     pps_count: int
-    """Pulses per second that were counted. Unit: 1."""
+    """Number of PPS pulses counted. Unit: 1."""
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
@@ -2272,11 +2272,11 @@ class DeviceStatusDiagnosticImuResponse(Response):
     temperature: float
     """Temperature of the board. Unit: degC. Uncertain: The unit is inferred."""
     temperature_last_time: int
-    """System timer at the last temperature. Unit: ms."""
+    """System timer at the last temperature measurement. Unit: ms."""
     temperature_error: int
     """State of the temperature measurement."""
     pps_count: int
-    """Pulses per second that were counted. Unit: 1."""
+    """Number of PPS pulses counted. Unit: 1."""
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
@@ -2459,11 +2459,11 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     temperature: float
     """Temperature of the board. Unit: degC. Uncertain: The unit is inferred."""
     temperature_last_time: int
-    """System timer at the last temperature. Unit: ms."""
+    """System timer at the last temperature measurement. Unit: ms."""
     temperature_error: int
     """State of the temperature measurement; 0 is normal."""
     pps_count: int
-    """Pulses per second that were counted. Unit: 1."""
+    """Number of PPS pulses counted. Unit: 1."""
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
@@ -2626,7 +2626,7 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
     temperature: float
     """Temperature of the board. Unit: degC. Uncertain: The unit is inferred."""
     temperature_last_time: int
-    """System timer at the last temperature. Unit: ms."""
+    """System timer at the last temperature measurement. Unit: ms."""
     bad_temperature_sensor_detected: bool
     """True if a temperature sensor is faulty."""
     cold_temperature_detected: bool
@@ -2634,7 +2634,7 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
     bad_voltage_detected: bool
     """True if a supply voltage is out of range."""
     pps_count: int
-    """Pulses per second that were counted. Unit: 1."""
+    """Number of PPS pulses counted. Unit: 1."""
     pps_last_time: int
     """System timer at the last pulse. Unit: ms."""
     imu_stream_enabled: bool
@@ -2642,7 +2642,7 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
     imu_dropped_packets: int
     """Sensor data packets that were not sent. Unit: 1."""
     comm_port_state: int
-    """State of the port; its values are not known."""
+    """State of the port; the meaning of its values is not known."""
     comm_port_baud_rate: int
     """Present baud rate of the port. Unit: Bd."""
     comm_port_bytes_written: int
@@ -2751,13 +2751,13 @@ class DeviceStatusBasicGx3Response(Response):
     """Model number of the device."""
     # On the wire only: status_selector. Basic status. Always 1.
     comm_mode: int
-    """Part of the device that the port talks to."""
+    """Part of the device that the port is connected to."""
     comm_device: int
     """Port in use."""
     settings_flags: int
-    """Settings of the data streams; their bits are not known."""
+    """Settings of the data streams; the meaning of the bits is not known."""
     comm_state: int
-    """State of the port; its values are not known."""
+    """State of the port; the meaning of its values is not known."""
     comm_baud_rate: int
     """Baud rate of the port. Unit: Bd."""
 
@@ -2912,13 +2912,13 @@ class DeviceStatusDiagnosticGx3Response(Response):
     """Model number of the device."""
     # On the wire only: status_selector. Diagnostic status. Always 2.
     comm_mode: int
-    """Part of the device that the port talks to."""
+    """Part of the device that the port is connected to."""
     comm_device: int
     """Port in use."""
     settings_flags: int
-    """Settings of the data streams; their bits are not known."""
+    """Settings of the data streams; the meaning of the bits is not known."""
     comm_state: int
-    """State of the port; its values are not known."""
+    """State of the port; the meaning of its values is not known."""
     comm_baud_rate: int
     """Baud rate of the port. Unit: Bd."""
     comm_port_bytes_written: int
@@ -2930,7 +2930,7 @@ class DeviceStatusDiagnosticGx3Response(Response):
     comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     usb_state: int
-    """State of the USB port; its values are not known."""
+    """State of the USB port; the meaning of its values is not known."""
     usb_bytes_written: int
     """Bytes sent over USB. Unit: byte."""
     usb_bytes_read: int
@@ -2940,9 +2940,9 @@ class DeviceStatusDiagnosticGx3Response(Response):
     usb_read_overruns: int
     """Overruns while reading from USB. Unit: 1."""
     gnss_driver_state: int
-    """State of the receiver's driver; its values are not known."""
+    """State of the receiver's driver; the meaning of its values is not known."""
     gnss_port_state: int
-    """State of the port to the receiver; its values are not known."""
+    """State of the port to the receiver; the meaning of its values is not known."""
     gnss_bytes_written: int
     """Bytes sent to the receiver. Unit: byte."""
     gnss_bytes_read: int
@@ -2956,9 +2956,9 @@ class DeviceStatusDiagnosticGx3Response(Response):
     gnss_delayed_message_count: int
     """Messages of the receiver that arrived late. Unit: 1."""
     imu_driver_state: int
-    """State of the IMU's driver; its values are not known."""
+    """State of the IMU's driver; the meaning of its values is not known."""
     imu_port_state: int
-    """State of the port to the IMU; its values are not known."""
+    """State of the port to the IMU; the meaning of its values is not known."""
     imu_bytes_written: int
     """Bytes sent to the IMU. Unit: byte."""
     imu_bytes_read: int
@@ -3134,9 +3134,9 @@ class ComplementaryFilterResponse(Response):
     )
 
     pitch_roll_enable: bool
-    """Corrects pitch and roll (up, in terms of the 5-series)."""
+    """True enables the pitch and roll correction, which 5-series manuals call up compensation."""
     heading_enable: bool
-    """Corrects the heading (north, in terms of the 5-series)."""
+    """True enables the heading correction, which 5-series manuals call north compensation."""
     pitch_roll_time_constant: float
     """Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10."""
     heading_time_constant: float
@@ -3596,7 +3596,7 @@ class GetEventSupportResponse(Response):
     query: EventSupportQuery
     """Query specified in the command."""
     max_instances: int
-    """Number of slots; instances go from 1 to this. Unit: 1."""
+    """Number of slots; instances are numbered from 1 to this. Unit: 1."""
     # On the wire only: num_entries. Number of types. The number of elements of `entries`.
     entries: tuple[EventSupportInfo, ...]
     """The types.
@@ -4062,9 +4062,9 @@ class PollImuData(Command[None]):
     Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
     3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
-    An empty list polls what `ImuMessageFormat` stores; if nothing is stored, the device rejects the
-    command. Descriptors that the device does not know are ignored. The data is sent in a separate
-    packet after the reply.
+    An empty list polls the fields that `ImuMessageFormat` stores; if nothing is stored, the device
+    rejects the command. Descriptors that the device does not know are ignored. The data is sent in
+    a separate packet after the reply.
 
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
@@ -4154,9 +4154,9 @@ class PollFilterData(Command[None]):
     Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
-    An empty list polls what `FilterMessageFormat` stores; if nothing is stored, the device rejects
-    the command. Descriptors that the device does not know are ignored. The data is sent in a
-    separate packet after the reply.
+    An empty list polls the fields that `FilterMessageFormat` stores; if none are, the device
+    rejects the command. Descriptors that the device does not know are ignored. The data is sent in
+    a separate packet after the reply.
 
     - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
     """
@@ -4237,7 +4237,7 @@ class PollNmeaData(Command[None]):
 class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     """Get IMU Data Base Rate (0x0C,0x06).
 
-    Gets the rate that is divided by the decimations of `ImuMessageFormat`.
+    Gets the base rate, which is divided by the decimations of `ImuMessageFormat`.
 
     Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-CX5-10,
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -4258,7 +4258,7 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
 class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
-    Gets the rate that is divided by the decimations of `GnssMessageFormat`.
+    Gets the base rate, which is divided by the decimations of `GnssMessageFormat`.
 
     Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by
     3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
@@ -4521,7 +4521,7 @@ class FilterMessageFormat(Command[R]):
 class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
-    Gets the rate that is divided by the decimations of `FilterMessageFormat`.
+    Gets the base rate, which is divided by the decimations of `FilterMessageFormat`.
 
     Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -4626,10 +4626,10 @@ class PollData(Command[None]):
 
     Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
 
-    An empty list polls what `MessageFormat` stores; if nothing is stored, the device rejects the
-    command. Descriptors that the device does not know are ignored. The data is sent in a separate
-    packet after the reply, on the port of the command. List shared descriptors (0xD0 and up) before
-    the others.
+    An empty list polls the fields that `MessageFormat` stores; if nothing is stored, the device
+    rejects the command. Descriptors that the device does not know are ignored. The data is sent in
+    a separate packet after the reply, on the port of the command. List shared descriptors (0xD0 and
+    up) before the others.
 
     - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
     """
@@ -4670,7 +4670,7 @@ class PollData(Command[None]):
 class GetBaseRate(Command[GetBaseRateResponse]):
     """Get Data Base Rate (0x0C,0x0E).
 
-    Gets the rate that is divided by the decimations of a descriptor set.
+    Gets the base rate, which is divided by the decimations of a descriptor set.
 
     Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
     3DM-GQ7-GNSS/INS.
@@ -5875,7 +5875,7 @@ class SensorToVehicleTransformEuler(Command[R]):
     3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     `SensorToVehicleTransformQuaternion` and `SensorToVehicleTransformDcm` set the same
-    transformation; the value read back may be another form of it. Starting in line with the vehicle
+    transformation; the value read back may be another form of it. Starting aligned with the vehicle
     frame, the sensor is rotated by yaw, pitch and roll about its own z, y and x axes, in this
     order. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor` Every change resets the
     complementary filter, the estimation filter and all low-pass filters. On some older devices the
@@ -7437,12 +7437,14 @@ class ComplementaryFilter(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     pitch_roll_enable: bool | None
-    """Corrects pitch and roll (up, in terms of the 5-series). Required for `write`.
+    """True enables the pitch and roll correction, which 5-series manuals call up compensation.
+    Required for `write`.
 
     - On the 3DM-GX5-15: default true.
     """
     heading_enable: bool | None
-    """Corrects the heading (north, in terms of the 5-series). Required for `write`.
+    """True enables the heading correction, which 5-series manuals call north compensation. Required
+    for `write`.
 
     - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10:
       MSCL does not offer it.
@@ -7625,7 +7627,7 @@ class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     _LAYOUT = (("sensor", "B", SensorRangeType),)
 
     sensor: SensorRangeType
-    """The sensor; not all."""
+    """Sensor to query; `all` is not allowed."""
 
     def __init__(self, sensor: SensorRangeType) -> None:
         self.sensor = sensor

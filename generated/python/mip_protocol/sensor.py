@@ -38,7 +38,7 @@ class OverrangeFlags(IntFlag):
     MAG_Z = 1 << 10
     """The magnetometer z axis is near or outside its range. Bit 10. Concerns `ScaledMag`."""
     PRESSURE = 1 << 12
-    """Pressure sensor. Bit 12. Concerns `ScaledPressure`."""
+    """The pressure sensor is near or outside its range. Bit 12. Concerns `ScaledPressure`."""
 
 
 @codec.open_flag(16)

@@ -38,11 +38,11 @@ class ProtocolMode(codec.OpenEnum):
     """Part of the device that the host communicates with, and its protocol."""
 
     STANDARD = 1
-    """The device itself, MIP."""
+    """The device itself; the protocol is MIP."""
     SENSOR_DIRECT = 2
-    """The internal inertial sensor, MIP."""
+    """The internal inertial sensor; the protocol is MIP."""
     GNSS_DIRECT = 3
-    """The internal GNSS receiver, NMEA and UBX; only on models that have one."""
+    """The internal GNSS receiver, if there is one; the protocols are NMEA and UBX."""
 
 
 class InterfaceControlResponse(Response):

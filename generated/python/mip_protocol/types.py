@@ -680,7 +680,7 @@ class EventTriggerThreshold(Structure):
     type: EventThresholdType
     """Kind of comparison."""
     thresholds: EventThresholdWindow | EventThresholdInterval | None
-    """Kind of comparison. Selected by `type`.
+    """Thresholds of the comparison. Selected by `type`.
 
     - If `type` is `EventThresholdType.WINDOW`: `EventThresholdWindow`.
     - If `type` is `EventThresholdType.INTERVAL`: `EventThresholdInterval`.
@@ -996,9 +996,9 @@ class GpioBehavior(codec.OpenEnum):
     INPUT = 1
     """Input; the default."""
     OUTPUT_LOW = 2
-    """Output, low at first; low again at power-up if the configuration is saved."""
+    """Output, initially low; also low at power-up if the configuration is saved."""
     OUTPUT_HIGH = 3
-    """Output, high at first; high again at power-up if the configuration is saved."""
+    """Output, initially high; also high at power-up if the configuration is saved."""
 
 
 class GpioPpsBehavior(codec.OpenEnum):
@@ -1135,7 +1135,7 @@ class NmeaMessage(Structure):
     talker_id: NmeaTalkerId
     """The talker in the sentence."""
     source_descriptor_set: int
-    """Data descriptor set that the contents are taken from."""
+    """Data descriptor set from which the contents are taken."""
     decimation: int
     """Base rate of the source descriptor set divided by the desired rate; a poll ignores it."""
 
@@ -1172,7 +1172,7 @@ class CommInterface(codec.OpenEnum):
     USB_1 = 33
     """First virtual serial port of USB."""
     USB_2 = 34
-    """Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM."""
+    """Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM."""
 
 
 @codec.open_flag(32)

@@ -807,7 +807,7 @@ record! {
         /// Kind of comparison.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: EventThresholdType,
-        /// Kind of comparison.
+        /// Thresholds of the comparison.
         ///
         /// Selected by [`type_`](EventTriggerThreshold::type_).
         pub thresholds: EventTriggerThresholdThresholds,
@@ -1175,9 +1175,9 @@ open_enum! {
     GpioBehavior: u8 {
         /// Input; the default.
         INPUT = 1, "input";
-        /// Output, low at first; low again at power-up if the configuration is saved.
+        /// Output, initially low; also low at power-up if the configuration is saved.
         OUTPUT_LOW = 2, "output_low";
-        /// Output, high at first; high again at power-up if the configuration is saved.
+        /// Output, initially high; also high at power-up if the configuration is saved.
         OUTPUT_HIGH = 3, "output_high";
     }
 }
@@ -1307,7 +1307,7 @@ record! {
         pub message_id: NmeaMessageId,
         /// The talker in the sentence.
         pub talker_id: NmeaTalkerId,
-        /// Data descriptor set that the contents are taken from.
+        /// Data descriptor set from which the contents are taken.
         pub source_descriptor_set: u8,
         /// Base rate of the source descriptor set divided by the desired rate; a poll ignores it.
         pub decimation: u16,
@@ -1354,7 +1354,7 @@ open_enum! {
         UART_3 = 19, "uart_3";
         /// First virtual serial port of USB.
         USB_1 = 33, "usb_1";
-        /// Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM.
+        /// Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM.
         USB_2 = 34, "usb_2";
     }
 }

@@ -32,7 +32,7 @@ extern "C" {
 struct mip_3dm_poll_entry {
     /** Field descriptor. */
     uint8_t descriptor;
-    /** In place of a decimation. Reserved: send 0. */
+    /** Reserved; occupies the position of a decimation. Reserved: send 0. */
     uint16_t reserved;
 };
 
@@ -54,8 +54,8 @@ enum mip_3dm_factory_streaming_action MIP_ENUM_8 {
 MIP_API const char *mip_3dm_factory_streaming_action_name(uint8_t value);
 
 /**
- * Constellation in the settings of a receiver. The values are not those of enum
- * mip_gnss_constellation, which GNSS data use.
+ * Constellation in receiver settings. The values are not those of enum mip_gnss_constellation,
+ * which GNSS data use.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
@@ -87,7 +87,7 @@ typedef uint16_t mip_3dm_constellation_options;
 #define MIP_3DM_CONSTELLATION_OPTIONS_L1SAIF 0x0001U
 
 /**
- * Tracking of one constellation by a receiver.
+ * Settings for the tracking of one constellation.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
@@ -96,7 +96,7 @@ struct mip_3dm_constellation_settings_entry {
     uint8_t constellation_id;
     /** 1 switches it on, 0 off. Range: 0 to 1. */
     uint8_t enable;
-    /** Channels reserved for it. Unit: 1. Range: 0 to 32. */
+    /** Number of channels reserved for it. Unit: 1. Range: 0 to 32. */
     uint8_t reserved_channels;
     /** Maximum number of channels that it uses. Unit: 1. Range: 0 to 32. */
     uint8_t max_channels;
@@ -105,7 +105,7 @@ struct mip_3dm_constellation_settings_entry {
 };
 
 /**
- * Use of SBAS.
+ * Purposes for which SBAS is used.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -118,7 +118,7 @@ typedef uint16_t mip_3dm_sbas_options;
 #define MIP_3DM_SBAS_OPTIONS_APPLY_INTEGRITY 0x0004U
 
 /**
- * Storage of the last fix of a receiver.
+ * Use of a receiver's last fix at power-up.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -309,7 +309,7 @@ enum mip_3dm_imu_timestamp_selector MIP_ENUM_8 {
 MIP_API const char *mip_3dm_imu_timestamp_selector_name(uint8_t value);
 
 /**
- * Operation of the odometer input.
+ * Operating mode of the odometer input.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -445,11 +445,11 @@ MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
  * - mip-sdk-2014: Device Status (0x0C,0x64)
  */
 enum mip_3dm_gx4_system_state MIP_ENUM_16 {
-    /** The system starts. */
+    /** The system is starting. */
     MIP_3DM_GX4_SYSTEM_STATE_INIT = 1,
-    /** The sensors start. */
+    /** The sensors are starting. */
     MIP_3DM_GX4_SYSTEM_STATE_SENSOR_STARTUP = 2,
-    /** The system runs. */
+    /** The system is running. */
     MIP_3DM_GX4_SYSTEM_STATE_RUNNING = 3
 };
 
@@ -464,8 +464,8 @@ MIP_API const char *mip_3dm_gx4_system_state_name(uint16_t value);
  * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
  * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * An empty list polls what mip_3dm_imu_message_format stores; if nothing is stored, the device
- * rejects the command.
+ * An empty list polls the fields that mip_3dm_imu_message_format stores; if nothing is stored, the
+ * device rejects the command.
  *
  * Descriptors that the device does not know are ignored.
  *
@@ -600,7 +600,7 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
  * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true. Supported by
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * An empty list polls what mip_3dm_filter_message_format stores; if nothing is stored, the device
+ * An empty list polls the fields that mip_3dm_filter_message_format stores; if none are, the device
  * rejects the command.
  *
  * Descriptors that the device does not know are ignored.
@@ -727,7 +727,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
 /**
  * Get IMU Data Base Rate: command (0x0C,0x06).
  *
- * Gets the rate that is divided by the decimations of mip_3dm_imu_message_format.
+ * Gets the base rate, which is divided by the decimations of mip_3dm_imu_message_format.
  *
  * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
  * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -800,7 +800,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
 /**
  * Get GNSS Data Base Rate: command (0x0C,0x07).
  *
- * Gets the rate that is divided by the decimations of mip_3dm_gnss_message_format.
+ * Gets the base rate, which is divided by the decimations of mip_3dm_gnss_message_format.
  *
  * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response. Supported by
  * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
@@ -1298,7 +1298,7 @@ MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_response_encod
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
- * Gets the rate that is divided by the decimations of mip_3dm_filter_message_format.
+ * Gets the base rate, which is divided by the decimations of mip_3dm_filter_message_format.
  *
  * Also called `filter_get_base_rate`. Answered by mip_3dm_get_filter_base_rate_response. Supported
  * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -1514,8 +1514,8 @@ MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_response_encode(
  *
  * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
  *
- * An empty list polls what mip_3dm_message_format stores; if nothing is stored, the device rejects
- * the command.
+ * An empty list polls the fields that mip_3dm_message_format stores; if nothing is stored, the
+ * device rejects the command.
  *
  * Descriptors that the device does not know are ignored.
  *
@@ -1583,7 +1583,7 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
 /**
  * Get Data Base Rate: command (0x0C,0x0E).
  *
- * Gets the rate that is divided by the decimations of a descriptor set.
+ * Gets the base rate, which is divided by the decimations of a descriptor set.
  *
  * Answered by mip_3dm_get_base_rate_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
@@ -2949,7 +2949,7 @@ static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
 struct mip_3dm_get_event_support_response {
     /** Query specified in the command. A value of enum mip_3dm_event_support_query. */
     uint8_t query;
-    /** Number of slots; instances go from 1 to this. Unit: 1. */
+    /** Number of slots; instances are numbered from 1 to this. Unit: 1. */
     uint8_t max_instances;
     /** Number of types. The number of elements of entries. */
     uint8_t num_entries;
@@ -3834,7 +3834,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * mip_3dm_sensor_to_vehicle_transform_quaternion and mip_3dm_sensor_to_vehicle_transform_dcm set
  * the same transformation; the value read back may be another form of it.
  *
- * Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll about its
+ * Starting aligned with the vehicle frame, the sensor is rotated by yaw, pitch and roll about its
  * own z, y and x axes, in this order.
  *
  * `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
@@ -6414,14 +6414,14 @@ struct mip_3dm_complementary_filter {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Corrects pitch and roll (up, in terms of the 5-series). Required for write. On the
-     * 3DM-GX5-15: default true.
+     * True enables the pitch and roll correction, which 5-series manuals call up compensation.
+     * Required for write. On the 3DM-GX5-15: default true.
      */
     mip_bool pitch_roll_enable;
     /**
-     * Corrects the heading (north, in terms of the 5-series). Required for write. On the
-     * 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL
-     * does not offer it. On the 3DM-GX5-15: default true.
+     * True enables the heading correction, which 5-series manuals call north compensation. Required
+     * for write. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and
+     * 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true.
      */
     mip_bool heading_enable;
     /**
@@ -6461,11 +6461,11 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for write.
- *   On the 3DM-GX5-15: default true.
- * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write. On
- *   the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL
- *   does not offer it. On the 3DM-GX5-15: default true.
+ * - pitch_roll_enable: True enables the pitch and roll correction, which 5-series manuals call up
+ *   compensation. Required for write. On the 3DM-GX5-15: default true.
+ * - heading_enable: True enables the heading correction, which 5-series manuals call north
+ *   compensation. Required for write. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15,
+ *   3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true.
  * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1 to
  *   1000. Default: 10. Required for write.
  * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
@@ -6525,9 +6525,9 @@ mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *comman
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
 struct mip_3dm_complementary_filter_response {
-    /** Corrects pitch and roll (up, in terms of the 5-series). */
+    /** True enables the pitch and roll correction, which 5-series manuals call up compensation. */
     mip_bool pitch_roll_enable;
-    /** Corrects the heading (north, in terms of the 5-series). */
+    /** True enables the heading correction, which 5-series manuals call north compensation. */
     mip_bool heading_enable;
     /** Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10. */
     float pitch_roll_time_constant;
@@ -6723,7 +6723,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode(
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
 struct mip_3dm_get_calibrated_sensor_ranges {
-    /** The sensor; not all. A value of enum mip_3dm_sensor_range_type. */
+    /** Sensor to query; `all` is not allowed. A value of enum mip_3dm_sensor_range_type. */
     uint8_t sensor;
 };
 
@@ -6753,7 +6753,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
 /**
  * Get Calibrated Sensor Ranges. Fills the structure and returns its address.
  *
- * - sensor: The sensor; not all. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor to query; `all` is not allowed. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_3dm_get_calibrated_sensor_ranges *
 mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_ranges *command,
@@ -7552,8 +7552,8 @@ struct mip_3dm_device_status_basic_response {
     /** Reserved. */
     uint32_t status_flags;
     /**
-     * State of the system; its values are not documented. On the 3DM-GX4-45, 3DM-RQ1-45-LT and
-     * 3DM-RQ1-45-ST: values of enum mip_3dm_gx4_system_state.
+     * State of the system; the meaning of its values is not documented. On the 3DM-GX4-45,
+     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum mip_3dm_gx4_system_state.
      */
     uint16_t system_state;
     /** Time since start-up. Unit: ms. */
@@ -7671,7 +7671,7 @@ struct mip_3dm_device_status_diagnostic_response {
     uint16_t model_number;
     /** Reserved. */
     uint32_t status_flags;
-    /** State of the system; its values are not documented. */
+    /** State of the system; the meaning of its values is not documented. */
     uint16_t system_state;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
@@ -7754,13 +7754,13 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
     uint16_t model_number;
     /** Reserved. */
     uint32_t status_flags;
-    /** State of the system; its values are not documented. */
+    /** State of the system; the meaning of its values is not documented. */
     uint16_t system_state;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
     /** Power state of the GNSS receiver. */
     uint8_t gnss_power_state;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
@@ -7854,13 +7854,13 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     uint16_t model_number;
     /** Reserved. */
     uint32_t status_flags;
-    /** State of the system; its values are not documented. */
+    /** State of the system; the meaning of its values is not documented. */
     uint16_t system_state;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
     /** Power state of the GNSS receiver. */
     uint8_t gnss_power_state;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
@@ -7960,7 +7960,7 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint16_t model_number;
     /** Reserved. */
     uint32_t status_flags;
-    /** State of the system; its values are not documented. */
+    /** State of the system; the meaning of its values is not documented. */
     uint16_t system_state;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
@@ -7970,9 +7970,9 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint8_t cold_start_on_power_on;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     float temperature;
-    /** System timer at the last temperature. Unit: ms. */
+    /** System timer at the last temperature measurement. Unit: ms. */
     uint32_t temperature_last_time;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
@@ -8070,7 +8070,7 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
     uint32_t status_flags;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
@@ -8180,11 +8180,11 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint32_t reserved;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     float temperature;
-    /** System timer at the last temperature. Unit: ms. */
+    /** System timer at the last temperature measurement. Unit: ms. */
     uint32_t temperature_last_time;
     /** State of the temperature measurement. */
     uint8_t temperature_error;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
@@ -8275,11 +8275,11 @@ struct mip_3dm_device_status_diagnostic_gx4_imu_response {
     float pressure_range;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     float temperature;
-    /** System timer at the last temperature. Unit: ms. */
+    /** System timer at the last temperature measurement. Unit: ms. */
     uint32_t temperature_last_time;
     /** State of the temperature measurement; 0 is normal. */
     uint8_t temperature_error;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
@@ -8358,7 +8358,7 @@ struct mip_3dm_device_status_diagnostic_rq1_imu_response {
     uint64_t system_timer;
     /** Temperature of the board. Unit: degC. Uncertain: The unit is inferred. */
     float temperature;
-    /** System timer at the last temperature. Unit: ms. */
+    /** System timer at the last temperature measurement. Unit: ms. */
     uint32_t temperature_last_time;
     /** True if a temperature sensor is faulty. */
     mip_bool bad_temperature_sensor_detected;
@@ -8366,7 +8366,7 @@ struct mip_3dm_device_status_diagnostic_rq1_imu_response {
     mip_bool cold_temperature_detected;
     /** True if a supply voltage is out of range. */
     mip_bool bad_voltage_detected;
-    /** Pulses per second that were counted. Unit: 1. */
+    /** Number of PPS pulses counted. Unit: 1. */
     uint32_t pps_count;
     /** System timer at the last pulse. Unit: ms. */
     uint32_t pps_last_time;
@@ -8374,7 +8374,7 @@ struct mip_3dm_device_status_diagnostic_rq1_imu_response {
     mip_bool imu_stream_enabled;
     /** Sensor data packets that were not sent. Unit: 1. */
     uint32_t imu_dropped_packets;
-    /** State of the port; its values are not known. */
+    /** State of the port; the meaning of its values is not known. */
     uint16_t comm_port_state;
     /** Present baud rate of the port. Unit: Bd. */
     uint32_t comm_port_baud_rate;
@@ -8439,13 +8439,13 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_res
 struct mip_3dm_device_status_basic_gx3_response {
     /** Model number of the device. */
     uint16_t model_number;
-    /** Part of the device that the port talks to. */
+    /** Part of the device that the port is connected to. */
     uint8_t comm_mode;
     /** Port in use. */
     uint8_t comm_device;
-    /** Settings of the data streams; their bits are not known. */
+    /** Settings of the data streams; the meaning of the bits is not known. */
     uint32_t settings_flags;
-    /** State of the port; its values are not known. */
+    /** State of the port; the meaning of its values is not known. */
     uint16_t comm_state;
     /** Baud rate of the port. Unit: Bd. */
     uint32_t comm_baud_rate;
@@ -8502,13 +8502,13 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_enc
 struct mip_3dm_device_status_diagnostic_gx3_response {
     /** Model number of the device. */
     uint16_t model_number;
-    /** Part of the device that the port talks to. */
+    /** Part of the device that the port is connected to. */
     uint8_t comm_mode;
     /** Port in use. */
     uint8_t comm_device;
-    /** Settings of the data streams; their bits are not known. */
+    /** Settings of the data streams; the meaning of the bits is not known. */
     uint32_t settings_flags;
-    /** State of the port; its values are not known. */
+    /** State of the port; the meaning of its values is not known. */
     uint16_t comm_state;
     /** Baud rate of the port. Unit: Bd. */
     uint32_t comm_baud_rate;
@@ -8520,7 +8520,7 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
     uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
     uint32_t comm_port_read_overruns;
-    /** State of the USB port; its values are not known. */
+    /** State of the USB port; the meaning of its values is not known. */
     uint16_t usb_state;
     /** Bytes sent over USB. Unit: byte. */
     uint32_t usb_bytes_written;
@@ -8530,9 +8530,9 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
     uint32_t usb_write_overruns;
     /** Overruns while reading from USB. Unit: 1. */
     uint32_t usb_read_overruns;
-    /** State of the receiver's driver; its values are not known. */
+    /** State of the receiver's driver; the meaning of its values is not known. */
     uint16_t gnss_driver_state;
-    /** State of the port to the receiver; its values are not known. */
+    /** State of the port to the receiver; the meaning of its values is not known. */
     uint16_t gnss_port_state;
     /** Bytes sent to the receiver. Unit: byte. */
     uint32_t gnss_bytes_written;
@@ -8546,9 +8546,9 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
     uint32_t gnss_message_count;
     /** Messages of the receiver that arrived late. Unit: 1. */
     uint32_t gnss_delayed_message_count;
-    /** State of the IMU's driver; its values are not known. */
+    /** State of the IMU's driver; the meaning of its values is not known. */
     uint16_t imu_driver_state;
-    /** State of the port to the IMU; its values are not known. */
+    /** State of the port to the IMU; the meaning of its values is not known. */
     uint16_t imu_port_state;
     /** Bytes sent to the IMU. Unit: byte. */
     uint32_t imu_bytes_written;

@@ -3435,11 +3435,11 @@ static inline mip_error mip_send_3dm_complementary_filter(
 /**
  * Complementary Filter Configuration: write. Apply the new setting. See mip_device_call.
  *
- * - pitch_roll_enable: Corrects pitch and roll (up, in terms of the 5-series). Required for write.
- *   On the 3DM-GX5-15: default true.
- * - heading_enable: Corrects the heading (north, in terms of the 5-series). Required for write. On
- *   the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL
- *   does not offer it. On the 3DM-GX5-15: default true.
+ * - pitch_roll_enable: True enables the pitch and roll correction, which 5-series manuals call up
+ *   compensation. Required for write. On the 3DM-GX5-15: default true.
+ * - heading_enable: True enables the heading correction, which 5-series manuals call north
+ *   compensation. Required for write. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15,
+ *   3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true.
  * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1 to
  *   1000. Default: 10. Required for write.
  * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
@@ -3630,7 +3630,7 @@ static inline mip_error mip_send_3dm_get_calibrated_sensor_ranges(
 /**
  * Get Calibrated Sensor Ranges. See mip_device_call.
  *
- * - sensor: The sensor; not all. A value of enum mip_3dm_sensor_range_type.
+ * - sensor: Sensor to query; `all` is not allowed. A value of enum mip_3dm_sensor_range_type.
  */
 static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges(
     struct mip_device *device, enum mip_3dm_sensor_range_type sensor,

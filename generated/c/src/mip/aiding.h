@@ -344,7 +344,7 @@ struct mip_aiding_echo_control {
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Answers to the measurements. A value of enum mip_aiding_echo_mode. Required for write. */
+    /** Reply mode. A value of enum mip_aiding_echo_mode. Required for write. */
     uint8_t mode;
 };
 
@@ -373,7 +373,7 @@ MIP_CHECKED static inline mip_error mip_aiding_echo_control_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - mode: Answers to the measurements. A value of enum mip_aiding_echo_mode. Required for write.
+ * - mode: Reply mode. A value of enum mip_aiding_echo_mode. Required for write.
  */
 static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     struct mip_aiding_echo_control *command, enum mip_aiding_echo_mode mode) {
@@ -424,7 +424,7 @@ mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
 struct mip_aiding_echo_control_response {
-    /** Answers to the measurements. A value of enum mip_aiding_echo_mode. */
+    /** Reply mode. A value of enum mip_aiding_echo_mode. */
     uint8_t mode;
 };
 

@@ -148,7 +148,7 @@ static inline mip_error mip_send_aiding_echo_control(
 /**
  * Echo control: write. Apply the new setting. See mip_device_call.
  *
- * - mode: Answers to the measurements. A value of enum mip_aiding_echo_mode. Required for write.
+ * - mode: Reply mode. A value of enum mip_aiding_echo_mode. Required for write.
  */
 static inline struct mip_result mip_call_aiding_echo_control_write(struct mip_device *device,
                                                                    enum mip_aiding_echo_mode mode) {

@@ -46,7 +46,7 @@ struct mip_base_device_info {
     char device_options[17];
 };
 
-/** The part of the GPS time that a value holds. */
+/** The part of the GPS time that a value contains. */
 enum mip_base_gps_time_field MIP_ENUM_8 {
     /** The value `week_number`. */
     MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER = 1,
@@ -617,7 +617,7 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_e
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms.
  *
- * Send it alone in a packet while the device is idle, and wait 250 ms before going on.
+ * Send it alone in a packet while the device is idle, and wait 250 ms before you continue.
  *
  * Commands and data during the change may be lost, or sent at either rate.
  *
@@ -844,7 +844,7 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
  * On the 3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix
- * time; mip_shared_external_timestamp then has it, too.
+ * time; mip_shared_external_timestamp then has the same epoch.
  *
  * The PPS supplies the fraction of the second; send the whole second that began at its last edge.
  *

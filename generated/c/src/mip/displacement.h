@@ -28,7 +28,7 @@ extern "C" {
 /**
  * Get Analog to Displacement Calibration: command (0x11,0x01).
  *
- * Reads the linear function by which the device converts the counts of its converter to a
+ * Reads the linear function with which the device converts the counts of its converter to a
  * displacement.
  *
  * No device is certain to support it. Also called `get_analog_displacement_calibration`. Answered
@@ -74,10 +74,7 @@ MIP_CHECKED static inline mip_error mip_displacement_get_calibration_encode(
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
  */
 struct mip_displacement_get_calibration_response {
-    /**
-     * Displacement for each count of the converter. Uncertain: The unit; mm for each count is
-     * likely.
-     */
+    /** Displacement per count of the converter. Uncertain: The unit; mm per count is likely. */
     float slope;
     /** Displacement at zero counts. Uncertain: The unit; mm is likely. */
     float offset;

@@ -121,7 +121,7 @@ struct mip_displacement_data_timestamp {
     /** Validity of the time of displacement data. */
     mip_displacement_data_timestamp_flags flags;
     /**
-     * UTC since 1970-01-01, without leap seconds, if the clock was set so. Unit: ns. Valid if
+     * UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if
      * MIP_DISPLACEMENT_DATA_TIMESTAMP_FLAGS_TIME in flags is set.
      */
     uint64_t time;

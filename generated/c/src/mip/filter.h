@@ -155,9 +155,9 @@ MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
 enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED = 0,
-    /** Adapted by the limits specified by the command. */
+    /** The limits in the command determine the weights. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED = 1,
-    /** Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later. */
+    /** The filter determines the weights; the limits are ignored. 3DM-GX5 and later. */
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO = 2
 };
 
@@ -224,7 +224,7 @@ MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 enum mip_filter_accel_constraint MIP_ENUM_8 {
-    /** Nothing. */
+    /** No assumption. */
     MIP_FILTER_ACCEL_CONSTRAINT_NONE = 0,
     /** The filter assumes no acceleration. */
     MIP_FILTER_ACCEL_CONSTRAINT_ZERO_ACCEL = 1
@@ -239,7 +239,7 @@ MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 enum mip_filter_velocity_constraint MIP_ENUM_8 {
-    /** Nothing. */
+    /** No assumption. */
     MIP_FILTER_VELOCITY_CONSTRAINT_NONE = 0,
     /** The filter assumes that the device does not move. */
     MIP_FILTER_VELOCITY_CONSTRAINT_ZERO_VELOCITY = 1,
@@ -256,7 +256,7 @@ MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 enum mip_filter_angular_constraint MIP_ENUM_8 {
-    /** Nothing. */
+    /** No assumption. */
     MIP_FILTER_ANGULAR_CONSTRAINT_NONE = 0,
     /** The filter assumes no rotation. */
     MIP_FILTER_ANGULAR_CONSTRAINT_ZERO_ANGULAR_RATE = 1
@@ -906,7 +906,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_
 /**
  * Sensor to vehicle offset: command (0x0D,0x12).
  *
- * Sets the origin of the vehicle frame, as seen from the sensor.
+ * Sets the origin of the vehicle frame relative to the sensor.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_sensor_to_vehicle_offset_response. Changes mip_filter_data_llh_position. Supported by
@@ -2206,7 +2206,7 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
 /**
  * Accelerometer bias model: command (0x0D,0x1C).
  *
- * Sets the parameters of the model by which the accelerometer bias drifts.
+ * Sets the parameters of the accelerometer bias drift model.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_accel_bias_model_response.
  * Probably changes mip_filter_data_accel_bias and mip_filter_data_accel_bias_uncertainty. Supported
@@ -2348,7 +2348,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
 /**
  * Gyroscope bias model: command (0x0D,0x1D).
  *
- * Sets the parameters of the model by which the gyroscope bias drifts.
+ * Sets the parameters of the gyroscope bias drift model.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_gyro_bias_model_response.
  * Probably changes mip_filter_data_gyro_bias and mip_filter_data_gyro_bias_uncertainty. Supported
@@ -2492,7 +2492,7 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
 /**
  * Automatic zero velocity update: command (0x0D,0x1E).
  *
- * Lets the filter assume that the device is at rest while its GNSS speed is low.
+ * Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
  * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
@@ -2715,7 +2715,7 @@ mip_filter_external_heading_update_with_time_make(
 /**
  * Zero angular rate update: command (0x0D,0x20).
  *
- * Lets the filter assume that the device is not rotating while its angular rate is low.
+ * Sets whether the filter assumes that the device is not rotating while its angular rate is low.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_auto_angular_zupt_response. Probably changes mip_filter_data_attitude_quaternion,
@@ -4267,7 +4267,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
 /**
  * Gravity magnitude error adaptive measurement: command (0x0D,0x44).
  *
- * Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
+ * Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
  *
  * Full name: filter.accel_magnitude_error_adaptive_measurement.
  *
@@ -4281,7 +4281,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
  *
  * All parameters after the selector keep their values if they are omitted.
  *
- * Filter and limits take effect only with `fixed`.
+ * The low-pass filter and the limits take effect only with `fixed`.
  *
  * Raise the limits where vibration is strong, lower them where it is weak. High limits reduce the
  * accuracy of pitch and roll under linear acceleration, low limits reduce the accuracy of the
@@ -4307,9 +4307,9 @@ struct mip_filter_accel_magnitude_adaptive {
     uint8_t adaptive_measurement;
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Optional. */
     float frequency;
-    /** Lower limit of the error. Unit: m/s^2. Optional. */
+    /** Lower limit of the gravity magnitude error. Unit: m/s^2. Optional. */
     float low_limit;
-    /** Upper limit of the error. Unit: m/s^2. Optional. */
+    /** Upper limit of the gravity magnitude error. Unit: m/s^2. Optional. */
     float high_limit;
     /** Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. Optional. */
     float low_limit_uncertainty;
@@ -4418,9 +4418,9 @@ struct mip_filter_accel_magnitude_adaptive_response {
     uint8_t adaptive_measurement;
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
-    /** Lower limit of the error. Unit: m/s^2. */
+    /** Lower limit of the gravity magnitude error. Unit: m/s^2. */
     float low_limit;
-    /** Upper limit of the error. Unit: m/s^2. */
+    /** Upper limit of the gravity magnitude error. Unit: m/s^2. */
     float high_limit;
     /** Standard deviation at the lower limit. Unit: m/s^2. Range: at least 0. */
     float low_limit_uncertainty;
@@ -4495,15 +4495,15 @@ struct mip_filter_mag_magnitude_adaptive {
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write. */
     float frequency;
     /**
-     * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-     * response.
+     * Lower limit of the magnetic field magnitude error. Unit: gauss. Required for write.
+     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+     * command and gauss in the response.
      */
     float low_limit;
     /**
-     * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
-     * response.
+     * Upper limit of the magnetic field magnitude error. Unit: gauss. Required for write.
+     * Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+     * command and gauss in the response.
      */
     float high_limit;
     /**
@@ -4559,12 +4559,12 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
  * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
- * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
- *   response.
- * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
- *   response.
+ * - low_limit: Lower limit of the magnetic field magnitude error. Unit: gauss. Required for write.
+ *   Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+ *   command and gauss in the response.
+ * - high_limit: Upper limit of the magnetic field magnitude error. Unit: gauss. Required for write.
+ *   Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+ *   command and gauss in the response.
  * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
  *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
  *   states m/s^2 in the command and gauss in the response.
@@ -4640,13 +4640,15 @@ struct mip_filter_mag_magnitude_adaptive_response {
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
-     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
-     * the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Lower limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK
+     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
+     * response.
      */
     float low_limit;
     /**
-     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of
-     * the 3DM-GX5-45 states m/s^2 in the command and gauss in the response.
+     * Upper limit of the magnetic field magnitude error. Unit: gauss. Uncertain: The unit. The SDK
+     * states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
+     * response.
      */
     float high_limit;
     /**
@@ -4727,8 +4729,8 @@ struct mip_filter_mag_dip_angle_adaptive {
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for write. */
     float frequency;
     /**
-     * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK states
-     * m/s^2; rad is inferred from the quantity.
+     * Upper limit of the dip angle error. Unit: rad. Required for write. Uncertain: The unit. The
+     * SDK states m/s^2; rad is inferred from the quantity.
      */
     float high_limit;
     /**
@@ -4772,8 +4774,8 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
  * - enable: True if the adaptation is on. Required for write.
  * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
- * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
- *   SDK states m/s^2; rad is inferred from the quantity.
+ * - high_limit: Upper limit of the dip angle error. Unit: rad. Required for write. Uncertain: The
+ *   unit. The SDK states m/s^2; rad is inferred from the quantity.
  * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
  *   Required for write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
  *   quantity.
@@ -4841,8 +4843,8 @@ struct mip_filter_mag_dip_angle_adaptive_response {
     /** Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. */
     float frequency;
     /**
-     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is
-     * inferred from the quantity.
+     * Upper limit of the dip angle error. Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad
+     * is inferred from the quantity.
      */
     float high_limit;
     /**
@@ -7243,7 +7245,7 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
 /**
  * Vertical gyro constraint: command (0x0D,0x62).
  *
- * Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
+ * Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_vertical_gyro_constraint_control_response. Probably changes
@@ -7381,7 +7383,7 @@ MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_
 /**
  * Wheeled vehicle constraint: command (0x0D,0x63).
  *
- * Lets the filter assume that the vehicle moves only along its x axis.
+ * Sets whether the filter assumes that the vehicle moves only along its x axis.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_wheeled_vehicle_constraint_control_response. Probably changes

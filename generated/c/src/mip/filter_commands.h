@@ -2461,12 +2461,12 @@ static inline mip_error mip_send_filter_mag_magnitude_adaptive(
  *   MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
  * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
- * - low_limit: Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
- *   response.
- * - high_limit: Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The
- *   SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss in the
- *   response.
+ * - low_limit: Lower limit of the magnetic field magnitude error. Unit: gauss. Required for write.
+ *   Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+ *   command and gauss in the response.
+ * - high_limit: Upper limit of the magnetic field magnitude error. Unit: gauss. Required for write.
+ *   Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the
+ *   command and gauss in the response.
  * - low_limit_uncertainty: Standard deviation at the lower limit. Unit: gauss. Range: at least 0.
  *   Required for write. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
  *   states m/s^2 in the command and gauss in the response.
@@ -2576,8 +2576,8 @@ static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
  * - enable: True if the adaptation is on. Required for write.
  * - frequency: Cutoff frequency of the low-pass filter. Unit: Hz. Range: at least 0. Required for
  *   write.
- * - high_limit: Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The
- *   SDK states m/s^2; rad is inferred from the quantity.
+ * - high_limit: Upper limit of the dip angle error. Unit: rad. Required for write. Uncertain: The
+ *   unit. The SDK states m/s^2; rad is inferred from the quantity.
  * - high_limit_uncertainty: Standard deviation at the upper limit. Unit: rad. Range: at least 0.
  *   Required for write. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the
  *   quantity.

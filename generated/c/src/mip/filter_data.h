@@ -420,7 +420,7 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
 /**
  * LLH position: data (0x82,0x01).
  *
- * Estimated position.
+ * Estimated position as latitude, longitude and height.
  *
  * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -471,7 +471,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode(
 /**
  * NED velocity: data (0x82,0x02).
  *
- * Estimated velocity.
+ * Estimated velocity in the NED frame.
  *
  * Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -805,7 +805,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_enc
 /**
  * NED velocity uncertainty: data (0x82,0x09).
  *
- * Standard deviation of the estimated velocity.
+ * Standard deviation of the estimated velocity in the NED frame.
  *
  * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -1007,8 +1007,9 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encod
  */
 struct mip_filter_data_linear_accel {
     /**
-     * Zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
-     * and level: x 0, y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Linear acceleration; zero while the velocity is constant. Elements: x, y, z. Unit: m/s^2.
+     * Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
+     * in valid_flags is set.
      */
     float accel[3];
     /** Validity of the values of a field. */
@@ -1351,7 +1352,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode(
 /**
  * Heading update source state: data (0x82,0x14).
  *
- * The last heading that updated the filter and where it came from.
+ * The last heading that updated the filter, and its source.
  *
  * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -2183,7 +2184,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode(
 /**
  * Antenna offset correction: data (0x82,0x30).
  *
- * Estimated error of the offset of the GNSS antenna.
+ * Estimated error of the GNSS antenna offset.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
@@ -2227,7 +2228,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_en
 /**
  * Antenna offset correction uncertainty: data (0x82,0x31).
  *
- * Standard deviation of the estimated error of the offset of the GNSS antenna.
+ * Standard deviation of the estimated error of the GNSS antenna offset.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
@@ -2369,7 +2370,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty
 /**
  * Multi-antenna offset correction: data (0x82,0x34).
  *
- * Estimated error of the offset of one GNSS antenna.
+ * Estimated error of one GNSS antenna's offset.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -2417,7 +2418,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correct
 /**
  * Multi-antenna offset correction uncertainty: data (0x82,0x35).
  *
- * Standard deviation of the estimated error of the offset of one GNSS antenna.
+ * Standard deviation of the estimated error of one GNSS antenna's offset.
  *
  * Full name: filter_data.multi_antenna_offset_correction_uncertainty.
  *
@@ -2465,7 +2466,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncerta
 /**
  * ECEF position uncertainty: data (0x82,0x36).
  *
- * Standard deviation of the estimated position.
+ * Standard deviation of the estimated position in Earth-fixed coordinates.
  *
  * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -2507,7 +2508,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_en
 /**
  * ECEF velocity uncertainty: data (0x82,0x37).
  *
- * Standard deviation of the estimated velocity.
+ * Standard deviation of the estimated velocity in Earth-fixed coordinates.
  *
  * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -2549,7 +2550,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_en
 /**
  * ECEF position: data (0x82,0x40).
  *
- * Estimated position.
+ * Estimated position in Earth-fixed coordinates.
  *
  * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -2591,7 +2592,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode(
 /**
  * ECEF velocity: data (0x82,0x41).
  *
- * Estimated velocity.
+ * Estimated velocity in Earth-fixed coordinates.
  *
  * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -2963,8 +2964,8 @@ struct mip_filter_data_gnss_dual_antenna_status {
      */
     float tow;
     /**
-     * Heading that follows from the baseline of the antennas. Unit: rad. Positive: clockwise seen
-     * from above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Heading derived from the baseline of the antennas. Unit: rad. Positive: clockwise seen from
+     * above. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float heading;
     /**
@@ -3015,9 +3016,9 @@ MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_enc
 struct mip_filter_data_aiding_frame_config_error {
     /** Number of the frame. */
     uint8_t frame_id;
-    /** Error of the translation. Elements: x, y, z. Unit: m. */
+    /** Estimated error of the translation. Elements: x, y, z. Unit: m. */
     float translation[3];
-    /** Error of the rotation. Elements: w, x, y, z. Unit: 1. */
+    /** Estimated error of the rotation. Elements: w, x, y, z. Unit: 1. */
     float attitude[4];
 };
 
@@ -3047,7 +3048,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_en
 /**
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *
- * Uncertainty of the estimated error of a frame that mip_aiding_frame_config defines.
+ * Uncertainty of the error that mip_filter_data_aiding_frame_config_error estimates.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *

@@ -98,7 +98,7 @@ enum mip_gnss_receiver_id MIP_ENUM_8 {
 MIP_API const char *mip_gnss_receiver_id_name(uint8_t value);
 
 /**
- * Extent of the restart of a receiver.
+ * Extent of a receiver restart.
  *
  * - mip-sdk-4: Receiver Reset (0x0E,0x03)
  */

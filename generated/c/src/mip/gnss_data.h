@@ -46,7 +46,7 @@ extern "C" {
 /**
  * Descriptor set: External GNSS data. Data that an external GNSS receiver sends to the device in
  * NMEA sentences. A field may need several sentences; a value that NMEA does not provide is not
- * valid. Times are those of the sentences.
+ * valid. Times are taken from the sentences.
  */
 #define MIP_GNSS_EXTERNAL_SET 0x94
 /**
@@ -158,7 +158,7 @@ typedef uint16_t mip_gnss_data_clock_info_flags;
 typedef uint16_t mip_gnss_data_fix_flags;
 /** Bit 0. SBAS corrections were used in the fix. */
 #define MIP_GNSS_DATA_FIX_FLAGS_SBAS_USED 0x0001U
-/** Bit 1. Differential corrections. */
+/** Bit 1. Differential corrections were used in the fix. */
 #define MIP_GNSS_DATA_FIX_FLAGS_DGNSS_USED 0x0002U
 
 /** Valid parts of the fix information. */
@@ -174,7 +174,7 @@ typedef uint16_t mip_gnss_data_fix_info_flags;
 
 /** State of a satellite. */
 typedef uint16_t mip_gnss_data_sv_flags;
-/** Bit 0. The position fix uses it. */
+/** Bit 0. The satellite is used in the position fix. */
 #define MIP_GNSS_DATA_SV_FLAGS_USED_FOR_NAVIGATION 0x0001U
 /** Bit 1. The satellite reports that its signals can be used. */
 #define MIP_GNSS_DATA_SV_FLAGS_HEALTHY 0x0002U
@@ -196,7 +196,7 @@ typedef uint16_t mip_gnss_data_sv_info_flags;
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_FLAGS 0x003FU
 
-/** Power and operation of a GNSS receiver. */
+/** Operating state of a GNSS receiver. */
 enum mip_gnss_data_receiver_state MIP_ENUM_8 {
     /** The value `off`. */
     MIP_GNSS_DATA_RECEIVER_STATE_OFF = 0,
@@ -226,7 +226,7 @@ enum mip_gnss_data_antenna_state MIP_ENUM_8 {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_antenna_state_name(uint8_t value);
 
-/** Supply of the antenna. */
+/** State of the antenna's power supply. */
 enum mip_gnss_data_antenna_power MIP_ENUM_8 {
     /** The value `off`. */
     MIP_GNSS_DATA_ANTENNA_POWER_OFF = 0,
@@ -294,11 +294,11 @@ typedef uint16_t mip_gnss_data_gps_leap_seconds_flags;
 /** Bit 1. `leap_seconds` is valid. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
 
-/** Satellite based augmentation system. */
+/** Satellite-based augmentation system (SBAS). */
 enum mip_gnss_data_sbas_system MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_DATA_SBAS_SYSTEM_UNKNOWN = 0,
-    /** North America. */
+    /** WAAS, the North American system. */
     MIP_GNSS_DATA_SBAS_SYSTEM_WAAS = 1,
     /** EGNOS, the European system. */
     MIP_GNSS_DATA_SBAS_SYSTEM_EGNOS = 2,
@@ -403,18 +403,18 @@ typedef uint16_t mip_gnss_data_rf_error_detection_flags;
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE 0x0002U
 /** Bit 2. `spoofing_state` is valid. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE 0x0004U
-/** Bit 3. Frequency; only set by firmware that sends it. */
+/** Bit 3. `frequency` is valid; set only by firmware that sends the frequency. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_FREQUENCY 0x0008U
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_FLAGS 0x000FU
 
-/** Solution of the carrier phase ambiguities for a heading. */
+/** Resolution of the carrier phase ambiguities for a heading. */
 enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
     /** Not known. */
     MIP_GNSS_DATA_HEADING_FIX_TYPE_UNKNOWN = 0,
-    /** Real numbers, which is less accurate. */
+    /** The ambiguities are real numbers, which is less accurate. */
     MIP_GNSS_DATA_HEADING_FIX_TYPE_FLOAT = 1,
-    /** Whole numbers of cycles. */
+    /** The ambiguities are fixed to whole numbers of cycles. */
     MIP_GNSS_DATA_HEADING_FIX_TYPE_FIXED = 2
 };
 
@@ -551,13 +551,13 @@ typedef uint16_t mip_gnss_data_rtk_epoch_status;
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_ANTENNA_LOCATION_RECEIVED 0x0001U
 /** Bit 1. The description of the base station's antenna has arrived. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_ANTENNA_DESCRIPTION_RECEIVED 0x0002U
-/** Bit 2. GPS corrections. */
+/** Bit 2. GPS corrections have arrived. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_GPS_RECEIVED 0x0004U
-/** Bit 3. GLONASS corrections. */
+/** Bit 3. GLONASS corrections have arrived. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_GLONASS_RECEIVED 0x0008U
-/** Bit 4. Galileo corrections. */
+/** Bit 4. Galileo corrections have arrived. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_GALILEO_RECEIVED 0x0010U
-/** Bit 5. BeiDou corrections. */
+/** Bit 5. BeiDou corrections have arrived. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_BEIDOU_RECEIVED 0x0020U
 /** Bit 6. GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. */
 #define MIP_GNSS_DATA_RTK_EPOCH_STATUS_USING_GPS_MSM_MESSAGES 0x0040U
@@ -591,7 +591,7 @@ typedef uint16_t mip_gnss_data_rtk_corrections_status_flags;
 typedef uint16_t mip_gnss_data_ephemeris_flags;
 /** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
-/** Bit 1. The data of the modernized navigation message are included. */
+/** Bit 1. Data of the modernized navigation message is included. */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_MODERN_DATA 0x0002U
 /** Bit 2. `isc_l2c` is the correction for L5, not for L2. */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_ISC_L5 0x0004U
@@ -613,7 +613,7 @@ MIP_API const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value);
 typedef uint16_t mip_gnss_data_glonass_ephemeris_flags;
 /** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
-/** Bit 0. All of them. Overlaps other bits. */
+/** Bit 0. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
 
 /** Valid parts of the model. */
@@ -973,7 +973,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode(const struct mip_gn
 /**
  * UTC time: data 0x08.
  *
- * Coordinated universal time as the receiver knows it.
+ * Coordinated universal time (UTC) according to the receiver.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
@@ -984,7 +984,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode(const struct mip_gn
  */
 struct mip_gnss_data_utc_time {
     /**
-     * Year with its century. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * Year with four digits. Valid if MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
      * set.
      */
     uint16_t year;
@@ -1047,7 +1047,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode(
 /**
  * GPS time: data 0x09.
  *
- * GPS time as the receiver knows it.
+ * GPS time according to the receiver.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
@@ -1101,7 +1101,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode(
  * MIP_GNSS_CORRECTIONS_SET, MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the
  * MicroStrain MIP SDK.
  *
- * Clock info 2 replaces it, with more detail.
+ * Clock info 2 supersedes it and is more detailed.
  *
  * - mip-sdk-4: Clock Info (0x81,0x0A)
  */
@@ -1150,7 +1150,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode(
 /**
  * Fix info: data 0x0B.
  *
- * Type of the position fix and what it is based on.
+ * Type of the position fix, with the satellites and corrections used.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
@@ -1205,7 +1205,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode(
 /**
  * Satellite info: data 0x0C.
  *
- * One satellite that is tracked.
+ * State of one tracked satellite.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-GX5-45. Known only from the
@@ -1285,7 +1285,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode(
  */
 struct mip_gnss_data_hardware_status {
     /**
-     * Power and operation of the receiver. A value of enum mip_gnss_data_receiver_state. Valid if
+     * Operating state of the receiver. A value of enum mip_gnss_data_receiver_state. Valid if
      * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags is set.
      */
     uint8_t receiver_state;
@@ -1295,7 +1295,7 @@ struct mip_gnss_data_hardware_status {
      */
     uint8_t antenna_state;
     /**
-     * Supply of the antenna. A value of enum mip_gnss_data_antenna_power. Valid if
+     * State of the antenna's power supply. A value of enum mip_gnss_data_antenna_power. Valid if
      * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags is set.
      */
     uint8_t antenna_power;
@@ -1397,21 +1397,21 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode(
 }
 
 /**
- * DGPS info with a satellite: data 0x0E.
+ * DGPS info for one satellite: data 0x0E.
  *
- * Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+ * Differential correction for one satellite, in the layout that the SDK has for DGPS info.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Distinguished from mip_gnss_data_dgps_info by
  * the size of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  * Uncertain: Whether any device sends it. The values are those of mip_gnss_data_dgps_channel, but
- * the flags are those of mip_gnss_data_dgps_info, so a mistake of the SDK is likely.
+ * the flags are those of mip_gnss_data_dgps_info, so a mistake in the SDK is likely.
  *
  * The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have
  * mip_gnss_data_dgps_info.
  *
- * The flags of `base_station_id`, `base_station_status` and `num_channels` belong to no value of
- * this layout.
+ * The flags of `base_station_id`, `base_station_status` and `num_channels` correspond to no value
+ * in this layout.
  *
  * - mip-sdk-4: Dgps Info (0x81,0x0E)
  */
@@ -1712,9 +1712,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode(
  * - mip-sdk-4: Sbas Correction (0x81,0x13)
  */
 struct mip_gnss_data_sbas_correction {
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     uint8_t index;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     uint8_t count;
     /** GPS time of week of the reception. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -1783,7 +1783,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode(
  */
 struct mip_gnss_data_rf_error_detection {
     /**
-     * Band that the states are about. A value of enum mip_gnss_data_rf_band. Valid if
+     * Band to which the states apply. A value of enum mip_gnss_data_rf_band. Valid if
      * MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_RF_BAND in valid_flags is set.
      */
     uint8_t rf_band;
@@ -1901,9 +1901,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode(
  * - 3dm-cv7-gnss-ins: Satellite Status (0x94,0x20)
  */
 struct mip_gnss_data_satellite_status {
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     uint8_t index;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     uint8_t count;
     /**
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
@@ -1983,9 +1983,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode(
  * - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
  */
 struct mip_gnss_data_raw {
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     uint8_t index;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     uint8_t count;
     /**
      * GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if
@@ -2060,8 +2060,8 @@ struct mip_gnss_data_raw {
      */
     float doppler_uncertainty;
     /**
-     * Lower limit of the time that the carrier phase has been locked. Unit: s. Range: at least 0.
-     * Valid if MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME in valid_flags is set.
+     * Minimum time for which the carrier phase has been locked. Unit: s. Range: at least 0. Valid
+     * if MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME in valid_flags is set.
      */
     float lock_time;
     /** Valid parts of the observation. */
@@ -2093,7 +2093,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode(const struct mip_gn
 /**
  * Base station info: data 0x30.
  *
- * The base station of the corrections, from an RTCM message 1005 or 1006.
+ * Base station that sends the corrections, from RTCM message 1005 or 1006.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS and
@@ -2119,7 +2119,7 @@ struct mip_gnss_data_base_station_info {
      */
     double ecef_position[3];
     /**
-     * Height of the antenna above the marker that was surveyed. Unit: m. Valid if
+     * Height of the antenna above the surveyed marker. Unit: m. Valid if
      * MIP_GNSS_DATA_BASE_STATION_INFO_FLAGS_HEIGHT in valid_flags is set.
      */
     float height;
@@ -2258,9 +2258,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
  */
 struct mip_gnss_data_gps_ephemeris {
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     uint8_t index;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     uint8_t count;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -2440,7 +2440,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `glo_ephemeris`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
- * The interface control document of GLONASS explains p and ft.
+ * The GLONASS interface control document explains p and ft.
  *
  * A period of four years has 1461 days; no source states how nt, a u8, counts them.
  *
@@ -2448,9 +2448,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
  */
 struct mip_gnss_data_glonass_ephemeris {
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     uint8_t index;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     uint8_t count;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -2597,9 +2597,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
  */
 struct mip_gnss_data_galileo_ephemeris {
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     uint8_t index;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     uint8_t count;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -2645,12 +2645,12 @@ struct mip_gnss_data_galileo_ephemeris {
      */
     double t_gd;
     /**
-     * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+     * Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if
      * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l1ca;
     /**
-     * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+     * Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if
      * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l2c;
@@ -2788,9 +2788,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
  */
 struct mip_gnss_data_beidou_ephemeris {
-    /** Number of this field within the epoch. */
+    /** Index of this field within the epoch. */
     uint8_t index;
-    /** Number of these fields in the epoch. */
+    /** Number of such fields in the epoch. */
     uint8_t count;
     /** GPS time of week. Unit: s. Range: at least 0, less than 604800. */
     double tow;
@@ -2836,12 +2836,12 @@ struct mip_gnss_data_beidou_ephemeris {
      */
     double t_gd;
     /**
-     * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+     * Value in the position of the GPS inter-signal correction for L1. Unit: s. Valid if
      * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l1ca;
     /**
-     * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+     * Value in the position of the GPS inter-signal correction for L2 or L5. Unit: s. Valid if
      * MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     double isc_l2c;
@@ -2965,7 +2965,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
 /**
  * GPS ionospheric correction: data 0x71.
  *
- * Model of the ionosphere that GPS broadcasts.
+ * Ionospheric model that GPS broadcasts.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `gps_iono_corr`. Not listed in any
@@ -3024,7 +3024,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode(
 /**
  * Galileo ionospheric correction: data 0x73.
  *
- * Model of the ionosphere that Galileo broadcasts.
+ * Ionospheric model that Galileo broadcasts.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `galileo_iono_corr`. Not listed in
@@ -3085,7 +3085,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode
 /**
  * BeiDou ionospheric correction: data 0x74.
  *
- * Model of the ionosphere that BeiDou broadcasts.
+ * Ionospheric model that BeiDou broadcasts.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Also called `beidou_iono_corr`. Not listed in

@@ -734,7 +734,7 @@ struct dgps_info_satellite_ : ::mip_gnss_data_dgps_info_satellite {
     }
 };
 
-/** DGPS info with a satellite. See struct mip_gnss_data_dgps_info_satellite. */
+/** DGPS info for one satellite. See struct mip_gnss_data_dgps_info_satellite. */
 using dgps_info_satellite = dgps_info_satellite_;
 
 struct dgps_channel_ : ::mip_gnss_data_dgps_channel {

@@ -1401,75 +1401,47 @@ static const char *const cv7_gnss_ins_gpio_pins_cells[] = {
     "UART 2", /* row 1 */
     "2",
     "9",
-    "GPIO, PPS (restricted), timestamp, UART",
+    "GPIO, PPS*, timestamp, UART",
     "UART 2", /* row 2 */
     "3",
     "6",
-    "GPIO, PPS (restricted), timestamp, UART",
+    "GPIO, PPS*, timestamp, UART",
     "UART 3", /* row 3 */
     "4",
     "10",
-    "GPIO, PPS (restricted), timestamp, UART",
+    "GPIO, PPS*, timestamp, UART",
     "UART 3", /* row 4 */
 };
 
 static const char *const cv7_gnss_ins_gpio_behaviors_cells[] = {
-    "Feature",
-    "Behavior",
-    "Pins",
-    "Pin modes", /* heading */
-    "unused (0)",
-    "unused (0)",
-    "1 to 4",
-    "none", /* row 1 */
-    "gpio (1)",
-    "input (1)",
-    "1 to 4",
-    "pull-up or pull-down", /* row 2 */
-    "gpio (1)",
-    "output low (2)",
-    "1 to 4",
-    "open drain, optionally with pull-up", /* row 3 */
-    "gpio (1)",
-    "output high (3)",
-    "1 to 4",
-    "open drain, optionally with pull-up", /* row 4 */
-    "pps (2)",
-    "input (1)",
-    "1; restricted on 2 to 4",
-    "none", /* row 5 */
-    "pps (2)",
-    "output (2)",
-    "1; restricted on 2 to 4",
-    "none", /* row 6 */
-    "timestamp (4)",
-    "rising (1)",
-    "1 to 4",
-    "pull-up or pull-down", /* row 7 */
-    "timestamp (4)",
-    "falling (2)",
-    "1 to 4",
-    "pull-up or pull-down", /* row 8 */
-    "timestamp (4)",
-    "either (3)",
-    "1 to 4",
-    "pull-up or pull-down", /* row 9 */
-    "uart (5)",
-    "UART 2 transmit (33)",
-    "1 and 2",
-    "open drain, optionally with pull-up", /* row 10 */
-    "uart (5)",
-    "UART 2 receive (34)",
-    "1 and 2",
-    "pull-up or pull-down", /* row 11 */
-    "uart (5)",
-    "UART 3 transmit (49)",
-    "3 and 4",
-    "open drain, optionally with pull-up", /* row 12 */
-    "uart (5)",
-    "UART 3 receive (50)",
-    "3 and 4",
-    "pull-up or pull-down", /* row 13 */
+    "Feature",       "Behavior",
+    "Pins",          "Pin modes", /* heading */
+    "unused (0)",    "unused (0)",
+    "1 to 4",        "none", /* row 1 */
+    "gpio (1)",      "input (1)",
+    "1 to 4",        "pull-up or pull-down", /* row 2 */
+    "gpio (1)",      "output low (2)",
+    "1 to 4",        "open drain, optionally with pull-up", /* row 3 */
+    "gpio (1)",      "output high (3)",
+    "1 to 4",        "open drain, optionally with pull-up", /* row 4 */
+    "pps (2)",       "input (1)",
+    "1; 2 to 4*",    "none", /* row 5 */
+    "pps (2)",       "output (2)",
+    "1; 2 to 4*",    "none", /* row 6 */
+    "timestamp (4)", "rising (1)",
+    "1 to 4",        "pull-up or pull-down", /* row 7 */
+    "timestamp (4)", "falling (2)",
+    "1 to 4",        "pull-up or pull-down", /* row 8 */
+    "timestamp (4)", "either (3)",
+    "1 to 4",        "pull-up or pull-down", /* row 9 */
+    "uart (5)",      "UART 2 transmit (33)",
+    "1 and 2",       "open drain, optionally with pull-up", /* row 10 */
+    "uart (5)",      "UART 2 receive (34)",
+    "1 and 2",       "pull-up or pull-down", /* row 11 */
+    "uart (5)",      "UART 3 transmit (49)",
+    "3 and 4",       "open drain, optionally with pull-up", /* row 12 */
+    "uart (5)",      "UART 3 receive (50)",
+    "3 and 4",       "pull-up or pull-down", /* row 13 */
 };
 
 static const char *const cv7_gnss_ins_nmea_output_cells[] = {
@@ -1566,12 +1538,12 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      "Data that `3dm.low_pass_filter` can filter.", cv7_gnss_ins_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
      "Features of each pin; all are unused by default. The encoder feature is not available. The "
-     "manual marks PPS on pins 2 to 4 with an asterisk that it does not explain.",
+     "asterisk at PPS on pins 2 to 4 is in the manual, which does not explain it.",
      cv7_gnss_ins_gpio_pins_cells, 5, 4},
     {"gpio_behaviors", "GPIO behaviors and pin modes",
      "Values of the behavior for each feature, and the pin modes that go with it. Two pins cannot "
      "have the same direction of the same UART. PPS output from an internal receiver is always "
-     "push-pull.",
+     "push-pull. The asterisk is the one at the features of the pins.",
      cv7_gnss_ins_gpio_behaviors_cells, 14, 4},
     {"nmea_output", "NMEA output",
      "Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) "

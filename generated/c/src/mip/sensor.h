@@ -51,7 +51,9 @@ typedef uint16_t mip_sensor_overrange_flags;
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Y 0x0200U
 /** Bit 10. The magnetometer z axis is near or outside its range. Concerns mip_sensor_scaled_mag. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
-/** Bit 12. Pressure sensor. Concerns mip_sensor_scaled_pressure. */
+/**
+ * Bit 12. The pressure sensor is near or outside its range. Concerns mip_sensor_scaled_pressure.
+ */
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
 
 /** Validity of the odometer values. */

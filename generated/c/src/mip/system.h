@@ -43,11 +43,11 @@ typedef uint32_t mip_system_comm_protocols;
 
 /** Part of the device that the host communicates with, and its protocol. */
 enum mip_system_protocol_mode MIP_ENUM_8 {
-    /** The device itself, MIP. */
+    /** The device itself; the protocol is MIP. */
     MIP_SYSTEM_PROTOCOL_MODE_STANDARD = 1,
-    /** The internal inertial sensor, MIP. */
+    /** The internal inertial sensor; the protocol is MIP. */
     MIP_SYSTEM_PROTOCOL_MODE_SENSOR_DIRECT = 2,
-    /** The internal GNSS receiver, NMEA and UBX; only on models that have one. */
+    /** The internal GNSS receiver, if there is one; the protocols are NMEA and UBX. */
     MIP_SYSTEM_PROTOCOL_MODE_GNSS_DIRECT = 3
 };
 

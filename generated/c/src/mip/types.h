@@ -648,7 +648,7 @@ struct mip_event_trigger_threshold {
     uint8_t parameter_id;
     /** Kind of comparison. A value of enum mip_event_threshold_type. */
     uint8_t type;
-    /** Kind of comparison. Selected by type. */
+    /** Thresholds of the comparison. Selected by type. */
     union mip_event_trigger_threshold_thresholds thresholds;
 };
 
@@ -935,9 +935,9 @@ MIP_API const char *mip_gpio_unused_behavior_name(uint8_t value);
 enum mip_gpio_behavior MIP_ENUM_8 {
     /** Input; the default. */
     MIP_GPIO_BEHAVIOR_INPUT = 1,
-    /** Output, low at first; low again at power-up if the configuration is saved. */
+    /** Output, initially low; also low at power-up if the configuration is saved. */
     MIP_GPIO_BEHAVIOR_OUTPUT_LOW = 2,
-    /** Output, high at first; high again at power-up if the configuration is saved. */
+    /** Output, initially high; also high at power-up if the configuration is saved. */
     MIP_GPIO_BEHAVIOR_OUTPUT_HIGH = 3
 };
 
@@ -1081,7 +1081,7 @@ struct mip_nmea_message {
     uint8_t message_id;
     /** The talker in the sentence. A value of enum mip_nmea_talker_id. */
     uint8_t talker_id;
-    /** Data descriptor set that the contents are taken from. */
+    /** Data descriptor set from which the contents are taken. */
     uint8_t source_descriptor_set;
     /** Base rate of the source descriptor set divided by the desired rate; a poll ignores it. */
     uint16_t decimation;
@@ -1106,7 +1106,7 @@ enum mip_comm_interface MIP_ENUM_8 {
     MIP_COMM_INTERFACE_UART_3 = 19,
     /** First virtual serial port of USB. */
     MIP_COMM_INTERFACE_USB_1 = 33,
-    /** Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM. */
+    /** Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM. */
     MIP_COMM_INTERFACE_USB_2 = 34
 };
 

@@ -1906,19 +1906,20 @@ const CV7_GNSS_INS_1: &Evidence =
 /// # GPIO pins
 ///
 /// Features of each pin; all are unused by default. The encoder feature is not available. The
-/// manual marks PPS on pins 2 to 4 with an asterisk that it does not explain.
+/// asterisk at PPS on pins 2 to 4 is in the manual, which does not explain it.
 ///
 /// | Pin | Connector pin | Features | UART |
 /// | --- | --- | --- | --- |
 /// | 1 | 7 | GPIO, PPS, timestamp, UART | UART 2 |
-/// | 2 | 9 | GPIO, PPS (restricted), timestamp, UART | UART 2 |
-/// | 3 | 6 | GPIO, PPS (restricted), timestamp, UART | UART 3 |
-/// | 4 | 10 | GPIO, PPS (restricted), timestamp, UART | UART 3 |
+/// | 2 | 9 | GPIO, PPS\*, timestamp, UART | UART 2 |
+/// | 3 | 6 | GPIO, PPS\*, timestamp, UART | UART 3 |
+/// | 4 | 10 | GPIO, PPS\*, timestamp, UART | UART 3 |
 ///
 /// # GPIO behaviors and pin modes
 ///
 /// Values of the behavior for each feature, and the pin modes that go with it. Two pins cannot have
 /// the same direction of the same UART. PPS output from an internal receiver is always push-pull.
+/// The asterisk is the one at the features of the pins.
 ///
 /// | Feature | Behavior | Pins | Pin modes |
 /// | --- | --- | --- | --- |
@@ -1926,8 +1927,8 @@ const CV7_GNSS_INS_1: &Evidence =
 /// | gpio (1) | input (1) | 1 to 4 | pull-up or pull-down |
 /// | gpio (1) | output low (2) | 1 to 4 | open drain, optionally with pull-up |
 /// | gpio (1) | output high (3) | 1 to 4 | open drain, optionally with pull-up |
-/// | pps (2) | input (1) | 1; restricted on 2 to 4 | none |
-/// | pps (2) | output (2) | 1; restricted on 2 to 4 | none |
+/// | pps (2) | input (1) | 1; 2 to 4\* | none |
+/// | pps (2) | output (2) | 1; 2 to 4\* | none |
 /// | timestamp (4) | rising (1) | 1 to 4 | pull-up or pull-down |
 /// | timestamp (4) | falling (2) | 1 to 4 | pull-up or pull-down |
 /// | timestamp (4) | either (3) | 1 to 4 | pull-up or pull-down |

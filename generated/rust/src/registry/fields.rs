@@ -3144,10 +3144,10 @@ registry! {
                 "num_channels" in ["1"];
                 "valid_flags";
             };
-        /// DGPS info with a satellite (0x0E).
+        /// DGPS info for one satellite (0x0E).
         GnssDataDgpsInfoSatellite(crate::gnss_data::DgpsInfoSatellite):
             Data 0x0E, of 2,
-            "gnss_data.dgps_info_satellite", "DGPS info with a satellite",
+            "gnss_data.dgps_info_satellite", "DGPS info for one satellite",
             {
                 0x81 "gnss_data.dgps_info_satellite",
                 0x91 "gnss_1.dgps_info_satellite",

@@ -257,7 +257,7 @@ record! {
     pub struct EchoControl {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Answers to the measurements.
+        /// Reply mode.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<AidingEchoMode>,
@@ -938,7 +938,7 @@ record! {
     /// Control.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct EchoControlResponse {
-        /// Answers to the measurements.
+        /// Reply mode.
         pub mode: AidingEchoMode,
     }
 }

@@ -62,7 +62,7 @@ constructors! {
 }
 
 open_enum! {
-    /// The part of the GPS time that a value holds.
+    /// The part of the GPS time that a value contains.
     GpsTimeField: u8 {
         /// Week number.
         WEEK_NUMBER = 1, "week_number";
@@ -370,7 +370,7 @@ record! {
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The change takes effect once pending data is sent and received, after at most 250 ms.
-    /// - Send it alone in a packet while the device is idle, and wait 250 ms before going on.
+    /// - Send it alone in a packet while the device is idle, and wait 250 ms before you continue.
     /// - Commands and data during the change may be lost, or sent at either rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
@@ -483,8 +483,8 @@ record! {
     ///
     /// - Send it once for the time of week and once for the week number after the PPS is locked.
     /// - On the 3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that
-    ///   of Unix time; [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) then has it,
-    ///   too.
+    ///   of Unix time; [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) then has the
+    ///   same epoch.
     /// - The PPS supplies the fraction of the second; send the whole second that began at its last
     ///   edge.
     /// - Send it within 250 ms after the rising edge of the PPS.

@@ -17,7 +17,7 @@ pub const DISPLACEMENT_SET: u8 = 0x11;
 record! {
     /// Get Analog to Displacement Calibration (0x11,0x01).
     ///
-    /// Reads the linear function by which the device converts the counts of its converter to a
+    /// Reads the linear function with which the device converts the counts of its converter to a
     /// displacement.
     ///
     /// No device is certain to support it. Also called `get_analog_displacement_calibration`.
@@ -140,9 +140,9 @@ record! {
     /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
     #[derive(Copy, Default)]
     pub struct GetCalibrationResponse {
-        /// Displacement for each count of the converter.
+        /// Displacement per count of the converter.
         ///
-        /// Uncertain: The unit; mm for each count is likely.
+        /// Uncertain: The unit; mm per count is likely.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub slope: f32,
         /// Displacement at zero counts.

@@ -107,7 +107,7 @@ record! {
     pub struct Timestamp {
         /// Validity of the time of displacement data.
         pub flags: TimestampFlags,
-        /// UTC since 1970-01-01, without leap seconds, if the clock was set so.
+        /// UTC since 1970-01-01, without leap seconds, if the clock was set to it.
         ///
         /// Unit: ns. Valid if [`flags.time`](TimestampFlags::time) is set.
         pub time: u64,

@@ -156,9 +156,9 @@ open_enum! {
     AdaptiveMeasurementSelector: u8 {
         /// No adaptation.
         DISABLED = 0, "disabled";
-        /// Adapted by the limits specified by the command.
+        /// The limits in the command determine the weights.
         FIXED = 1, "fixed";
-        /// Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later.
+        /// The filter determines the weights; the limits are ignored. 3DM-GX5 and later.
         AUTO = 2, "auto";
     }
 }
@@ -216,7 +216,7 @@ open_enum! {
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     AccelConstraint: u8 {
-        /// Nothing.
+        /// No assumption.
         NONE = 0, "none";
         /// The filter assumes no acceleration.
         ZERO_ACCEL = 1, "zero_accel";
@@ -228,7 +228,7 @@ open_enum! {
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     VelocityConstraint: u8 {
-        /// Nothing.
+        /// No assumption.
         NONE = 0, "none";
         /// The filter assumes that the device does not move.
         ZERO_VELOCITY = 1, "zero_velocity";
@@ -242,7 +242,7 @@ open_enum! {
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     AngularConstraint: u8 {
-        /// Nothing.
+        /// No assumption.
         NONE = 0, "none";
         /// The filter assumes no rotation.
         ZERO_ANGULAR_RATE = 1, "zero_angular_rate";
@@ -695,7 +695,7 @@ command! {
 record! {
     /// Sensor to vehicle offset (0x0D,0x12).
     ///
-    /// Sets the origin of the vehicle frame, as seen from the sensor.
+    /// Sets the origin of the vehicle frame relative to the sensor.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1398,7 +1398,7 @@ command! {
 record! {
     /// Accelerometer bias model (0x0D,0x1C).
     ///
-    /// Sets the parameters of the model by which the accelerometer bias drifts.
+    /// Sets the parameters of the accelerometer bias drift model.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1464,7 +1464,7 @@ command! {
 record! {
     /// Gyroscope bias model (0x0D,0x1D).
     ///
-    /// Sets the parameters of the model by which the gyroscope bias drifts.
+    /// Sets the parameters of the gyroscope bias drift model.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1531,7 +1531,7 @@ command! {
 record! {
     /// Automatic zero velocity update (0x0D,0x1E).
     ///
-    /// Lets the filter assume that the device is at rest while its GNSS speed is low.
+    /// Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -1677,7 +1677,8 @@ command! {
 record! {
     /// Zero angular rate update (0x0D,0x20).
     ///
-    /// Lets the filter assume that the device is not rotating while its angular rate is low.
+    /// Sets whether the filter assumes that the device is not rotating while its angular rate is
+    /// low.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2490,7 +2491,7 @@ command! {
 record! {
     /// Gravity magnitude error adaptive measurement (0x0D,0x44).
     ///
-    /// Sets how far the filter trusts gravity measurements whose magnitude is not that of gravity.
+    /// Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -2505,7 +2506,7 @@ record! {
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are omitted.
-    /// - Filter and limits take effect only with `fixed`.
+    /// - The low-pass filter and the limits take effect only with `fixed`.
     /// - Raise the limits where vibration is strong, lower them where it is weak. High limits
     ///   reduce the accuracy of pitch and roll under linear acceleration, low limits reduce the
     ///   accuracy of the heading.
@@ -2529,12 +2530,12 @@ record! {
         /// Unit: Hz. Range: at least 0. Optional.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub frequency: Option<f32>,
-        /// Lower limit of the error.
+        /// Lower limit of the gravity magnitude error.
         ///
         /// Unit: m/s^2. Optional.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit: Option<f32>,
-        /// Upper limit of the error.
+        /// Upper limit of the gravity magnitude error.
         ///
         /// Unit: m/s^2. Optional.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
@@ -2650,14 +2651,14 @@ record! {
         /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub frequency: Option<f32>,
-        /// Lower limit of the error.
+        /// Lower limit of the magnetic field magnitude error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
         /// The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss
         /// in the response.
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub low_limit: Option<f32>,
-        /// Upper limit of the error.
+        /// Upper limit of the magnetic field magnitude error.
         ///
         /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
         /// The SDK states m/s^2; a manual of the 3DM-GX5-45 states m/s^2 in the command and gauss
@@ -2772,7 +2773,7 @@ record! {
         /// Unit: Hz. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(default, with = "crate::readable"))]
         pub frequency: Option<f32>,
-        /// Upper limit of the error.
+        /// Upper limit of the dip angle error.
         ///
         /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
         /// The SDK states m/s^2; rad is inferred from the quantity.
@@ -3987,7 +3988,8 @@ command! {
 record! {
     /// Vertical gyro constraint (0x0D,0x62).
     ///
-    /// Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
+    /// Sets whether the filter maintains pitch and roll with the accelerometers while there is no
+    /// GNSS.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -4050,7 +4052,7 @@ command! {
 record! {
     /// Wheeled vehicle constraint (0x0D,0x63).
     ///
-    /// Lets the filter assume that the vehicle moves only along its x axis.
+    /// Sets whether the filter assumes that the vehicle moves only along its x axis.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -5050,12 +5052,12 @@ record! {
         /// Unit: Hz. Range: at least 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub frequency: f32,
-        /// Lower limit of the error.
+        /// Lower limit of the gravity magnitude error.
         ///
         /// Unit: m/s^2.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit: f32,
-        /// Upper limit of the error.
+        /// Upper limit of the gravity magnitude error.
         ///
         /// Unit: m/s^2.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -5126,13 +5128,13 @@ record! {
         /// Unit: Hz. Range: at least 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub frequency: f32,
-        /// Lower limit of the error.
+        /// Lower limit of the magnetic field magnitude error.
         ///
         /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
         /// states m/s^2 in the command and gauss in the response.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub low_limit: f32,
-        /// Upper limit of the error.
+        /// Upper limit of the magnetic field magnitude error.
         ///
         /// Unit: gauss. Uncertain: The unit. The SDK states m/s^2; a manual of the 3DM-GX5-45
         /// states m/s^2 in the command and gauss in the response.
@@ -5207,7 +5209,7 @@ record! {
         /// Unit: Hz. Range: at least 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub frequency: f32,
-        /// Upper limit of the error.
+        /// Upper limit of the dip angle error.
         ///
         /// Unit: rad. Uncertain: The unit. The SDK states m/s^2; rad is inferred from the quantity.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]

@@ -389,7 +389,7 @@ bitfield! {
 record! {
     /// LLH position (0x82,0x01).
     ///
-    /// Estimated position.
+    /// Estimated position as latitude, longitude and height.
     ///
     /// Also called `position_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
     /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -447,7 +447,7 @@ field! {
 record! {
     /// NED velocity (0x82,0x02).
     ///
-    /// Estimated velocity.
+    /// Estimated velocity in the NED frame.
     ///
     /// Also called `velocity_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
     /// and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -796,7 +796,7 @@ field! {
 record! {
     /// NED velocity uncertainty (0x82,0x09).
     ///
-    /// Standard deviation of the estimated velocity.
+    /// Standard deviation of the estimated velocity in the NED frame.
     ///
     /// Also called `velocity_ned_uncertainty`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
@@ -1004,7 +1004,7 @@ record! {
     /// (0x82, 0x0D).
     #[derive(Copy, Default)]
     pub struct LinearAccel {
-        /// Zero while the velocity is constant.
+        /// Linear acceleration; zero while the velocity is constant.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 0. Valid
         /// if [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -1459,7 +1459,7 @@ field! {
 record! {
     /// Heading update source state (0x82,0x14).
     ///
-    /// The last heading that updated the filter and where it came from.
+    /// The last heading that updated the filter, and its source.
     ///
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
@@ -2255,7 +2255,7 @@ field! {
 record! {
     /// Antenna offset correction (0x82,0x30).
     ///
-    /// Estimated error of the offset of the GNSS antenna.
+    /// Estimated error of the GNSS antenna offset.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
@@ -2296,7 +2296,7 @@ field! {
 record! {
     /// Antenna offset correction uncertainty (0x82,0x31).
     ///
-    /// Standard deviation of the estimated error of the offset of the GNSS antenna.
+    /// Standard deviation of the estimated error of the GNSS antenna offset.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
@@ -2442,7 +2442,7 @@ field! {
 record! {
     /// Multi-antenna offset correction (0x82,0x34).
     ///
-    /// Estimated error of the offset of one GNSS antenna.
+    /// Estimated error of one GNSS antenna's offset.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -2490,7 +2490,7 @@ field! {
 record! {
     /// Multi-antenna offset correction uncertainty (0x82,0x35).
     ///
-    /// Standard deviation of the estimated error of the offset of one GNSS antenna.
+    /// Standard deviation of the estimated error of one GNSS antenna's offset.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -2535,7 +2535,7 @@ field! {
 record! {
     /// ECEF position uncertainty (0x82,0x36).
     ///
-    /// Standard deviation of the estimated position.
+    /// Standard deviation of the estimated position in Earth-fixed coordinates.
     ///
     /// Also called `ecef_pos_uncertainty`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
@@ -2575,7 +2575,7 @@ field! {
 record! {
     /// ECEF velocity uncertainty (0x82,0x37).
     ///
-    /// Standard deviation of the estimated velocity.
+    /// Standard deviation of the estimated velocity in Earth-fixed coordinates.
     ///
     /// Also called `ecef_vel_uncertainty`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
@@ -2615,7 +2615,7 @@ field! {
 record! {
     /// ECEF position (0x82,0x40).
     ///
-    /// Estimated position.
+    /// Estimated position in Earth-fixed coordinates.
     ///
     /// Also called `ecef_pos`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -2654,7 +2654,7 @@ field! {
 record! {
     /// ECEF velocity (0x82,0x41).
     ///
-    /// Estimated velocity.
+    /// Estimated velocity in Earth-fixed coordinates.
     ///
     /// Also called `ecef_vel`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -3038,7 +3038,7 @@ record! {
         /// Unit: s. Range: 0 to 604800. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub tow: f32,
-        /// Heading that follows from the baseline of the antennas.
+        /// Heading derived from the baseline of the antennas.
         ///
         /// Unit: rad. Positive: clockwise seen from above. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -3101,11 +3101,11 @@ record! {
     pub struct AidingFrameConfigError {
         /// Number of the frame.
         pub frame_id: u8,
-        /// Error of the translation.
+        /// Estimated error of the translation.
         ///
         /// Elements: x, y, z. Unit: m.
         pub translation: types::Vector3f,
-        /// Error of the rotation.
+        /// Estimated error of the rotation.
         ///
         /// Elements: w, x, y, z. Unit: 1.
         pub attitude: types::Quatf,
@@ -3138,8 +3138,7 @@ field! {
 record! {
     /// Aiding frame configuration error uncertainty (0x82,0x51).
     ///
-    /// Uncertainty of the estimated error of a frame that
-    /// [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
+    /// Uncertainty of the error that [`AidingFrameConfigError`] estimates.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///

@@ -129,7 +129,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Extent of the restart of a receiver.
+    /// Extent of a receiver restart.
     ///
     /// Source: mip-sdk-4: Receiver Reset (0x0E,0x03).
     ReceiverResetType: u8 {

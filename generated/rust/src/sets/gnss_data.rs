@@ -35,7 +35,7 @@ pub const GNSS_CORRECTIONS_SET: u8 = 0x93;
 
 /// External GNSS data (0x94): Data that an external GNSS receiver sends to the device in NMEA
 /// sentences. A field may need several sentences; a value that NMEA does not provide is not valid.
-/// Times are those of the sentences.
+/// Times are taken from the sentences.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS External (0x94); 3dm-cv7-gnss-ins: NMEA Input.
 pub const GNSS_EXTERNAL_SET: u8 = 0x94;
@@ -213,7 +213,7 @@ bitfield! {
         /// SBAS corrections were used in the fix. Bit 0.
         SBAS_USED: bool = 0,
             sbas_used, set_sbas_used, with_sbas_used;
-        /// Differential corrections. Bit 1.
+        /// Differential corrections were used in the fix. Bit 1.
         DGNSS_USED: bool = 1,
             dgnss_used, set_dgnss_used, with_dgnss_used;
     }
@@ -240,7 +240,7 @@ bitfield! {
 bitfield! {
     /// State of a satellite.
     SvFlags: u16 {
-        /// The position fix uses it. Bit 0.
+        /// The satellite is used in the position fix. Bit 0.
         USED_FOR_NAVIGATION: bool = 0,
             used_for_navigation, set_used_for_navigation, with_used_for_navigation;
         /// The satellite reports that its signals can be used. Bit 1.
@@ -277,7 +277,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Power and operation of a GNSS receiver.
+    /// Operating state of a GNSS receiver.
     ReceiverState: u8 {
         /// Off.
         OFF = 0, "off";
@@ -305,7 +305,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Supply of the antenna.
+    /// State of the antenna's power supply.
     AntennaPower: u8 {
         /// Off.
         OFF = 0, "off";
@@ -407,11 +407,11 @@ bitfield! {
 }
 
 open_enum! {
-    /// Satellite based augmentation system.
+    /// Satellite-based augmentation system (SBAS).
     SbasSystem: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
-        /// North America.
+        /// WAAS, the North American system.
         WAAS = 1, "waas";
         /// EGNOS, the European system.
         EGNOS = 2, "egnos";
@@ -539,7 +539,7 @@ bitfield! {
         /// `spoofing_state` is valid. Bit 2.
         SPOOFING_STATE: bool = 2,
             spoofing_state, set_spoofing_state, with_spoofing_state;
-        /// Frequency; only set by firmware that sends it. Bit 3.
+        /// `frequency` is valid; set only by firmware that sends the frequency. Bit 3.
         FREQUENCY: bool = 3,
             frequency, set_frequency, with_frequency;
         /// All values are valid. Bits 0 to 3. Overlaps other bits.
@@ -549,13 +549,13 @@ bitfield! {
 }
 
 open_enum! {
-    /// Solution of the carrier phase ambiguities for a heading.
+    /// Resolution of the carrier phase ambiguities for a heading.
     HeadingFixType: u8 {
         /// Not known.
         UNKNOWN = 0, "unknown";
-        /// Real numbers, which is less accurate.
+        /// The ambiguities are real numbers, which is less accurate.
         FLOAT = 1, "float";
-        /// Whole numbers of cycles.
+        /// The ambiguities are fixed to whole numbers of cycles.
         FIXED = 2, "fixed";
     }
 }
@@ -752,16 +752,16 @@ bitfield! {
         /// The description of the base station's antenna has arrived. Bit 1.
         ANTENNA_DESCRIPTION_RECEIVED: bool = 1,
             antenna_description_received, set_antenna_description_received, with_antenna_description_received;
-        /// GPS corrections. Bit 2.
+        /// GPS corrections have arrived. Bit 2.
         GPS_RECEIVED: bool = 2,
             gps_received, set_gps_received, with_gps_received;
-        /// GLONASS corrections. Bit 3.
+        /// GLONASS corrections have arrived. Bit 3.
         GLONASS_RECEIVED: bool = 3,
             glonass_received, set_glonass_received, with_glonass_received;
-        /// Galileo corrections. Bit 4.
+        /// Galileo corrections have arrived. Bit 4.
         GALILEO_RECEIVED: bool = 4,
             galileo_received, set_galileo_received, with_galileo_received;
-        /// BeiDou corrections. Bit 5.
+        /// BeiDou corrections have arrived. Bit 5.
         BEIDOU_RECEIVED: bool = 5,
             beidou_received, set_beidou_received, with_beidou_received;
         /// GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004. Bit 6.
@@ -816,7 +816,7 @@ bitfield! {
         /// The ephemeris is valid. Bit 0.
         EPHEMERIS: bool = 0,
             ephemeris, set_ephemeris, with_ephemeris;
-        /// The data of the modernized navigation message are included. Bit 1.
+        /// Data of the modernized navigation message is included. Bit 1.
         MODERN_DATA: bool = 1,
             modern_data, set_modern_data, with_modern_data;
         /// `isc_l2c` is the correction for L5, not for L2. Bit 2.
@@ -844,7 +844,7 @@ bitfield! {
         /// The ephemeris is valid. Bit 0.
         EPHEMERIS: bool = 0,
             ephemeris, set_ephemeris, with_ephemeris;
-        /// All of them. Bit 0. Overlaps other bits.
+        /// All values are valid. Bit 0. Overlaps other bits.
         FLAGS: bool = 0,
             flags, set_flags, with_flags;
     }
@@ -1280,7 +1280,7 @@ field! {
 record! {
     /// UTC time (0x08).
     ///
-    /// Coordinated universal time as the receiver knows it.
+    /// Coordinated universal time (UTC) according to the receiver.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
@@ -1290,7 +1290,7 @@ record! {
     /// 3dm-cv7-gnss-ins: UTC Time (0x94,0x08).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct UtcTime {
-        /// Year with its century.
+        /// Year with four digits.
         ///
         /// Valid if [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is set.
         pub year: u16,
@@ -1365,7 +1365,7 @@ field! {
 record! {
     /// GPS time (0x09).
     ///
-    /// GPS time as the receiver knows it.
+    /// GPS time according to the receiver.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
@@ -1421,7 +1421,7 @@ record! {
     /// (0x92), gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only
     /// from the MicroStrain MIP SDK.
     ///
-    /// - Clock info 2 replaces it, with more detail.
+    /// - Clock info 2 supersedes it and is more detailed.
     ///
     /// Source: mip-sdk-4: Clock Info (0x81,0x0A).
     #[derive(Copy, Default)]
@@ -1475,7 +1475,7 @@ field! {
 record! {
     /// Fix info (0x0B).
     ///
-    /// Type of the position fix and what it is based on.
+    /// Type of the position fix, with the satellites and corrections used.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
@@ -1531,7 +1531,7 @@ field! {
 record! {
     /// Satellite info (0x0C).
     ///
-    /// One satellite that is tracked.
+    /// State of one tracked satellite.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
@@ -1619,7 +1619,7 @@ record! {
     /// Status (0x92,0x0D).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct HardwareStatus {
-        /// Power and operation of the receiver.
+        /// Operating state of the receiver.
         ///
         /// Valid if [`valid_flags.sensor_state`](HardwareStatusFlags::sensor_state) is set.
         pub receiver_state: ReceiverState,
@@ -1627,7 +1627,7 @@ record! {
         ///
         /// Valid if [`valid_flags.antenna_state`](HardwareStatusFlags::antenna_state) is set.
         pub antenna_state: AntennaState,
-        /// Supply of the antenna.
+        /// State of the antenna's power supply.
         ///
         /// Valid if [`valid_flags.antenna_power`](HardwareStatusFlags::antenna_power) is set.
         pub antenna_power: AntennaPower,
@@ -1733,20 +1733,20 @@ field! {
 }
 
 record! {
-    /// DGPS info with a satellite (0x0E).
+    /// DGPS info for one satellite (0x0E).
     ///
-    /// Differential correction for one satellite, in the layout that the SDK states for DGPS info.
+    /// Differential correction for one satellite, in the layout that the SDK has for DGPS info.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfo`] by the size
     /// of its data. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     /// Uncertain: Whether any device sends it. The values are those of [`DgpsChannel`], but the
-    /// flags are those of [`DgpsInfo`], so a mistake of the SDK is likely.
+    /// flags are those of [`DgpsInfo`], so a mistake in the SDK is likely.
     ///
     /// - The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have
     ///   [`DgpsInfo`].
-    /// - The flags of `base_station_id`, `base_station_status` and `num_channels` belong to no
-    ///   value of this layout.
+    /// - The flags of `base_station_id`, `base_station_status` and `num_channels` correspond to no
+    ///   value in this layout.
     ///
     /// Source: mip-sdk-4: Dgps Info (0x81,0x0E).
     #[derive(Copy, Default)]
@@ -2072,9 +2072,9 @@ record! {
     /// Source: mip-sdk-4: Sbas Correction (0x81,0x13).
     #[derive(Copy, Default)]
     pub struct SbasCorrection {
-        /// Number of this field within the epoch.
+        /// Index of this field within the epoch.
         pub index: u8,
-        /// Number of these fields in the epoch.
+        /// Number of such fields in the epoch.
         pub count: u8,
         /// GPS time of week of the reception.
         ///
@@ -2165,7 +2165,7 @@ record! {
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct RfErrorDetection {
-        /// Band that the states are about.
+        /// Band to which the states apply.
         ///
         /// Valid if [`valid_flags.rf_band`](RfErrorDetectionFlags::rf_band) is set.
         pub rf_band: RfBand,
@@ -2292,9 +2292,9 @@ record! {
     /// (0x92,0x20); 3dm-cv7-gnss-ins: Satellite Status (0x94,0x20).
     #[derive(Copy, Default)]
     pub struct SatelliteStatus {
-        /// Number of this field within the epoch.
+        /// Index of this field within the epoch.
         pub index: u8,
-        /// Number of these fields in the epoch.
+        /// Number of such fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -2387,9 +2387,9 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Raw (0x91,0x22); 3dm-cv7-gnss-ins: Raw (0x92,0x22).
     #[derive(Copy, Default)]
     pub struct Raw {
-        /// Number of this field within the epoch.
+        /// Index of this field within the epoch.
         pub index: u8,
-        /// Number of these fields in the epoch.
+        /// Number of such fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -2464,7 +2464,7 @@ record! {
         /// [`valid_flags.doppler_uncertainty`](RawFlags::doppler_uncertainty) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub doppler_uncertainty: f32,
-        /// Lower limit of the time that the carrier phase has been locked.
+        /// Minimum time for which the carrier phase has been locked.
         ///
         /// Unit: s. Range: at least 0. Valid if [`valid_flags.lock_time`](RawFlags::lock_time) is
         /// set.
@@ -2533,7 +2533,7 @@ field! {
 record! {
     /// Base station info (0x30).
     ///
-    /// The base station of the corrections, from an RTCM message 1005 or 1006.
+    /// Base station that sends the corrections, from RTCM message 1005 or 1006.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
@@ -2560,7 +2560,7 @@ record! {
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.ecef_position`](BaseStationInfoFlags::ecef_position) is set.
         pub ecef_position: types::Vector3d,
-        /// Height of the antenna above the marker that was surveyed.
+        /// Height of the antenna above the surveyed marker.
         ///
         /// Unit: m. Valid if [`valid_flags.height`](BaseStationInfoFlags::height) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -2728,9 +2728,9 @@ record! {
     /// (0x92,0x61).
     #[derive(Default)]
     pub struct GpsEphemeris {
-        /// Number of this field within the epoch.
+        /// Index of this field within the epoch.
         pub index: u8,
-        /// Number of these fields in the epoch.
+        /// Number of such fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -2983,16 +2983,16 @@ record! {
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `glo_ephemeris`. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The interface control document of GLONASS explains p and ft.
+    /// - The GLONASS interface control document explains p and ft.
     /// - A period of four years has 1461 days; no source states how nt, a u8, counts them.
     ///
     /// Source: 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62); 3dm-cv7-gnss-ins: Glonass Ephemeris
     /// (0x92,0x62).
     #[derive(Default)]
     pub struct GlonassEphemeris {
-        /// Number of this field within the epoch.
+        /// Index of this field within the epoch.
         pub index: u8,
-        /// Number of these fields in the epoch.
+        /// Number of such fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -3178,9 +3178,9 @@ record! {
     /// (0x92,0x63).
     #[derive(Default)]
     pub struct GalileoEphemeris {
-        /// Number of this field within the epoch.
+        /// Index of this field within the epoch.
         pub index: u8,
-        /// Number of these fields in the epoch.
+        /// Number of such fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -3231,12 +3231,12 @@ record! {
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_gd: f64,
-        /// Place of the inter-signal correction for L1 of GPS.
+        /// Value in the position of the GPS inter-signal correction for L1.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub isc_l1ca: f64,
-        /// Place of the inter-signal correction for L2 or L5 of GPS.
+        /// Value in the position of the GPS inter-signal correction for L2 or L5.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -3441,9 +3441,9 @@ record! {
     /// (0x92,0x64).
     #[derive(Default)]
     pub struct BeidouEphemeris {
-        /// Number of this field within the epoch.
+        /// Index of this field within the epoch.
         pub index: u8,
-        /// Number of these fields in the epoch.
+        /// Number of such fields in the epoch.
         pub count: u8,
         /// GPS time of week.
         ///
@@ -3494,12 +3494,12 @@ record! {
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub t_gd: f64,
-        /// Place of the inter-signal correction for L1 of GPS.
+        /// Value in the position of the GPS inter-signal correction for L1.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub isc_l1ca: f64,
-        /// Place of the inter-signal correction for L2 or L5 of GPS.
+        /// Value in the position of the GPS inter-signal correction for L2 or L5.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -3690,7 +3690,7 @@ field! {
 record! {
     /// GPS ionospheric correction (0x71).
     ///
-    /// Model of the ionosphere that GPS broadcasts.
+    /// Ionospheric model that GPS broadcasts.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `gps_iono_corr`. Not listed in
@@ -3757,7 +3757,7 @@ field! {
 record! {
     /// Galileo ionospheric correction (0x73).
     ///
-    /// Model of the ionosphere that Galileo broadcasts.
+    /// Ionospheric model that Galileo broadcasts.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `galileo_iono_corr`. Not listed
@@ -3824,7 +3824,7 @@ field! {
 record! {
     /// BeiDou ionospheric correction (0x74).
     ///
-    /// Model of the ionosphere that BeiDou broadcasts.
+    /// Ionospheric model that BeiDou broadcasts.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Also called `beidou_iono_corr`. Not listed

@@ -21,7 +21,7 @@ record! {
     pub struct PollEntry {
         /// Field descriptor.
         pub descriptor: u8,
-        /// In place of a decimation.
+        /// Reserved; occupies the position of a decimation.
         ///
         /// Reserved: send 0.
         pub reserved: u16,
@@ -57,7 +57,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Constellation in the settings of a receiver. The values are not those of
+    /// Constellation in receiver settings. The values are not those of
     /// [`types::GnssConstellation`], which GNSS data use.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
@@ -89,7 +89,7 @@ bitfield! {
 }
 
 record! {
-    /// Tracking of one constellation by a receiver.
+    /// Settings for the tracking of one constellation.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
     #[derive(Copy, Default, Eq, Hash)]
@@ -100,7 +100,7 @@ record! {
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// Channels reserved for it.
+        /// Number of channels reserved for it.
         ///
         /// Unit: 1. Range: 0 to 32.
         pub reserved_channels: u8,
@@ -137,7 +137,7 @@ constructors! {
 }
 
 bitfield! {
-    /// Use of SBAS.
+    /// Purposes for which SBAS is used.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     SbasOptions: u16 {
@@ -154,7 +154,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Storage of the last fix of a receiver.
+    /// Use of a receiver's last fix at power-up.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     AssistedFixOption: u8 {
@@ -397,7 +397,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Operation of the odometer input.
+    /// Operating mode of the odometer input.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     OdometerMode: u8 {
@@ -529,11 +529,11 @@ open_enum! {
     ///
     /// Source: mip-sdk-2014: Device Status (0x0C,0x64).
     Gx4SystemState: u16 {
-        /// The system starts.
+        /// The system is starting.
         INIT = 1, "init";
-        /// The sensors start.
+        /// The sensors are starting.
         SENSOR_STARTUP = 2, "sensor_startup";
-        /// The system runs.
+        /// The system is running.
         RUNNING = 3, "running";
     }
 }
@@ -552,8 +552,8 @@ record! {
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollImuData::descriptors).
     ///
-    /// - An empty list polls what [`ImuMessageFormat`] stores; if nothing is stored, the device
-    ///   rejects the command.
+    /// - An empty list polls the fields that [`ImuMessageFormat`] stores; if nothing is stored, the
+    ///   device rejects the command.
     /// - Descriptors that the device does not know are ignored.
     /// - The data is sent in a separate packet after the reply.
     ///
@@ -659,8 +659,8 @@ record! {
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollFilterData::descriptors).
     ///
-    /// - An empty list polls what [`FilterMessageFormat`] stores; if nothing is stored, the device
-    ///   rejects the command.
+    /// - An empty list polls the fields that [`FilterMessageFormat`] stores; if none are, the
+    ///   device rejects the command.
     /// - Descriptors that the device does not know are ignored.
     /// - The data is sent in a separate packet after the reply.
     ///
@@ -752,7 +752,7 @@ command! {
 record! {
     /// Get IMU Data Base Rate (0x0C,0x06).
     ///
-    /// Gets the rate that is divided by the decimations of [`ImuMessageFormat`].
+    /// Gets the base rate, which is divided by the decimations of [`ImuMessageFormat`].
     ///
     /// Also called `imu_get_base_rate`. Answered by [`GetImuBaseRateResponse`]. Supported by
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -784,7 +784,7 @@ command! {
 record! {
     /// Get GNSS Data Base Rate (0x0C,0x07).
     ///
-    /// Gets the rate that is divided by the decimations of [`GnssMessageFormat`].
+    /// Gets the base rate, which is divided by the decimations of [`GnssMessageFormat`].
     ///
     /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
@@ -1029,7 +1029,7 @@ command! {
 record! {
     /// Get Estimation Filter Data Base Rate (0x0C,0x0B).
     ///
-    /// Gets the rate that is divided by the decimations of [`FilterMessageFormat`].
+    /// Gets the base rate, which is divided by the decimations of [`FilterMessageFormat`].
     ///
     /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -1138,8 +1138,8 @@ record! {
     /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollData::descriptors).
     ///
-    /// - An empty list polls what [`MessageFormat`] stores; if nothing is stored, the device
-    ///   rejects the command.
+    /// - An empty list polls the fields that [`MessageFormat`] stores; if nothing is stored, the
+    ///   device rejects the command.
     /// - Descriptors that the device does not know are ignored.
     /// - The data is sent in a separate packet after the reply, on the port of the command.
     /// - List shared descriptors (0xD0 and up) before the others.
@@ -1190,7 +1190,7 @@ command! {
 record! {
     /// Get Data Base Rate (0x0C,0x0E).
     ///
-    /// Gets the rate that is divided by the decimations of a descriptor set.
+    /// Gets the base rate, which is divided by the decimations of a descriptor set.
     ///
     /// Answered by [`GetBaseRateResponse`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
@@ -2337,7 +2337,7 @@ record! {
     ///
     /// - [`SensorToVehicleTransformQuaternion`] and [`SensorToVehicleTransformDcm`] set the same
     ///   transformation; the value read back may be another form of it.
-    /// - Starting in line with the vehicle frame, the sensor is rotated by yaw, pitch and roll
+    /// - Starting aligned with the vehicle frame, the sensor is rotated by yaw, pitch and roll
     ///   about its own z, y and x axes, in this order.
     /// - `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
     /// - Every change resets the complementary filter, the estimation filter and all low-pass
@@ -3749,12 +3749,12 @@ record! {
     pub struct ComplementaryFilter {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Corrects pitch and roll (up, in terms of the 5-series).
+        /// True enables the pitch and roll correction, which 5-series manuals call up compensation.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GX5-15](crate::devices::GX5_15): default true.
         pub pitch_roll_enable: Option<crate::Bool>,
-        /// Corrects the heading (north, in terms of the 5-series).
+        /// True enables the heading correction, which 5-series manuals call north compensation.
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
@@ -3898,7 +3898,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct GetCalibratedSensorRanges {
-        /// The sensor; not all.
+        /// Sensor to query; `all` is not allowed.
         pub sensor: SensorRangeType,
     }
 }
@@ -5029,7 +5029,7 @@ record! {
         pub model_number: u16,
         /// Reserved.
         pub status_flags: u32,
-        /// State of the system; its values are not documented.
+        /// State of the system; the meaning of its values is not documented.
         ///
         /// On the [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT)
         /// and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`Gx4SystemState`].
@@ -5162,7 +5162,7 @@ record! {
         pub model_number: u16,
         /// Reserved.
         pub status_flags: u32,
-        /// State of the system; its values are not documented.
+        /// State of the system; the meaning of its values is not documented.
         pub system_state: u16,
         /// Time since start-up.
         ///
@@ -5287,7 +5287,7 @@ record! {
         pub model_number: u16,
         /// Reserved.
         pub status_flags: u32,
-        /// State of the system; its values are not documented.
+        /// State of the system; the meaning of its values is not documented.
         pub system_state: u16,
         /// Time since start-up.
         ///
@@ -5295,7 +5295,7 @@ record! {
         pub system_timer: u32,
         /// Power state of the GNSS receiver.
         pub gnss_power_state: u8,
-        /// Pulses per second that were counted.
+        /// Number of PPS pulses counted.
         ///
         /// Unit: 1.
         pub pps_count: u32,
@@ -5455,7 +5455,7 @@ record! {
         pub model_number: u16,
         /// Reserved.
         pub status_flags: u32,
-        /// State of the system; its values are not documented.
+        /// State of the system; the meaning of its values is not documented.
         pub system_state: u16,
         /// Time since start-up.
         ///
@@ -5463,7 +5463,7 @@ record! {
         pub system_timer: u32,
         /// Power state of the GNSS receiver.
         pub gnss_power_state: u8,
-        /// Pulses per second that were counted.
+        /// Number of PPS pulses counted.
         ///
         /// Unit: 1.
         pub pps_count: u32,
@@ -5636,7 +5636,7 @@ record! {
         pub model_number: u16,
         /// Reserved.
         pub status_flags: u32,
-        /// State of the system; its values are not documented.
+        /// State of the system; the meaning of its values is not documented.
         pub system_state: u16,
         /// Time since start-up.
         ///
@@ -5651,11 +5651,11 @@ record! {
         /// Unit: degC. Uncertain: The unit is inferred.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub temperature: f32,
-        /// System timer at the last temperature.
+        /// System timer at the last temperature measurement.
         ///
         /// Unit: ms.
         pub temperature_last_time: u32,
-        /// Pulses per second that were counted.
+        /// Number of PPS pulses counted.
         ///
         /// Unit: 1.
         pub pps_count: u32,
@@ -5826,7 +5826,7 @@ record! {
         ///
         /// Unit: ms.
         pub system_timer: u32,
-        /// Pulses per second that were counted.
+        /// Number of PPS pulses counted.
         ///
         /// Unit: 1.
         pub pps_count: u32,
@@ -6000,13 +6000,13 @@ record! {
         /// Unit: degC. Uncertain: The unit is inferred.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub temperature: f32,
-        /// System timer at the last temperature.
+        /// System timer at the last temperature measurement.
         ///
         /// Unit: ms.
         pub temperature_last_time: u32,
         /// State of the temperature measurement.
         pub temperature_error: u8,
-        /// Pulses per second that were counted.
+        /// Number of PPS pulses counted.
         ///
         /// Unit: 1.
         pub pps_count: u32,
@@ -6147,13 +6147,13 @@ record! {
         /// Unit: degC. Uncertain: The unit is inferred.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub temperature: f32,
-        /// System timer at the last temperature.
+        /// System timer at the last temperature measurement.
         ///
         /// Unit: ms.
         pub temperature_last_time: u32,
         /// State of the temperature measurement; 0 is normal.
         pub temperature_error: u8,
-        /// Pulses per second that were counted.
+        /// Number of PPS pulses counted.
         ///
         /// Unit: 1.
         pub pps_count: u32,
@@ -6279,7 +6279,7 @@ record! {
         /// Unit: degC. Uncertain: The unit is inferred.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub temperature: f32,
-        /// System timer at the last temperature.
+        /// System timer at the last temperature measurement.
         ///
         /// Unit: ms.
         pub temperature_last_time: u32,
@@ -6289,7 +6289,7 @@ record! {
         pub cold_temperature_detected: crate::Bool,
         /// True if a supply voltage is out of range.
         pub bad_voltage_detected: crate::Bool,
-        /// Pulses per second that were counted.
+        /// Number of PPS pulses counted.
         ///
         /// Unit: 1.
         pub pps_count: u32,
@@ -6303,7 +6303,7 @@ record! {
         ///
         /// Unit: 1.
         pub imu_dropped_packets: u32,
-        /// State of the port; its values are not known.
+        /// State of the port; the meaning of its values is not known.
         pub comm_port_state: u16,
         /// Present baud rate of the port.
         ///
@@ -6403,13 +6403,13 @@ record! {
     pub struct DeviceStatusBasicGx3Response {
         /// Model number of the device.
         pub model_number: u16,
-        /// Part of the device that the port talks to.
+        /// Part of the device that the port is connected to.
         pub comm_mode: u8,
         /// Port in use.
         pub comm_device: u8,
-        /// Settings of the data streams; their bits are not known.
+        /// Settings of the data streams; the meaning of the bits is not known.
         pub settings_flags: u32,
-        /// State of the port; its values are not known.
+        /// State of the port; the meaning of its values is not known.
         pub comm_state: u16,
         /// Baud rate of the port.
         ///
@@ -6472,13 +6472,13 @@ record! {
     pub struct DeviceStatusDiagnosticGx3Response {
         /// Model number of the device.
         pub model_number: u16,
-        /// Part of the device that the port talks to.
+        /// Part of the device that the port is connected to.
         pub comm_mode: u8,
         /// Port in use.
         pub comm_device: u8,
-        /// Settings of the data streams; their bits are not known.
+        /// Settings of the data streams; the meaning of the bits is not known.
         pub settings_flags: u32,
-        /// State of the port; its values are not known.
+        /// State of the port; the meaning of its values is not known.
         pub comm_state: u16,
         /// Baud rate of the port.
         ///
@@ -6500,7 +6500,7 @@ record! {
         ///
         /// Unit: 1.
         pub comm_port_read_overruns: u32,
-        /// State of the USB port; its values are not known.
+        /// State of the USB port; the meaning of its values is not known.
         pub usb_state: u16,
         /// Bytes sent over USB.
         ///
@@ -6518,9 +6518,9 @@ record! {
         ///
         /// Unit: 1.
         pub usb_read_overruns: u32,
-        /// State of the receiver's driver; its values are not known.
+        /// State of the receiver's driver; the meaning of its values is not known.
         pub gnss_driver_state: u16,
-        /// State of the port to the receiver; its values are not known.
+        /// State of the port to the receiver; the meaning of its values is not known.
         pub gnss_port_state: u16,
         /// Bytes sent to the receiver.
         ///
@@ -6546,9 +6546,9 @@ record! {
         ///
         /// Unit: 1.
         pub gnss_delayed_message_count: u32,
-        /// State of the IMU's driver; its values are not known.
+        /// State of the IMU's driver; the meaning of its values is not known.
         pub imu_driver_state: u16,
-        /// State of the port to the IMU; its values are not known.
+        /// State of the port to the IMU; the meaning of its values is not known.
         pub imu_port_state: u16,
         /// Bytes sent to the IMU.
         ///
@@ -6736,9 +6736,9 @@ record! {
     /// Complementary Filter Configuration (0x0C,0x51).
     #[derive(Copy, Default)]
     pub struct ComplementaryFilterResponse {
-        /// Corrects pitch and roll (up, in terms of the 5-series).
+        /// True enables the pitch and roll correction, which 5-series manuals call up compensation.
         pub pitch_roll_enable: crate::Bool,
-        /// Corrects the heading (north, in terms of the 5-series).
+        /// True enables the heading correction, which 5-series manuals call north compensation.
         pub heading_enable: crate::Bool,
         /// Time constant of the pitch and roll correction.
         ///
@@ -7330,7 +7330,7 @@ record! {
     pub struct GetEventSupportResponse {
         /// Query specified in the command.
         pub query: EventSupportQuery,
-        /// Number of slots; instances go from 1 to this.
+        /// Number of slots; instances are numbered from 1 to this.
         ///
         /// Unit: 1.
         pub max_instances: u8,

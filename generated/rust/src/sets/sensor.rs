@@ -44,7 +44,7 @@ bitfield! {
         /// The magnetometer z axis is near or outside its range. Bit 10. Concerns [`ScaledMag`].
         MAG_Z: bool = 10,
             mag_z, set_mag_z, with_mag_z;
-        /// Pressure sensor. Bit 12. Concerns [`ScaledPressure`].
+        /// The pressure sensor is near or outside its range. Bit 12. Concerns [`ScaledPressure`].
         PRESSURE: bool = 12,
             pressure, set_pressure, with_pressure;
     }

@@ -88,7 +88,7 @@ record! {
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
     /// According to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at
-    /// 1000 Hz; at other rates it would take longer or shorter.
+    /// 1000 Hz; at other rates that time would be longer or shorter.
     ///
     /// - A tick is one period at the base rate of the device.
     ///

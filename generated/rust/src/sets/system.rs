@@ -39,11 +39,11 @@ bitfield! {
 open_enum! {
     /// Part of the device that the host communicates with, and its protocol.
     ProtocolMode: u8 {
-        /// The device itself, MIP.
+        /// The device itself; the protocol is MIP.
         STANDARD = 1, "standard";
-        /// The internal inertial sensor, MIP.
+        /// The internal inertial sensor; the protocol is MIP.
         SENSOR_DIRECT = 2, "sensor_direct";
-        /// The internal GNSS receiver, NMEA and UBX; only on models that have one.
+        /// The internal GNSS receiver, if there is one; the protocols are NMEA and UBX.
         GNSS_DIRECT = 3, "gnss_direct";
     }
 }
