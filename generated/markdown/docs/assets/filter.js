@@ -1,5 +1,5 @@
-// Filters the tables of a page: rows by what is typed, and on pages that compare devices, columns by device.
-// It replaces `<div class="filter">`; without it, the tables are whole. The address keeps what was chosen.
+// Filters the tables of a page: rows by the typed text and, on pages that compare devices, columns by device.
+// It replaces `<div class="filter">`; without it, the tables are complete. The page's address keeps the choice.
 
 (() => {
     const place = document.querySelector("div.filter");
@@ -21,12 +21,12 @@
 
     // ------------------------------------------------------------------ devices
 
-    /** The id of the device that the reader has chosen on its page, see site.js. */
+    /** Returns the id of the device that the reader has chosen on its page; see site.js. */
     function mine() {
         try {
             return JSON.parse(localStorage.getItem("mip-device"))?.id ?? "";
         } catch {
-            return ""; // a browser may keep nothing
+            return ""; // a browser may not store anything
         }
     }
 
@@ -89,7 +89,7 @@
         return cells.every((cell) => cell === cells[0]);
     }
 
-    /** In a table without columns of devices, a row applies to those that it links to. */
+    /** In a table without device columns, a row applies to the devices that it links to. */
     function listed(row, different) {
         const ids = new Set(devicesIn(row).map(({ id }) => id));
         const of = [...chosen].filter((id) => ids.has(id));
@@ -139,7 +139,7 @@
         remember();
     }
 
-    /** The address, and the links to the other pages that compare devices. */
+    /** Updates the address, and the links to the other pages that compare devices. */
     function remember() {
         const state = new URLSearchParams();
         if (chosen.size > 0) state.set("devices", [...chosen].join(","));

@@ -1,5 +1,5 @@
 // The tools of the site, and the search at the top of its pages. Everything is loaded from the folder of this script, when
-// it is needed, by scripts: pages that are opened from disk may not fetch.
+// it is needed, as scripts, because pages that are opened from disk must not fetch.
 (() => {
     const assets = new URL(".", document.currentScript.src).href;
     const site = new URL("..", assets).href;
@@ -54,13 +54,13 @@
         addEventListener("hashchange", show);
     }
 
-    /** A link to a tool that begins with a packet. */
+    /** Creates a link that opens a tool with a packet. */
     function openIn(tool, word, bytes) {
         const href = `${site}tools/${tool}.html#${encodeURIComponent(bytes)}`;
         return element("a", { href, "aria-label": `${word} ${bytes.slice(0, 17)} …` }, word);
     }
 
-    /** From the page of a field to the tools: the builder begins with the field, or with the values of a packet. */
+    /** Adds links from the page of a field to the tools: the builder opens with the field, or with the values of a packet. */
     function linkTools() {
         const field = document.querySelector("article :is(h1, a)[id*='.']")?.id;
         for (const link of document.querySelectorAll("article a[href$='tools/builder.html']")) {
@@ -78,9 +78,9 @@
         }
     }
 
-    const LONG = 30; // characters of a description, which needs a column of some width
+    const LONG = 30; // characters; longer texts are descriptions, whose column needs a minimum width
 
-    /** Names in a table that is too wide may break between their words. */
+    /** Allows names in a table that is too wide to break between their words. */
     function breakNames(table) {
         const texts = document.createTreeWalker(table, NodeFilter.SHOW_TEXT);
         const found = [];
@@ -107,7 +107,7 @@
 
     // ------------------------------------------------------------------------------------------------ whole programs
 
-    /** The language of a tab: its name, and the suffix of its files. */
+    /** Returns the language of a tab: its name, and the suffix of its files. */
     const LANGUAGES = {
         C: ["c", "c"],
         "C++": ["cpp", "cpp"],
@@ -128,7 +128,7 @@
         );
     }
 
-    /** A complete program with the lines of a page; `numbers` are the descriptor set and the descriptor, in hexadecimal. */
+    /** Returns a complete program with the lines of a page; `numbers` are the descriptor set and the descriptor, in hexadecimal. */
     function wholeProgram(frame, text, [set, descriptor]) {
         const [lines, others] = [frame.split("\n"), text.trimEnd().split("\n")];
         const needs = others.filter((line) => /^(#include|from|use|import) /.test(line));
@@ -194,33 +194,33 @@
 
     const MINE = "mip-device";
 
-    /** The device that a reader has chosen: its id and its title; null if there is none. */
+    /** Returns the device that a reader has chosen, with id and title; null if there is none. */
     function mine() {
         try {
             return JSON.parse(localStorage.getItem(MINE));
         } catch {
-            return null; // a browser may keep nothing
+            return null; // a browser may not store anything
         }
     }
 
-    /** Whether a device has a field, by the index of fields: yes, probable, no, or undefined if nothing is known. */
+    /** Returns whether a device supports a field, by the index of fields: yes, probable, no, or undefined if unknown. */
     function answerOf(device, name) {
         const { devices, fields } = mipFields.model;
         const of = devices.find(({ id }) => id === device.id);
-        const asked = fields.find((field) => field.name === name)?.command ?? name; // a device has a response with its command
+        const asked = fields.find((field) => field.name === name)?.command ?? name; // a device supports a response with its command
         const number = fields.findIndex((field) => field.name === asked);
         return ["yes", "probable", "no"].find((answer) => of?.[answer]?.includes(number));
     }
 
     const SAID = { yes: "supported", probable: "probably supported", no: "rejected", undefined: "not known to be supported" };
 
-    /** A field on the device of the reader. */
+    /** Creates a remark on whether the reader's device supports a field. */
     function remarkOn(device, name) {
         const link = element("a", { href: `${site}devices/${device.id}.html` }, device.title);
         return element("p", { class: "mip-mine" }, "On my device, ", link, `: ${SAID[answerOf(device, name)]}.`);
     }
 
-    /** Lets a reader choose a device on its page; the pages of fields and sets then show what it has. */
+    /** Adds a choice of the device to its page; the pages of fields and sets then show what it supports. */
     async function myDevice() {
         const title = document.querySelector("article h1");
         const [, kind, name] = /\/(devices|fields|sets)\/(?:\w+\/)?([\w-]+)\.html/.exec(location.pathname) ?? [];
@@ -251,7 +251,7 @@
         return [element("label", {}, box, " Show what only other devices have")];
     }
 
-    /** The lines and sections of a field about values on devices, none of which is that of the reader. */
+    /** Finds the lines and sections of a field about values on devices other than the reader's. */
     function valuesOfOthers(device) {
         const lines = [...document.querySelectorAll("article li")].filter((line) => line.querySelector("a[href*='/devices/']"));
         const isMine = (line) => line.querySelector(`a[href$='/devices/${device.id}.html']`) !== null;
@@ -268,7 +268,7 @@
         return [...others, ...sections.flatMap(sectionOf)];
     }
 
-    /** A heading, and all up to the next one. */
+    /** Returns a heading, and everything up to the next one. */
     function sectionOf(heading) {
         const section = [heading];
         while (section.at(-1).nextElementSibling && section.at(-1).nextElementSibling.tagName !== "H2") {
@@ -406,7 +406,7 @@
         header.append(form);
     }
 
-    /** Unfolds everything on paper. */
+    /** Unfolds everything for printing. */
     function unfoldOnPaper() {
         let folded = [];
         addEventListener("beforeprint", () => {

@@ -1,12 +1,12 @@
-// Results of the site's search: passages of pages, from text.js, and fields, from fields.js of the workbench. It needs
-// no page, so that tests run it alone.
+// Results of the site's search: passages of pages, from text.js, and fields, from fields.js of the workbench. It does
+// not need a page, so that tests can run it alone.
 globalThis.mipSearch = (() => {
     const FIELDS = 8;
     const PASSAGES = 10;
     const OF_A_PAGE = 3;
     const LEADING = 4;
     const WEAK = 4; // a rank of fields: the words are in parameters, values and descriptions
-    const COLLECTIONS = /^(errata|examples|types|compare|types\/.*|examples\/.*)\b/; // they repeat what other pages have
+    const COLLECTIONS = /^(errata|examples|types|compare|types\/.*|examples\/.*)\b/; // they repeat the contents of other pages
 
     /** Words of questions that do not describe their subject. */
     const FILLING = new Set(
@@ -21,19 +21,19 @@ globalThis.mipSearch = (() => {
         return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
     }
 
-    /** The words of a text that describe its subject, or all, if none does. */
+    /** Returns the words of a text that describe its subject, or all words if none do. */
     function telling(text) {
         const words = [...new Set(wordsOf(text))];
         const left = words.filter((word) => !FILLING.has(word));
         return left.length ? left : words;
     }
 
-    /** A text with words such as "no" or "why", or many, asks for an explanation more than for a field. */
+    /** Is a text, with many words or with words such as "no" or "why", rather a question than the name of a field? */
     function isSentence(text) {
         return telling(text).length < wordsOf(text).length || wordsOf(text).length > 3;
     }
 
-    /** A pattern for any form of a word, and for its synonyms. */
+    /** Returns a pattern for any form of a word and of its synonyms. */
     function patternOf(word, index) {
         const root = (one) => (one.length > 4 ? one.replace(/(?:ing|ed|es|s|e)$/, "") : one.length > 3 ? one.replace(/s$/, "") : one);
         const groups = index?.protocol.model.synonyms ?? [];
@@ -42,7 +42,7 @@ globalThis.mipSearch = (() => {
         return new RegExp(`(?<![a-z0-9])(?:${[...all].map((one) => (one.length < 3 ? `${one}(?![a-z0-9])` : one)).join("|")})`);
     }
 
-    /** The share of a heading that the words make up, from 0 to 1; 0 if it lacks one of them. */
+    /** Returns the fraction of a heading that the words cover, from 0 to 1; 0 if it lacks one of them. */
     function shareOf(heading, patterns) {
         const all = telling(heading);
         return patterns.every((pattern) => pattern.test(heading.toLowerCase())) && all.length ? patterns.length / all.length : 0;
@@ -99,7 +99,7 @@ globalThis.mipSearch = (() => {
         return [...first, ...some.filter((one) => !first.has(one)).map((one) => ({ ...one, leads: 0 }))].slice(0, PASSAGES);
     }
 
-    /** The text around the first of the words. */
+    /** Returns the text around the first of the words. */
     function excerpt({ content, patterns }) {
         const lower = content.toLowerCase();
         const at = Math.min(...patterns.map((pattern) => lower.search(pattern)).filter((place) => place >= 0), lower.length);
@@ -107,19 +107,19 @@ globalThis.mipSearch = (() => {
         return `${from ? "… " : ""}${content.slice(from, from + 160)}${from + 160 < content.length ? " …" : ""}`;
     }
 
-    /** The address of a field within the site. */
+    /** Returns the address of a field within the site. */
     function addressOf(field) {
         const [set, page] = (field.command ?? field.name).split(".");
         return `${field.set ? `fields/${set}/${page}.html` : "packets.html"}#${field.name}`;
     }
 
-    /** Without responses of commands that come before them: they are on the same page. */
+    /** Removes the responses of commands that are also listed, because they are on the same page. */
     function fieldsOf(found) {
         const names = found.map(({ field }) => field.name);
         return found.filter(({ field }, i) => !field.command || !names.slice(0, i).includes(field.command)).slice(0, FIELDS);
     }
 
-    /** The place of a field: its page, or a section of a page that has more. */
+    /** Returns the location of a field: its page, or its section if the page has several fields. */
     function shownBy(field) {
         const address = addressOf(field);
         return address.startsWith("fields/") ? address.split("#")[0] : address;
@@ -140,14 +140,14 @@ globalThis.mipSearch = (() => {
         return instead ? { ...searchAs(index, texts, instead), instead } : found;
     }
 
-    /** A text without the names of functions: "read", "save". */
+    /** Removes the names of functions, such as "read" and "save", from a text. */
     function withoutFunctions(index, text) {
         const names = index.protocol.model.functions.map(({ name }) => name);
         const words = text.split(/\s+/);
         return words.filter((word) => !names.includes(word.toLowerCase())).join(" ") || text;
     }
 
-    /** Pages that compare the devices that a text names, two or more of them. */
+    /** Returns pages that compare the devices in a text, if it names two or more. */
     function comparisonOf(index, text) {
         const short = (name) => name.toLowerCase().replace(/^3dm-/, "");
         const words = (text.match(/[a-z0-9]+(?:[-/][a-z0-9]+)*/gi) ?? []).map(short);
