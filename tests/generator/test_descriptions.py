@@ -22,7 +22,6 @@ SHORT = {
 #: The sources have these names and nothing else.
 NAMES_ONLY = {
     "constellation_options",
-    "constellation_settings_entry.reserved_channels",
     "cv7_inertial_continuous_built_in_test.filter_dropped_data",
     "gq7_continuous_built_in_test.antenna_1_shorted",
     "gq7_continuous_built_in_test.antenna_2_shorted",
