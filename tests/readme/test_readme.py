@@ -119,7 +119,7 @@ def test_figures_beside_others_are_those_that_were_measured() -> None:
     crate = row("generated/rust/README.md", "parse a slice: `packets`")[5]
     shown = row("README.md", "firmware with three fields and three commands¹")
     assert [x.replace(",", "") for x in shown[:2]] == [size, sdk_size]
-    shown = row("README.md", "parser, instructions for each byte¹")
+    shown = row("README.md", "parser, instructions per byte¹")
     assert [float(x) for x in shown[:2]] == [round(float(speed), 1), round(float(sdk_speed), 1)]
     assert shown[3].startswith(f"{crate} × as many")
 
