@@ -440,7 +440,7 @@ def test_every_kind_of_source(tmp_path: Path) -> None:
         ((5,), TypeError, "a log is a path, a binary file or bytes without gaps, not int"),
         ((io.StringIO("x"),), TypeError, "open the file in binary mode"),
         ((b"", -1), ValueError, "`begin` is 0 or more"),
-        ((b"", 5, 4), ValueError, "not behind `end`"),
+        ((b"", 5, 4), ValueError, "not after `end`"),
         (("/nowhere/log.bin",), FileNotFoundError, "/nowhere/log.bin"),
     ],
 )
@@ -655,7 +655,7 @@ def test_what_arrow_knows_of_columns() -> None:
 def test_choices_that_a_frame_does_not_have(choice: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match=str(*choice)):
         real.mip_tools.columns.read_log(flagged()).frame("filter_data.euler_angles", **choice)
-    with pytest.raises(ValueError, match="one type or more"):
+    with pytest.raises(ValueError, match="at least one type"):
         real.mip_tools.columns.read_log(b"").frame([])
 
 

@@ -15,7 +15,10 @@ from mip_tools.simulator.facts import VALUES, FieldValues, shown
 
 Dop = gnss_data.Dop
 ONE, TWO = 0x91, 0x92
-BOTH = "gnss_data.dop in several sets: gnss_1.dop, gnss_2.dop; name one, as log['gnss_1.dop'] or log.column(Dop, 0x91)"
+BOTH = (
+    "gnss_data.dop in several sets: gnss_1.dop, gnss_2.dop; "
+    "select one, for example log['gnss_1.dop'] or log.column(Dop, 0x91)"
+)
 
 
 def dop(set: int, value: float) -> bytes:

@@ -158,8 +158,8 @@ class File {
 
     read() {
         const root = nodesOf(this.text);
-        if (root.kind !== "mapping") throw new MipError("format", "this is not a file of settings; `mip config pull` writes one");
-        const parts = this.#keys(root, KEYS, "a file of settings");
+        if (root.kind !== "mapping") throw new MipError("format", "this is not a settings file; `mip config pull` writes one");
+        const parts = this.#keys(root, KEYS, "a settings file");
         if (!parts.model) this.#wrong(root, "'model' is missing; name the device");
         if (!parts.settings) this.#wrong(root, "'settings' is missing");
         const model = parts.model?.text ?? "";
@@ -193,7 +193,7 @@ class File {
         return node.entries.filter(({ key }) => {
             const again = seen.has(key.text);
             if (key.kind !== "scalar") this.#wrong(key, "a key must be one word");
-            else if (again) this.#wrong(key, `'${key.text}' is already in line ${seen.get(key.text)}; remove one`);
+            else if (again) this.#wrong(key, `'${key.text}' is already on line ${seen.get(key.text)}; remove one`);
             else seen.set(key.text, placeOf(this.text, key.at).split(":")[0]);
             return key.kind === "scalar" && !again;
         });

@@ -203,7 +203,7 @@ def test_refused_settings_are_named_with_why(at: At, tmp_path: Path) -> None:
         ("{source: receiver_1}", "{source: }", "'source' cannot be ''"),
         ("{source: receiver_1}", "{source: [a]}", "'source' needs one value"),
         ("{baud: 115200}", "{baud: fast}", "baud: 'fast' is not a whole number"),
-        ("{baud: 115200}", "{baud: 115200, baud: 9600}", "'baud' is already in line 9; remove one"),
+        ("{baud: 115200}", "{baud: 115200, baud: 9600}", "'baud' is already on line 9; remove one"),
         ("time_limit: 0}", "time_limit: 70000}", "time_limit"),
         ("max_offset: 0.1", "max_offset: -1.0", "'max_offset' must be "),
         ("pin_mode: []", "pin_mode: [pullup2]", "'pullup2' is not one of"),
@@ -215,7 +215,7 @@ def test_refused_settings_are_named_with_why(at: At, tmp_path: Path) -> None:
          "'descriptor' cannot be 'scaled_acel'; did you mean 'scaled_accel'"),
         ("      sensor:", "      sensors:", "did you mean 'sensor'"),
         ("model: 3dm-cv7-gnss-ins", "model: 3dm-cv7-gnss-inz", "'3dm-cv7-gnss-inz' is not a device; did you mean"),
-        ("settings:", "settngs:", "a file of settings has no 'settngs'; did you mean 'settings'?"),
+        ("settings:", "settngs:", "a settings file has no 'settngs'; did you mean 'settings'?"),
         # Valid in the specification, but not on this device.
         ("1: {type: none}", "99: {type: none}", "this device has no 3dm.event_trigger_config 99; remove it"),
         ("sensor: {descriptors: []}", "sensor: {descriptors: [{descriptor: raw_accel, decimation: 10}]}",
@@ -249,10 +249,10 @@ def test_all_mistakes_at_once(at: At, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "1:1: this is not a file of settings; `mip config pull` writes one"),
-        ("[]", "1:1: this is not a file of settings; `mip config pull` writes one"),
+        ("", "1:1: this is not a settings file; `mip config pull` writes one"),
+        ("[]", "1:1: this is not a settings file; `mip config pull` writes one"),
         ("model: 3dm-gq7", "1:1: 'settings' is missing; `mip config pull` writes a complete file"),
-        ("settings: {}", "1:1: 'model' is missing; name the device, as `mip config pull` does"),
+        ("settings: {}", "1:1: 'model' is missing; add the name of the device, as `mip config pull` does"),
         ("model: [", "not YAML: "),
     ],
 )
@@ -338,7 +338,7 @@ def test_the_baud_rate_is_changed_last(at: At, tmp_path: Path) -> None:
     at.wire = Wire(at.device)
     at.commands.clear()
     code, out, error = mip("config", "push", "PORT", path)
-    assert (code, error) == (0, "") and out.endswith("PORT: the baud rate is 921600 now; use --baud 921600\n")
+    assert (code, error) == (0, "") and out.endswith("PORT: the baud rate is now 921600; use --baud 921600\n")
     writes = [c for c in at.commands if c.endswith(" write")]
     assert writes == ["3dm.sensor_range write", "system.interface_control write", "base.comm_speed write"]
     assert at.written(base.CommSpeed.read(0x11)).baud == 921600
@@ -348,7 +348,7 @@ def test_a_rate_at_which_the_device_is_not_heard_is_taken_back(at: At, tmp_path:
     path = edited(tmp_path, FASTER)
     at.wire = Wire(at.device, unheard=(921600,))
     code, out, error = mip("config", "push", "PORT", path)
-    assert code == 3 and "the device did not answer any more; the former value is back" in error
+    assert code == 3 and "the device stopped answering; the former value was restored" in error
     assert at.written(base.CommSpeed.read(0x11)).baud == 115200
     assert " 0 settings changed, " in out
 
@@ -358,7 +358,7 @@ def test_a_rate_that_the_port_cannot_have(at: At, tmp_path: Path) -> None:
     at.wire = Wire(at.device, most=460800)
     at.commands.clear()
     code, _, error = mip("config", "push", "PORT", path)
-    assert code == 3 and "PORT cannot have 921600 Bd: no rate above 460800" in error
+    assert code == 3 and "PORT does not support 921600 Bd: no rate above 460800" in error
     assert "base.comm_speed write" not in at.commands
 
 
@@ -434,7 +434,7 @@ def test_settings_are_saved_one_by_one_if_there_is_no_other_way(at: At, tmp_path
         (("pull",), "the following arguments are required: PORT|FILE"),
         (("push", "PORT"), "`mip config push` needs PORT and FILE"),
         (("pull", "PORT", "more"), "`mip config pull` needs PORT"),
-        (("save", "PORT", "-o", "x"), "-o belongs to `mip config pull`"),
+        (("save", "PORT", "-o", "x"), "-o is only for `mip config pull`"),
         (("pul", "PORT"), "invalid choice: 'pul'"),
     ],
 )

@@ -60,7 +60,7 @@ def test_what_is_wrong_with_a_packet() -> None:
         (ACCEL[:-1].split(), "'E' is not a byte in hexadecimal, which has two digits"),
         ([ACCEL[:-1]], "'E' is not a byte in hexadecimal, which has two digits"),
         (ACCEL.replace("80", "zz").split(), "'zz' is not a byte in hexadecimal, which has two digits"),
-        ([ACCEL.replace(" ", "")[:-1]], "an odd number of hexadecimal digits; two make a byte"),
+        ([ACCEL.replace(" ", "")[:-1]], "an odd number of hexadecimal digits; each byte needs two"),
     ],
 )
 def test_a_mistake_in_hexadecimal_digits(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -137,7 +137,7 @@ def test_a_slow_client_loses_values_and_no_channels(monkeypatch: pytest.MonkeyPa
     [
         (["localhost:1", "--format", "foxglove", "-o", "x"], 2, "which writes no file"),
         (["localhost:1", "--listen", "localhost:1"], 2, "--listen is for --format foxglove"),
-        ([__file__, "--format", "foxglove"], 2, "makes a file that Foxglove opens"),
+        ([__file__, "--format", "foxglove"], 2, "writes a file that Foxglove can open"),
         (["localhost:1", "--format", "foxglove", "--listen", "8765"], 2, "'8765' is not HOST:PORT"),
     ],
 )

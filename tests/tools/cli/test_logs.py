@@ -192,7 +192,7 @@ def test_by_time(path: Path, tmp_path: Path) -> None:
         ("--end 2000-01-01", 1, "log.bin begins at 2024-01-06T23:59:42.41Z and lasts 3.99 s\n"),
         ("--packets 9999:", 1, "the part has no packets; log.bin has COUNT packets\n"),
         ("--packets 0:1 --begin 2", 1, "the part has no packets; log.bin has 1 packet up to there\n"),
-        ("--only gnss_2", 1, "the part has no packets; log.bin has other fields there; `mip info` lists them\n"),
+        ("--only gnss_2", 1, "the part has no packets; log.bin has only other fields there; `mip info` lists them\n"),
     ],
 )
 def test_a_part_is_not_empty(
@@ -326,7 +326,7 @@ def test_align_json_lines(path: Path, capsys: pytest.CaptureFixture[str]) -> Non
 
 def test_align_with_a_field_that_is_not_exported(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ("export", path, "sensor.scaled_accel", "--align", "sensor.scaled_gyro", "-o", "-")
-    error = "mip export: sensor.scaled_gyro is not exported; name it, too, to align with it\n"
+    error = "mip export: sensor.scaled_gyro is not exported; to align with it, add it to the names\n"
     assert run(capsys, *words) == (2, "", error)
     assert run(capsys, *words, "--only", "sensor.scaled_gyro")[0] == 0
 
@@ -362,10 +362,10 @@ def test_rows_at_equal_steps(path: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        (["--method", "last"], "--method is for --rate; name a rate"),
-        (["--rate", "10", "--by", "packet"], "--rate has rows by time; leave out --by packet and --time none"),
+        (["--method", "last"], "--method is only for --rate; add --rate HZ"),
+        (["--rate", "10", "--by", "packet"], "--rate makes rows by time; leave out --by packet and --time none"),
         (["--rate", "10", "--align", "sensor.scaled_accel"], "--rate and --align cannot be combined; leave one out"),
-        (["nmea", "sensor"], "nmea is a table of its own, without other fields, --split, --rate and --align"),
+        (["nmea", "sensor"], "nmea is a separate table; leave out other names, --split, --rate and --align"),
     ],
 )
 def test_options_that_contradict_each_other(words: list[str], error: str, path: Path, capsys: Any) -> None:
@@ -431,7 +431,7 @@ def test_commands_and_answers_are_exported_if_they_are_named(form: str, path: Pa
         assert mip("export", mixed, *names, "-o", out[1]) == (0, "", ""), names
         assert out[1].read_bytes() != out[0].read_bytes()
     mixed.write_bytes(answers)
-    what = "no data (commands and replies must be named); `mip info` lists the fields that it has"
+    what = "no data (commands and replies must be named); `mip info` lists its fields"
     assert mip("export", mixed, "-o", out[1]) == (1, "", f"mip export: {mixed} has {what}\n")
 
 
@@ -572,7 +572,7 @@ def test_names_of_any_length(path: Path, capsys: pytest.CaptureFixture[str]) -> 
     ):
         out = f"{path.parent}/{name}"
         assert run(capsys, "export", path, "-o", out) == (1, "", f"mip export: {out} cannot be written: {reason}\n")
-    assert run(capsys, "export", path, "-o", "") == (2, "", "mip export: the name of the output is empty\n")
+    assert run(capsys, "export", path, "-o", "") == (2, "", "mip export: the name of the output file is empty\n")
     assert "is a folder" in run(capsys, "export", path, "--format", "csv", "-o", f"{path.parent}/new/")[2]
     assert len(list(path.parent.iterdir())) == 3
 

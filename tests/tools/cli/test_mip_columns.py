@@ -277,8 +277,11 @@ def test_a_picture(path: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "error"),
     [
-        (["sensor.scaled_accel"], "there is no screen for a window; write an image with -o FILE.png"),
-        (["sensor.scaled_accel", "-o", "t.gif"], "what format is 'gif'? name a file that ends in .png, .svg or .pdf"),
+        (["sensor.scaled_accel"], "no window can be opened here; write an image with -o FILE.png"),
+        (
+            ["sensor.scaled_accel", "-o", "t.gif"],
+            "'.gif' is not a known format; name a file that ends in .png, .svg or .pdf",
+        ),
         (
             ["sensor.scaled_accel.w", "-o", "t.png"],
             "sensor.scaled_accel has no element 'w'; it has x, y, z",
@@ -288,7 +291,7 @@ def test_a_picture(path: Path, tmp_path: Path) -> None:
             "sensor.scaled_accel has no element 'w'; it has x, ",
         ),
         (["base.ping", "-o", "t.png"], "base.ping is not a data field; `mip info` lists the fields of a log"),
-        (["gnss_2.llh_position", "-o", "t.png"], "log.bin has no gnss_2.llh_position; `mip info` lists what it has"),
+        (["gnss_2.llh_position", "-o", "t.png"], "log.bin has no gnss_2.llh_position; `mip info` lists its fields"),
         (["sensor.scaled", "-o", "t.png"], "'sensor.scaled' is not a field; did you mean "),
     ],
 )
@@ -298,6 +301,6 @@ def test_errors_of_plots(
     monkeypatch.chdir(path.parent)
     monkeypatch.setenv("MPLBACKEND", "Agg")
     code, out, said = run(capsys, "plot", "log.bin", *words)
-    status = 1 if "no screen" in error or "log.bin has no" in error else 2
+    status = 1 if "no window" in error or "log.bin has no" in error else 2
     assert (code, out) == (status, "") and said.startswith(f"mip plot: {error}") and said.count("\n") == 1, said
     assert [p.name for p in path.parent.iterdir()] == ["log.bin"]

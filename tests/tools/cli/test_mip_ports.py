@@ -158,16 +158,16 @@ def _value(p: Parameter) -> Any:
         (["sensor.scaled_accel"], "sensor.scaled_accel is not a command; `mip fields --search "),
         (
             ["3dm.message_format"],
-            "3dm.message_format takes a function, and it is missing: write, read, save, load, default",
+            "3dm.message_format needs a function: write, read, save, load, default",
         ),
-        (["3dm.message_format", "wirte"], "3dm.message_format takes a function, not 'wirte': write, "),
+        (["3dm.message_format", "wirte"], "3dm.message_format needs a function, not 'wirte': write, "),
         (
             ["3dm.message_format", "read"],
-            "3dm.message_format needs descriptor_set; `mip fields 3dm.message_format` says ",
+            "3dm.message_format needs descriptor_set; `mip fields 3dm.message_format` lists ",
         ),
         (
             ["3dm.message_format", "read", "1", "2"],
-            "'2' is one value too many; 3dm.message_format takes descriptor_set",
+            "'2' is one value too many; 3dm.message_format has descriptor_set",
         ),
         (
             ["3dm.message_format", "read", "set=1"],
@@ -198,7 +198,7 @@ def _value(p: Parameter) -> Any:
         ),
         (["3dm.message_format", "write", "1", "[{"], "descriptors: '[{' is not JSON: "),
         (["3dm.message_format", "write", "1", '[{"x": 1}]'], "descriptors has no 'x'; it has descriptor, decimation"),
-        (["3dm.message_format", "write", "1", "[null]"], "descriptors: null is not a value for it"),
+        (["3dm.message_format", "write", "1", "[null]"], "descriptors cannot have the value null"),
         (["3dm.data_stream_control", "write", "1", "maybe"], "enable: 'maybe' is neither true nor false"),
         (["3dm.pps_source_control", "write", "moon"], "source: 'moon' is not one of disabled, "),
     ],
@@ -245,7 +245,7 @@ def test_a_recording_of_nothing(tmp_path: Path) -> None:
         assert mip(*words) == (1, "", f"mip record: {where} has sent nothing\n")
         assert list(tmp_path.iterdir()) == []
         out.write_bytes(b"older")
-        assert mip(*words) == (1, "", f"mip record: {where} has sent nothing; {out} is as it was\n")
+        assert mip(*words) == (1, "", f"mip record: {where} has sent nothing; {out} is unchanged\n")
     assert [(p.name, p.read_bytes()) for p in tmp_path.iterdir()] == [("log", b"older")]
 
 
@@ -392,7 +392,7 @@ def test_a_recording_is_kept_when_the_disk_is_full(place: str, tmp_path: Path) -
     target = tmp_path / "log.bin"
     words = command("record", place, "-o", target, "--duration", 20)
     done = subprocess.run(words, preexec_fn=limited, capture_output=True, env=ENVIRONMENT)
-    assert done.returncode == 1 and b"what came before is kept" in done.stderr
+    assert done.returncode == 1 and b"the part before is kept" in done.stderr
     assert 1_000 < target.stat().st_size <= 2_000 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]
 
 
@@ -494,7 +494,7 @@ def test_files_and_ports_are_not_confused(
         assert run(capsys, *words) == (1, "", f"mip {words[0]}: log.bin is a file, not a port\n")
     for port in ("localhost:1", "/dev/zero", "COM3", "socket://host:1"):
         for name, *words in (["info", port], ["export", port, "-o", "x.csv"], ["cut", port, "-o", "x.bin"]):
-            error = f"mip {name}: {port} is a port, not a log; `mip record` writes a log of what it sends\n"
+            error = f"mip {name}: {port} is a port, not a log; `mip record` records a log from it\n"
             assert run(capsys, name, *words) == (1, "", error)
     error = "mip send: /dev/ttyNONE cannot be opened: No such file or directory\n"
     assert run(capsys, "send", "/dev/ttyNONE", "base.ping") == (1, "", error)

@@ -118,7 +118,7 @@ def test_ports_of_a_model_that_is_not_known(tmp_path: Path) -> None:
     (closed,) = (p for p in made.ports if p.name == "UART 2")
     assert (closed.receives, closed.sends) == ((), ())  # as they were set
     assert {r.set.number: r.hertz for r in made.base_rates} == {**of.base_rates, 0x93: 0, 0x94: 0}
-    assert "UART 2 is given with the settings that it had." in made.certain[0].evidence.note
+    assert "UART 2 is listed with the settings that it had." in made.certain[0].evidence.note
 
 
 @pytest.mark.parametrize(
@@ -358,7 +358,7 @@ def test_profiles_of_the_specification(tmp_path: Path) -> None:
     [
         (
             "extend: 3dm-gq7\n",
-            "3dm-mv5-ar.yaml:1:9: this is '3dm-gq7', and the device is '3dm-mv5-ar'; rename the file",
+            "3dm-mv5-ar.yaml:1:9: this is '3dm-gq7, but the device is 3dm-mv5-ar'; rename the file",
         ),
         ("a: 1\n", "3dm-mv5-ar.yaml:1:1: neither `extend: 3dm-mv5-ar` nor `device: 3dm-mv5-ar`; "),
         ("devices:\n  - {device: x}\n", "3dm-mv5-ar.yaml:1:1: neither `extend: 3dm-mv5-ar` nor "),
@@ -471,7 +471,7 @@ def test_command_line(place: str, tmp_path: Path) -> None:
     assert path.stat().st_mtime_ns == before and [p.name for p in path.parent.iterdir()] == [path.name]
     code, out, error = mip("profile", place, "--spec", tmp_path, extras=False)
     assert (code, out) == (1, "")
-    assert error == f"mip profile: {path} exists, and to read it, pyyaml is missing; pip install pyyaml\n"
+    assert error == f"mip profile: {path} exists; to read it, pyyaml is missing; pip install pyyaml\n"
 
 
 def test_a_terminal(tmp_path: Path) -> None:

@@ -35,7 +35,11 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
         assert (code, out) == (2, "") and error.startswith("usage: ") and "error: " in error.splitlines()[-1]
     for words, required in (("send", "PORT"), ("completion", "SHELL"), ("export", "FILE, -o/--output")):
         assert run(capsys, words)[2].endswith(f"the following arguments are required: {required}\n")
-    assert run(capsys, "send", "PORT") == (2, "", "mip send: which command? `mip fields` lists them\n")
+    assert run(capsys, "send", "PORT") == (
+        2,
+        "",
+        "mip send: the command is missing; `mip fields` lists the sets, `mip fields SET` their commands\n",
+    )
     code, out, error = run(capsys, "completion", "tcsh")
     assert code == 2 and error.endswith("argument SHELL: 'tcsh' is not one of bash, zsh, fish\n")
     assert "WORD" not in run(capsys, "completion", "--help")[1]
@@ -73,7 +77,7 @@ def test_options_may_stand_between_the_words(
 
 #: Messages about the command line itself, not about files or results.
 MISUSE = (
-    "is not a (field|device|stream|data field|data set|TCP port|motion)|has a number above|what format|several|"
+    "is not a (field|device|stream|data field|data set|TCP port|motion)|has a number above|not a known format|several|"
     "is unknown|is in every data set"
 )
 
@@ -84,7 +88,7 @@ MISUSE = (
         (["dump", "NOWHERE"], "dump: NOWHERE cannot be read: No such file or directory"),
         (["dump", "FOLDER"], "dump: FOLDER cannot be read: Is a directory"),
         (["dump", "EMPTY"], "dump: no packet in 0 bytes: packets begin with 75 65"),
-        (["dump", "ODD"], "dump: ODD has an odd number of hexadecimal digits; two make a byte"),
+        (["dump", "ODD"], "dump: ODD has an odd number of hexadecimal digits; each byte needs two"),
         (["dump", "LOG", "--only", "sensr"], "dump: 'sensr' is not a field; "),
         (["dump", "LOG", "--only", "0x80:256"], "dump: '0x80:256' has a number above 255; use 0 to 255"),
         (["dump", "LOG", "--device", "gx5"], "dump: 'gx5' is not a device; "),
@@ -94,11 +98,11 @@ MISUSE = (
         (["cut", "NOWHERE", "-o", "OUT"], "cut: NOWHERE cannot be read: No such file or directory"),
         (
             ["export", "LOG", "-o", "OUT.xls"],
-            "export: what format is 'xls'? use --format csv, jsonl, npz, parquet, arrow",
+            "export: '.xls' is not a known format; use --format csv, jsonl, npz, parquet, arrow",
         ),
         (
             ["export", "LOG", "gnss_2", "-o", "OUT"],
-            "export: LOG has none of these fields; `mip info` lists the fields that it has",
+            "export: LOG has none of these fields; `mip info` lists its fields",
         ),
         (["export", "LOG", "-o", "-", "--split"], "export: --split writes several files; name one with -o, "),
         (
@@ -112,7 +116,10 @@ MISUSE = (
         (["fields", "sensor.x"], "fields: 'sensor.x' is not a field; "),
         (["fields", "nope"], "fields: 'nope' is not a field; `mip fields` lists the sets"),
         (["fields", "temperature"], "fields: 'temperature' is not a field; "),
-        (["fields", "sensor", "--search", "banana"], "fields: no field matches all words; use fewer"),
+        (
+            ["fields", "sensor", "--search", "banana"],
+            "fields: no field matches NAME, --search and --device together; leave one out",
+        ),
         (
             ["fields", "--search", "acel"],
             "fields: no field has 'acel' in its name or description; did you mean accel",
@@ -131,7 +138,7 @@ MISUSE = (
             "bandwidth: 'sensor.scaled_accel' is not a stream; write NAME@HZ, as in ",
         ),
         (["bandwidth", "base.ping@1"], "bandwidth: base.ping is not a data field; only data is streamed"),
-        (["bandwidth", "shared.gps_timestamp@1"], "bandwidth: shared.gps_timestamp is in every data set; say which: "),
+        (["bandwidth", "shared.gps_timestamp@1"], "bandwidth: shared.gps_timestamp is in every data set; name one: "),
         (["bandwidth", "base:ping@1"], "bandwidth: 'base' is not a data set; write SET:NAME@HZ"),
         (
             ["bandwidth", "sensor.scaled_accel@2000", "--device", DEVICE],
@@ -195,11 +202,11 @@ def test_every_field_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
 def test_bandwidth(capsys: pytest.CaptureFixture[str]) -> None:
     """The manual's formula: 60 * rate + 10 * sum of sizes * rates."""
     out = run(capsys, "bandwidth", "sensor.scaled_accel@100", "sensor.scaled_gyro@50")[1]
-    assert f"least baud rate: {60 * 100 + 10 * (14 * 100 + 14 * 50)}\n" in out
+    assert f"minimum baud rate: {60 * 100 + 10 * (14 * 100 + 14 * 50)}\n" in out
     both = ["sensor:shared.gps_timestamp@100", "sensor.scaled_accel@100", "filter_data.llh_position@10"]
     out = run(capsys, "bandwidth", *both, "--device", DEVICE, "--baud", "115200")[1]
     need = 10 * (6 * 100 + 28 * 100 + 6 * 10 + 28 * 10)
-    assert f"least baud rate: {need}\n" in out and out.endswith(f"115200: {need / 115200:.0%} used\n")
+    assert f"minimum baud rate: {need}\n" in out and out.endswith(f"115200: {need / 115200:.0%} used\n")
     assert "\nUART 1: 115200 (" in out
     many = [f"gnss_1.llh_position@{rate}" for rate in (3, 2)]  # not in step: each in a packet of its own
     out = run(capsys, "bandwidth", *many)[1]
@@ -208,7 +215,7 @@ def test_bandwidth(capsys: pytest.CaptureFixture[str]) -> None:
     assert "\nsensor: packets            6  666.667     4000\n" in out
     out = run(capsys, "bandwidth", *many)[1]
     size = int(next(line.split()[1] for line in out.splitlines() if "llh_position" in line))
-    assert f"least baud rate: {10 * (6 + size) * 5}\n" in out
+    assert f"minimum baud rate: {10 * (6 + size) * 5}\n" in out
 
 
 # --------------------------------------------------------------------------- completion

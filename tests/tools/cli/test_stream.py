@@ -83,10 +83,10 @@ def test_names_behind_an_option(place: str) -> None:
     ("words", "error"),
     [
         (["sensor.scaled_accel", "--rate", "333"], "sensor cannot be started: rate: sensor.scaled_accel at 333 Hz"),
-        (["base.ping@10"], "base.ping is not data, which alone has a rate"),
+        (["base.ping@10"], "base.ping is not a data field, and only these have a rate"),
         (["sensor.scaled_accel@x"], "'x' is not a rate in Hz"),
-        (["--rate", "10"], "--rate of what?"),
-        (["reference_timestamp@10"], "a field that all sets have is sent with others; name one of these, too"),
+        (["--rate", "10"], "--rate needs fields;"),
+        (["reference_timestamp@10"], "a shared field is sent in the packets of other fields; add one of a data set"),
         (["dop@1"], "'dop' is in several sets; write gnss_data.dop or"),
     ],
 )

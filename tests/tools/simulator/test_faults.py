@@ -408,14 +408,14 @@ def test_what_the_command_line_says() -> None:
 @pytest.mark.parametrize(
     ("text", "error"),
     [
-        ("looose=0.1", "fault 'looose' is unknown; do you mean 'lose'? known are: lose, cut, "),
-        ("xyz@1", "fault 'xyz' is unknown; known are: "),
+        ("looose=0.1", "fault 'looose' is unknown; do you mean 'lose'? known faults: lose, cut, "),
+        ("xyz@1", "fault 'xyz' is unknown; known faults: "),
         ("lose=2", "fault lose: rate 2 is not a probability; use 0 to 1"),
         ("lose=-1", "fault lose: rate -1 is not a probability"),
         ("lose=nan", "fault lose: rate nan is not a probability"),
         ("lose=often", "fault 'lose=often': 'often' is not a number"),
         ("lose", "fault 'lose' cannot be read; write KIND=RATE, KIND=RATE:AMOUNT or KIND@N"),
-        ("lose@0", "fault lose: the first place is lose@1"),
+        ("lose@0", "fault lose: numbers begin with lose@1"),
         ("nmea=0.1:3", "fault nmea has no amount; write nmea=0.1"),
         ("lose=0.1:0.5", "fault lose: amount 0.5 must be at least 1 byte, and at most 1e6"),
         ("delay=0.1:0", "fault delay: amount 0 must be above 0 s, and at most 1e6"),

@@ -104,7 +104,7 @@ MISTAKES = [
         "1:54: 'field' needs three numbers in gauss",
         True,
     ),
-    ("events: [{at: 1, at: 2, event: restart}]", "1:18: 'at' is already in line 1; remove one", False),
+    ("events: [{at: 1, at: 2, event: restart}]", "1:18: 'at' is already on line 1; remove one", False),
     ("events: [", "1:10: not YAML: ", False),
 ]
 

@@ -684,7 +684,7 @@ def busy() -> tuple[socket.socket, str]:
         ([DEVICE, "--pty", "x", "--port", "USB 1=pty:x"], "x is given for two terminals; choose different paths"),
         ([DEVICE, "--port", "USB 9=tcp:0"], "3DM-CV7-GNSS/INS has no port 'USB 9'; its ports: Main, UART 1, "),
         ([DEVICE, "--port", "USB 1"], "'USB 1' cannot be read; write NAME=pty:PATH, NAME=tcp:[HOST:]PORT or NAME=udp"),
-        ([DEVICE, "--fault", "loose=1"], "fault 'loose' is unknown; do you mean 'lose'? known are: "),
+        ([DEVICE, "--fault", "loose=1"], "fault 'loose' is unknown; do you mean 'lose'? known faults: "),
         ([DEVICE, "--log-packets"], "--log-packets needs a file; add --fault-log FILE"),
         ([DEVICE, "--fault-log", "A_FILE"], "A_FILE is not a log of faults; name another file"),
         ([DEVICE, "--signal", "9=10"], "--signal 9=10: the device has no pin 9"),

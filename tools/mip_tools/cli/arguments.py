@@ -27,7 +27,7 @@ def add_device(parser: argparse.ArgumentParser) -> None:
 
 
 def device_id(name: str | None) -> str | None:
-    """The id of a device by any of its names. Raises Failure."""
+    """Returns the id of a device, found by any of its names. Raises Failure if it is unknown."""
     if name is None:
         return None
     try:
@@ -37,19 +37,19 @@ def device_id(name: str | None) -> str | None:
 
 
 def positive(text: str) -> int:
-    """A whole number above 0."""
+    """Parses a whole number above 0."""
     if not text.isascii() or not text.isdigit() or int(text) == 0:
         raise argparse.ArgumentTypeError(f"'{text}' is not a whole number above 0")
     return int(text)
 
 
 def seconds(text: str) -> float:
-    """A time in seconds above 0."""
+    """Parses a time in seconds above 0."""
     return _above_zero(text, "a time in seconds; use a number above 0")
 
 
 def hertz(text: str) -> float:
-    """A rate in Hz above 0."""
+    """Parses a rate in Hz above 0."""
     return _above_zero(text, "a rate in Hz; use a number above 0")
 
 

@@ -18,15 +18,15 @@ examples:
   mip bandwidth sensor.scaled_accel@100 sensor.scaled_gyro@100
   mip bandwidth sensor:shared.gps_timestamp@500 sensor.scaled_accel@500 --device 3dm-cv7-gnss-ins
 
-Fields of a set come in one packet as far as their rates allow. A byte takes ten bits on a serial
-line. Allow headroom for replies to commands: 80 % of the line is a good limit.
+The device sends fields of a set in one packet as far as their rates allow. A byte takes ten bits on
+a serial line. Allow headroom for replies to commands: 80 % of the line is a good limit.
 """
 
 #: Rates that serial ports commonly have.
 COMMON = (9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600, 1_000_000, 3_000_000)
 #: Bits on the line for each byte, with its start bit and stop bit.
 BITS = 10
-#: The longest repeating pattern of packets that is counted, in moments.
+#: The longest repeating pattern of packets that is examined, in moments: the points in time at which fields are due.
 MOST = 100_000
 
 
@@ -63,7 +63,7 @@ def run(options: argparse.Namespace) -> int:
     streams = [_stream(text) for text in options.streams]
     for stream in streams:
         if stream.set == 0xFF:
-            raise Misuse(f"{stream.name} is in every data set; say which: sensor:{stream.name}@{stream.rate:g}")
+            raise Misuse(f"{stream.name} is in every data set; name one: sensor:{stream.name}@{stream.rate:g}")
     profile = None
     if options.device is not None:
         from ..simulator.profiles import device_named
@@ -85,11 +85,11 @@ def run(options: argparse.Namespace) -> int:
     widths = [max(len(row[i]) for row in rows) for i in range(4)]
     for row in rows:
         print(f"{row[0]:<{widths[0]}}", *(f"{t:>{w}}" for t, w in zip(row[1:], widths[1:])), sep="  ")
-    print(f"\nleast baud rate: {need}")
+    print(f"\nminimum baud rate: {need}")
     for port, rates in _ports(profile):
         fits = next((r for r in sorted(rates) if r >= need), None)
         if fits is None:
-            print(f"{port}: none of its rates is enough; the highest is {max(rates)}")
+            print(f"{port}: none of its rates is sufficient; the highest is {max(rates)}")
         else:
             print(f"{port}: {fits} ({need / fits:.0%} used)")
     if options.baud is not None:
@@ -98,9 +98,9 @@ def run(options: argparse.Namespace) -> int:
 
 
 def load(number: int, streams: list[Stream], base: float = 0) -> Load:
-    """Computes the load of a set: the fields of one moment share packets as far as they fit.
+    """Computes the load of a set. Fields that are due at the same moment share packets as far as they fit.
 
-    `base` is the rate of the moments; 0: that of the fastest field.
+    `base` is the rate of the moments; 0 means the rate of the fastest field.
     """
     own = [s for s in streams if s.set == number]
     packets = 0.0
@@ -113,14 +113,13 @@ def load(number: int, streams: list[Stream], base: float = 0) -> Load:
             due = sum(s.size for s in own if tick % round(base / s.rate) == 0)
             packets += math.ceil(due / MAX_PAYLOAD)
         packets *= base / period
-    else:  # the rates are not aligned: at worst, the fields of each are in packets of their own
+    else:  # the rates are not aligned: at worst, the fields of each rate are in separate packets
         packets = sum(rates)
     return Load(number, own, packets, packets * OVERHEAD + sum(s.size * s.rate for s in own))
 
 
 def size_of(kind: type[Field], elements: int) -> int | None:
-    """The bytes of a field in a packet, with this number of elements of its list; None if that
-    varies."""
+    """Returns the size of a field in a packet, with this number of elements in its list; None if the size varies."""
     total = 2
     for p in info(kind).parameters:
         size = _size(p, elements)
@@ -173,7 +172,7 @@ def _stream(text: str) -> Stream:
 
 
 def _field(within: str, name: str) -> tuple[int, type[Field]]:
-    """A field of a set, which may be a shared one."""
+    """Finds a field of a set, which may be a shared one."""
     number, descriptor = keys(within)[0]
     if descriptor is not None or number < 0x80:
         raise Misuse(f"'{within}' is not a data set; write SET:NAME@HZ")
@@ -184,7 +183,7 @@ def _field(within: str, name: str) -> tuple[int, type[Field]]:
 
 
 def _adjusted(stream: Stream, profile: Any) -> Stream:
-    """A stream at the rate that the device can send: its base rate divided by a whole number."""
+    """Returns the stream with a rate that the device supports: its base rate divided by a whole number."""
     kind = named(stream.name).kind
     if not profile.has(stream.set, kind.DESCRIPTOR):
         raise Failure(f"{profile.title} does not send {stream.name} in {show.set_name(stream.set)}")

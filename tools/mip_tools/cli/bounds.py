@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Range(NamedTuple):
-    """Numbers from `first` on, up to `end`."""
+    """The numbers from `first` up to, but not including, `end`."""
 
     first: int = 0
     end: int | None = None
@@ -22,7 +22,7 @@ class When(NamedTuple):
 
 @dataclass(frozen=True)
 class Bounds:
-    """The requested range."""
+    """The requested part of a log: all limits apply together."""
 
     begin: When | None
     end: When | None
@@ -31,10 +31,10 @@ class Bounds:
 
     @property
     def timed(self) -> bool:
-        """Is it by time?"""
+        """Is the part limited by time?"""
         return self.begin is not None or self.end is not None
 
     @property
     def dated(self) -> bool:
-        """Is it by date?"""
+        """Is the part limited by a date?"""
         return any(when is not None and when.absolute for when in (self.begin, self.end))

@@ -10,12 +10,12 @@ _UNIX = datetime(1970, 1, 1)
 
 
 def dated(clock: str | None) -> bool:
-    """Does it have a date? Then its times are UTC."""
+    """Does the clock have a date? If so, its times are UTC."""
     return clock is not None and CLOCKS[clock] is not None
 
 
 def stamp(clock: str, time: int, digits: int = 9) -> str:
-    """A time as text: UTC in ISO 8601 for clocks with a date, seconds for others."""
+    """Formats a time: UTC in ISO 8601 for clocks with a date, seconds for others."""
     if not dated(clock):
         return seconds(time, digits)
     unit = 10 ** (9 - digits)
@@ -28,7 +28,7 @@ def stamp(clock: str, time: int, digits: int = 9) -> str:
 
 
 def seconds(time: int, digits: int = 9) -> str:
-    """Nanoseconds as a decimal number of seconds."""
+    """Formats nanoseconds as a decimal number of seconds."""
     unit = 10 ** (9 - digits)
     whole, rest = divmod((abs(time) + unit // 2) // unit, 10**digits)
     return f"{'-' if time < 0 else ''}{whole}.{rest:0{digits}d}"

@@ -12,7 +12,7 @@ EPILOG = """\
   zsh:   mip completion zsh > a folder of $fpath, as _mip
   fish:  mip completion fish > ~/.config/fish/completions/mip.fish
 
-The scripts ask `mip` itself, so that they know the fields of this specification.
+The scripts call `mip` for the words, so they complete the fields of the package in use.
 """
 
 SCRIPTS = {
@@ -46,7 +46,7 @@ complete -c mip -a '(__mip_words)'
 
 
 def _shell(name: str) -> str:
-    """A shell, or `words`, which the scripts call and nobody else needs to know of."""
+    """Checks the name of a shell, or `words`, which only the scripts use."""
     if name not in (*SCRIPTS, "words"):
         raise argparse.ArgumentTypeError(f"'{name}' is not one of {', '.join(SCRIPTS)}")
     return name
@@ -67,7 +67,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def words(typed: list[str]) -> list[str]:
-    """The words that can complete the last one."""
+    """Returns the words that can complete the last one."""
     package, typed = without_package(typed)
     if package is not None:
         use(package)
@@ -95,7 +95,7 @@ def words(typed: list[str]) -> list[str]:
 
 
 def _positions(given: list[str], actions: list[argparse.Action]) -> int:
-    """The number of words that are neither options nor their values."""
+    """Counts the words that are neither options nor values of options."""
     valued = {o for a in actions for o in a.option_strings if a.nargs != 0}
     options = {o for a in actions for o in a.option_strings}
     return sum(word not in options and (i == 0 or given[i - 1] not in valued) for i, word in enumerate(given))

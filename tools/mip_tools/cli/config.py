@@ -24,15 +24,15 @@ examples:
   mip config pull /dev/ttyACM0 > settings.yaml       all settings, with names and units
   mip config pull /dev/ttyACM0 -o settings.yaml      the same; an older file is kept if it fails
   mip config diff settings.yaml /dev/ttyACM0         what differs; also of two files, or two ports
-  mip config push /dev/ttyACM0 settings.yaml         changes what differs, until the next power-off
+  mip config push /dev/ttyACM0 settings.yaml         writes what differs; power-off undoes it
   mip config save /dev/ttyACM0                       saves all current settings in flash memory
 
 `push` checks the whole file before it writes anything. It then writes what differs, and reads it
-back. Ports and the baud rate are changed last, and changed back if the device does not answer any
-more. A device that streams is set to idle, and resumes. To read a file, the extra `yaml` (PyYAML)
-is needed.
+back. Ports and the baud rate are changed last, and restored if the device then stops answering. A
+streaming device is set to idle meanwhile and resumes afterwards. Reading a file needs the extra
+`yaml` (PyYAML).
 
-exit status: 1 if `diff` finds differences, 3 if the device refuses a setting, 4 if it does not
+exit status: 1 if `diff` finds differences, 3 if the device rejects a setting, 4 if it does not
 answer
 """
 
@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     if len(options.names) != len(needed):
         raise Misuse(f"`mip config {options.action}` needs {' and '.join(needed)}")
     if options.output != "-" and options.action != "pull":
-        raise Misuse("-o belongs to `mip config pull`")
+        raise Misuse("-o is only for `mip config pull`")
     action: Callable[[argparse.Namespace], int] = {"pull": _pull, "diff": _diff, "push": _push, "save": _save}[
         options.action
     ]
@@ -94,7 +94,7 @@ def _push(options: argparse.Namespace) -> int:
         own = talk.model.id if talk.model.profile else talk.told.title
         if own != (file.profile.id or file.model):
             remedy = f"`model: {own}` in the file, to check it for this device"
-            raise Failure(f"{path} has the settings of a {file.model}, and {port} is a {own}; write {remedy}")
+            raise Failure(f"{path} has the settings of a {file.model}, but {port} is a {own}; write {remedy}")
         file = parsed.parsed(path, talk.profile)
         missing = [place for place, now in talk.read_all(file.held).items() if now is None]
         if missing:
@@ -103,12 +103,12 @@ def _push(options: argparse.Namespace) -> int:
         try:
             done = talk.push(file.held)
         except KeyboardInterrupt:
-            _complain("interrupted: some settings may have been written; none are saved")
+            _complain("interrupted: some settings may have been written; none were saved")
             raise
         spoken = talk.link.baud
     code = _pushed(port, file, done)
     if spoken != options.baud and spoken is not None and options.baud is not None:
-        print(f"{port}: the baud rate is {spoken} now; use --baud {spoken}")
+        print(f"{port}: the baud rate is now {spoken}; use --baud {spoken}")
     return code
 
 
@@ -143,7 +143,7 @@ def _diff(options: argparse.Namespace) -> int:
 
 
 def _held(name: str, options: argparse.Namespace) -> tuple[dict[Place, Any], Any, str]:
-    """The settings of a file or of a device, its profile and its model."""
+    """Reads the settings, the profile and the model from a file or a device."""
     if os.path.isfile(name) or name.endswith((".yaml", ".yml")):
         file = parsed.parsed(Path(name))
         return file.held, file.profile, file.profile.id or file.model
@@ -152,7 +152,7 @@ def _held(name: str, options: argparse.Namespace) -> tuple[dict[Place, Any], Any
 
 
 def _changes(place: Place, before: Any, after: Any, profile: Any) -> Iterator[str]:
-    """The differences between two values of a setting, by parameter."""
+    """Yields the differences between two values of a setting, one per parameter."""
     if before is None or after is None:
         yield "it cannot be read" if after is None else "it could not be read"
         return
@@ -173,7 +173,7 @@ def _named(place: Place, profile: Any) -> str:
 
 @contextmanager
 def _talk(port: str, options: argparse.Namespace) -> Iterator[Talk]:
-    """An idle device, which resumes its streams afterwards, also after an interrupt."""
+    """Opens the port of a device and sets it to idle. Resumes its streams afterwards, even after an interrupt."""
     with (
         signals.handled(signals.interrupt),
         ports.opened(port, options) as link,

@@ -18,18 +18,18 @@ from .selection import Selection
 if TYPE_CHECKING:
     from ..columns import Log
 
-#: Bytes of a log whose packets are in memory together.
+#: Bytes of a log whose packets are in memory at the same time.
 PART = 1 << 23
 
 EPILOG = """\
 examples:
-  mip cut log.bin -o part.bin --begin 60 --end 1:30        seconds from the start, or minutes
-  mip cut log.bin -o part.bin --begin 2024-05-01T12:00:00  UTC, of a log with GPS time
+  mip cut log.bin -o part.bin --begin 60 --end 1:30        from the start: seconds, or MIN:SEC
+  mip cut log.bin -o part.bin --begin 2024-05-01T12:00:00  UTC, for a log with GPS time
   mip cut log.bin -o imu.bin --only sensor                 without other sets
   mip cut log.bin -o clean.bin                             without noise and damaged packets
 
 A part contains whole packets, unchanged, without the bytes between them. --only and --without
-remove fields from packets. A packet without a time has that of the packet before it.
+remove fields from packets. A packet without a time has the time of the packet before it.
 """
 
 
@@ -103,7 +103,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _clock(log: Log, name: str, bounds: Bounds) -> str:
-    """The clock by which a log is cut. Raises Failure if it has no suitable one."""
+    """Chooses the clock for the times of the cut. Raises Failure if the log has no suitable one."""
     from ..columns import times
 
     clock = times.best(log.parts(PART))
@@ -115,7 +115,7 @@ def _clock(log: Log, name: str, bounds: Bounds) -> str:
 
 
 def _arriving(name: str) -> Iterator[tuple[int, Log]]:
-    """The data that arrives in a pipe, with the offsets where it begins in the stream."""
+    """Yields the data that arrives in a pipe, each piece with its offset in the stream."""
     from ..columns import read_log
 
     place = 0

@@ -1,4 +1,4 @@
-"""The fields of a packet, with their values or the reason why there are none."""
+"""Decodes the fields of a packet: the values, or the reason why there are none."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Found(NamedTuple):
 
 
 def raw_fields(packet: Packet) -> Iterator[RawField]:
-    """The fields, up to a malformed one."""
+    """Yields the fields up to the first malformed one."""
     try:
         yield from packet
     except PacketError:
@@ -27,7 +27,7 @@ def raw_fields(packet: Packet) -> Iterator[RawField]:
 
 
 def malformed(packet: Packet) -> str:
-    """The errors in the fields of a packet; empty if there are none."""
+    """Describes the first malformed field of a packet; empty if there is none."""
     try:
         for _ in packet:
             pass
@@ -37,11 +37,11 @@ def malformed(packet: Packet) -> str:
 
 
 def decoded(raw: RawField) -> Found:
-    """A field with its values."""
+    """Decodes a field."""
     types = registry.types(raw.set, raw.descriptor)
     kind = chosen(types, raw)
     if kind is None:
-        return Found(raw, None, None, error="its data fit no known layout" if types else "")
+        return Found(raw, None, None, error="no known layout fits its data" if types else "")
     try:
         value, trailing = kind.decode_with_trailing(raw.data)
     except DecodeError as error:
@@ -50,7 +50,7 @@ def decoded(raw: RawField) -> Found:
 
 
 def name_of(found: Found) -> str:
-    """The name of a field; numbers if it has none."""
+    """Returns the name of a field, or its numbers if it is unknown."""
     if found.kind is not None:
         return found.kind.name_in(found.raw.set)
     return f"0x{found.raw.set:02X}:0x{found.raw.descriptor:02X}"

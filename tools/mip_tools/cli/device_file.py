@@ -1,4 +1,4 @@
-"""Data from a device as a device file of a specification: a new one, or an addition to an existing one."""
+"""Writes what a device reports as a device file of a specification, or adds it to an existing file."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from .listing import Listing, ToldPort
 from .yaml_text import YamlFile, child, listed, parsed, plain, quoted, word
 
 SHARED = 0xFF
-#: The keys of an entry of the evidence that a new list replaces.
+#: The keys of an evidence entry that a new list replaces.
 OWN = ("kind", "firmware", "date", "fields", "undefined")
 NEW = "Only what the device itself reported is known."
 
 
 @dataclass(frozen=True)
 class Model:
-    """The model of a device: one of the generated package, or a new one."""
+    """The model of a device. `profile` is None if the generated package does not know it."""
 
     id: str
     title: str
@@ -30,7 +30,7 @@ class Model:
 
 
 def model(told: Listing) -> Model:
-    """The device by its model number; one without a number by its name."""
+    """Identifies the device by its model number, or by its name if it has no number."""
     number = model_number(told.info.model_number) or model_number(told.info.serial_number)
     profile = identify(told.info)
     same = _by_name(told.title)
@@ -54,14 +54,14 @@ def _by_name(name: str) -> Device | None:
 
 @dataclass(frozen=True)
 class Facts:
-    """A listing in the terms of a specification."""
+    """The facts that a device reported, with the names of the specification."""
 
     model: Model
     told: Listing
     date: str
 
     def fields(self) -> dict[str, list[str]]:
-        """Set -> names of commands and data. Responses follow from their commands, and shared data is in every set."""
+        """Set -> names of commands and data fields. Responses are left out, because they follow from their commands."""
         by_set: dict[str, list[str]] = {}
         for key in sorted(self.told.descriptors, key=self._set):
             kinds = types(*key)
@@ -83,7 +83,7 @@ class Facts:
 
     @staticmethod
     def _set(key: tuple[int, int]) -> tuple[int, int]:
-        """Shared data comes last, whichever set a device lists it in."""
+        """Sorts shared data last, whichever set the device lists it in."""
         kinds = types(*key)
         return (SHARED if kinds and kinds[0].NAME.startswith("shared.") else key[0]), key[1]
 
@@ -95,14 +95,14 @@ class Facts:
         return {SETS[n][0]: rate for n, rate in rates.items() if rate is not None or n not in known}
 
     def ports(self) -> Iterator[ToldPort]:
-        """The ports that the profile does not have, as far as the device reported their protocols."""
+        """Yields the ports that the profile lacks, provided that the device reported their protocols."""
         known = {port.id for port in self.model.profile.ports} if self.model.profile else set[int]()
         for port in self.told.ports:
             if port.id not in known and port.receives is not None and port.sends is not None:
                 yield port
 
     def note(self) -> str:
-        """Data from the device that has no other place."""
+        """Composes a note of the facts that no key of the file can hold."""
         profile, said = self.model.profile, []
         if profile is not None and profile.model_number is None and self.model.number:
             said.append(f"The model number is {self.model.number}.")
@@ -110,7 +110,7 @@ class Facts:
         known = {port.id: port.baud_rates for port in profile.ports} if profile else {}
         for port in self.told.ports:
             if port.id in written:
-                said.append(f"{port.name} is given with the settings that it had.")
+                said.append(f"{port.name} is listed with the settings that it had.")
             elif port.baud is not None and port.baud not in known.get(port.id, ()) and not (profile and port.virtual):
                 said.append(f"{port.name} was set to {port.baud} Bd.")
         shared = {set for set, d in self.told.descriptors if (k := types(set, d)) and k[0].NAME.startswith("shared.")}
@@ -120,11 +120,11 @@ class Facts:
         return " ".join(said)
 
     def remark(self) -> list[str]:
-        """The note as a key."""
+        """Returns the line of the key `note`; empty if there is nothing to note."""
         return [f"note: {quoted(self.note())}"] if self.note() else []
 
     def contradictions(self) -> dict[str, str]:
-        """Contradictions in the profile of the generated package: data set -> a sentence."""
+        """Data set -> how the device contradicts the profile of the generated package."""
         found = {}
         known = self.model.profile.base_rates if self.model.profile else {}
         for number, rate in self.told.base_rates.items():
@@ -136,7 +136,7 @@ class Facts:
     # ----------------------------------------------------------------- as YAML
 
     def entry(self, more: list[str]) -> list[str]:
-        """The entry of the evidence, with other keys that it has."""
+        """Returns the lines of the evidence entry, with `more` keys."""
         lines = ["kind: listed", f"firmware: {self.told.firmware}", f"date: {self.date}", *more]
         for key, by_set in (("fields", self.fields()), ("undefined", self.undefined())):
             if by_set:
@@ -144,7 +144,7 @@ class Facts:
         return lines
 
     def flow_entry(self, more: list[str]) -> str:
-        """The same in brackets."""
+        """Returns the evidence entry in one line, in braces."""
         parts = ["kind: listed", f"firmware: {self.told.firmware}", f"date: {self.date}", *more]
         for key, by_set in (("fields", self.fields()), ("undefined", self.undefined())):
             if by_set:
@@ -172,7 +172,7 @@ def _port(port: ToldPort) -> str:
 
 
 def new(facts: Facts, folder: Path) -> str:
-    """The text of a new file: the fields that a known device lists, or the profile of an unknown one."""
+    """Composes a new file: an extension of a known device, or the profile of an unknown one."""
     it = facts.model
     known = it.profile is not None or _elsewhere(it.id, folder)
     schema = "device_extension" if known else "device"
@@ -202,7 +202,7 @@ def _description(it: Model) -> str:
 
 
 def _elsewhere(id: str, folder: Path) -> bool:
-    """Does another file of the folder have the device, which the generated package does not know yet?"""
+    """Does another file in the folder define the device, although the generated package does not know it yet?"""
     pattern = re.compile(rf"^[ \t]*(- )?\{{?[ \t]*device: *{re.escape(id)}[ \t]*(,|#|$)", re.M)
     for path in sorted((folder / "devices").glob("*.yaml")):
         if path.stem != id and pattern.search(path.read_text("utf-8", "replace")):
@@ -210,28 +210,28 @@ def _elsewhere(id: str, folder: Path) -> bool:
     return False
 
 
-# --------------------------------------------------------------------------- a file that is there
+# --------------------------------------------------------------------------- an existing file
 
 
 def merged(facts: Facts, path: Path) -> tuple[str, dict[str, str]]:
-    """The text of a file with the data from the device; contradictions by data set or port, each with its place.
+    """Adds the facts to the text of a file, in which everything else remains. Raises Failure for another device's file.
 
-    Everything else in the file is kept. Raises Failure if it is not a file of this device.
+    Returns the new text, and the contradictions between file and device by data set or port, each with its position.
     """
     file = YamlFile(path)
     wanted = facts.model.id
     own = child(file.root, "device")
     named = own if own is not None else child(file.root, "extend")
     if named is None:
-        raise Failure(f"{path}:1:1: neither `extend: {wanted}` nor `device: {wanted}`; move it to another file")
+        raise Failure(f"{path}:1:1: the file needs `extend: {wanted}` or `device: {wanted}`; add one, or move the file")
     if named.value != wanted:
-        raise Failure(f"{file.place(named)}: this is '{named.value}', and the device is '{wanted}'; rename the file")
+        raise Failure(f"{file.place(named)}: this is '{named.value}', but the device is '{wanted}'; rename the file")
     expected = plain(file.root)
     _add_evidence(file, facts, expected)
     contradictions = {**_add_rates(file, facts, expected, own is not None), **_add_ports(file, facts, expected)}
     text = file.changed()
     if parsed(text, path) != expected:
-        raise Failure(f"{path} cannot be changed without a loss; use --stdout, and add to it by hand")
+        raise Failure(f"{path} cannot be changed without losing something; use --dry-run, and edit it by hand")
     return text, contradictions
 
 
@@ -245,7 +245,7 @@ def _add_evidence(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> Non
         if not isinstance(said, dict) or (said.get("kind"), said.get("firmware")) != ("listed", new["firmware"]):
             continue
         if all(said.get(key) == new.get(key) for key in ("fields", "undefined")):
-            return  # the same list, on the day on which it was first read
+            return  # the same list: the entry keeps its date
         more = [file.source(key, value) for key, value in entry.value if key.value not in OWN]
         more += facts.remark() if "note" not in said else []
         file.replace_item(entry, facts.entry(more), facts.flow_entry(more))
@@ -261,7 +261,7 @@ def _add_evidence(file: YamlFile, facts: Facts, expected: dict[str, Any]) -> Non
 
 
 def _add_rates(file: YamlFile, facts: Facts, expected: dict[str, Any], whole: bool) -> dict[str, str]:
-    """`whole`: a profile of its own, which may inherit what the generated package knows."""
+    """Adds base rates. `whole`: the file is a profile, which may inherit the rates that the generated package knows."""
     node = file.get("base_rates", "mapping")
     profile = facts.model.profile
     new: dict[str, int | None] = {}

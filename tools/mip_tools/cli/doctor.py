@@ -1,4 +1,4 @@
-"""`mip doctor`: the faults of a device, a port or a log, and their causes."""
+"""`mip doctor`: finds the faults of a device, a port or a log, and their causes."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ examples:
   mip doctor drive.bin --html drive.html
   mip doctor drive.bin --device 3dm-gq7                with the warnings of its filter
 
-At a port, it asks the device for its identity and then only listens; no setting is changed. In a
-log, gaps are named with their causes: line damage, overload, pause, reset, clock step, changed
-format. Filter warnings are listed for the last data and for the whole log.
+At a port, it identifies the device and then only listens; no setting is changed. In a log, it finds
+gaps and their causes: line damage, overload, pause, reset, clock step, changed format. Filter
+warnings are listed for the last data and for the whole log.
 
 exit status: 0 if nothing is wrong, 1 if something is
 """
@@ -49,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     names, rates = asked(options.names, None)
     if len(names) != len(rates):
-        raise Misuse("a rate is needed with each name, as in sensor.scaled_accel@100")
+        raise Misuse("each name needs a rate, as in sensor.scaled_accel@100")
     device = device_id(options.device)
     if inputs.is_port(options.input) or options.input.startswith("/dev/"):
         patient = Patient(options.input, options)

@@ -20,7 +20,7 @@ examples:
   mip dump 75 65 01 02 02 01 E0 C6       one packet explained
   mip dump log.bin | head                a line for each packet
   mip dump log.bin --only sensor.scaled_accel --tree
-  mip dump /dev/ttyACM0 --skipped        live, with what comes between packets
+  mip dump /dev/ttyACM0 --skipped        live, with the bytes between packets
   cat log.bin | mip dump - --json | jq .
 """
 
@@ -63,7 +63,7 @@ def run(options: argparse.Namespace) -> int:
     damage = ""
     for piece in _given(given or b"") if explain else _arriving(options):
         if piece is None:
-            sys.stdout.flush()  # so that its reader sees what has arrived
+            sys.stdout.flush()  # so that a reader of a pipe sees each packet at once
             continue
         if piece.packet is None:
             bytes_skipped += len(piece.data)
@@ -93,7 +93,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _skipped(piece: Piece, as_json: bool) -> str:
-    """The line for bytes outside packets."""
+    """Formats the line for bytes outside packets."""
     if as_json:
         return json.dumps({"offset": piece.offset, "skipped": piece.data.hex()})
     return f"{piece.offset:08x} {show.skipped(piece.data)}"
@@ -104,7 +104,7 @@ def _none_shown(packets: int) -> None:
 
 
 def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
-    """Are only lines or objects of files wanted, and is NumPy installed?"""
+    """Can the faster way by columns be used: lines or objects of whole files, with NumPy installed?"""
     if explain or options.tree or options.raw or options.skipped or options.count is not None:
         return False
     if not all(not inputs.is_port(name) and inputs.is_log(name) for name in options.input):
@@ -113,7 +113,7 @@ def _by_columns(options: argparse.Namespace, explain: bool) -> bool:
 
 
 def _fast(options: argparse.Namespace, selection: Selection, device: str | None) -> int | None:
-    """Shows whole files; None if they have no packet, so that the slower way finds the cause."""
+    """Shows whole files. Returns None if they have no packet, so that the slower way reports the cause."""
     from .lines import Lines, Objects, lines
 
     packets, shown, form = 0, 0, Objects(device) if options.json else Lines(device)
@@ -138,13 +138,13 @@ def _arriving(options: argparse.Namespace) -> Iterator[Piece | None]:
 
 
 def _check(given: list[str]) -> None:
-    """Raises Misuse if these are bytes in hexadecimal with a mistake, and not names of files."""
+    """Raises Misuse if these words are hexadecimal bytes with a mistake, and not file names."""
     words = [w for text in given for w in re.split(r"[\s,:]+", text) if w]
     bad = [w for w in words if not re.fullmatch(r"(?i)(?:0x)?(?:[0-9a-f]{2})+", w)]
     if bad and len(words) > 2 * len(bad) + 1 and not any(map(inputs.exists, given)):
         raise Misuse(f"'{bad[0]}' is not a byte in hexadecimal, which has two digits")
     if len(bad) == len(words) == 1 and re.fullmatch(r"(?i)7565[0-9a-f]+", bad[0]):
-        raise Misuse("an odd number of hexadecimal digits; two make a byte")
+        raise Misuse("an odd number of hexadecimal digits; each byte needs two")
 
 
 def _given(data: bytes) -> Iterator[Piece]:

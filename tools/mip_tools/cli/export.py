@@ -39,21 +39,21 @@ examples:
   mip record /dev/ttyACM0 -o - | mip export - --format jsonl -o - | jq .
   mip export log.bin --format ros2 -o drive --messages generated/ros2
   mip export log.bin nmea -o nmea.csv                       NMEA sentences, with times
-  mip export log.bin acknowledge base 3dm -o replies.csv    also commands and replies, if named
+  mip export log.bin acknowledge base 3dm -o replies.csv    commands and replies, if named
 
 All formats have the same rows and columns. Packets with the same timestamp are one row; with --by
-packet, each packet is. csv has units in the names of the columns, and lists as JSON; jsonl has an
-object for each row, without what is missing. parquet and arrow (the file format of Feather) need
+packet, each packet is one. csv has units in the names of the columns, and lists as JSON; jsonl has
+an object for each row, without missing values. parquet and arrow (the file format of Feather) need
 pyarrow and have units in the metadata; npz has an array for each column. mcap has a
 channel for each field, with JSON; ros2 is a bag, a folder with standard messages in the axes of
-REP 103. From standard input, jsonl and mcap are written as it arrives.
+REP 103. From standard input, jsonl and mcap are written as the data arrives.
 
-time: `utc` is that of GPS as UTC, `unix` the same in seconds since 1970, `start` in seconds since
-the first row, `clock` in seconds of the first clock that the log has: gps, external, reference.
-It is that of the packet, or the last one of its set: `time_own` says which.
+time: `utc` is GPS time as UTC, `unix` the same in seconds since 1970, `start` in seconds since the
+first row, `clock` in seconds of the first of these clocks that the log has: gps, external,
+reference. A row has the time in its packet, or the last one of its set: `time_own` states which.
 
---align adds the last values of the other fields to each row of one. --rate has rows at equal steps,
-with values by --method: linear, nearest, or last, the value before.
+--align adds the last values of the other fields to each row of one field. --rate makes rows at
+equal steps, with values by --method: linear, nearest, or last, the value before.
 """
 
 
@@ -69,8 +69,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--align", metavar="NAME", help="a row for each value of this field, with the last values of the others")
     add("--rate", type=hertz, metavar="HZ", help="rows at equal steps; invalid values are ignored")
     add("--method", choices=("linear", "nearest", "last"), help="values between two samples (default: linear)")
-    add("--messages", type=Path, metavar="FOLDER", help="ros2: the package mip_msgs, for messages of all fields, too")
-    add("--position", action="store_true", help="add the packet's number, set and place in the log")
+    add("--messages", type=Path, metavar="FOLDER", help="ros2: the package mip_msgs, to add messages of all fields")
+    add("--position", action="store_true", help="add the packet's number, set and file offset")
     add_selection(parser)
 
 
@@ -99,14 +99,14 @@ def run(options: argparse.Namespace) -> int:
             with outputs.whole(options.output) as out, writers.FORMS[form](out) as write:
                 write(_sentences(options, log))
             return 0
-        if not any(part.packets for part in log.parts(tables.PART)):  # the whole log would remember the place of each
+        if not any(part.packets for part in log.parts(tables.PART)):  # log.packets would store the offset of each one
             raise Failure(f"{options.file} has no packets")
         job = _job(options, selection, log)
         if not job.kinds:
             _nothing(options, selection)
         if aligned is not None and aligned not in job.kinds:
             if not selection.has(aligned.set, aligned.kind.DESCRIPTOR):
-                raise Misuse(f"{aligned.name} is not exported; name it, too, to align with it")
+                raise Misuse(f"{aligned.name} is not exported; to align with it, add it to the names")
             raise Failure(f"{options.file} has no {aligned.name} to align with")
         files = _files(options, job.kinds)
         for path, _ in files:
@@ -125,7 +125,7 @@ def _messages(options: argparse.Namespace, form: str, selection: Selection) -> i
         if getattr(options, name):
             raise Misuse(f"--{name} is for tables; {form} has messages for each field")
     if NMEA in options.names:
-        raise Misuse(f"{NMEA} is a table; use csv, jsonl or another format of tables")
+        raise Misuse(f"{NMEA} is a table; use csv, jsonl or another table format")
     module: Any = import_module(f".{MESSAGES[form]}", __package__)
     module.require(form)
     with inputs.seekable(options.file) as name:
@@ -143,23 +143,23 @@ def _messages(options: argparse.Namespace, form: str, selection: Selection) -> i
 
 def _nothing(options: argparse.Namespace, selection: Selection) -> NoReturn:
     what = "none of these fields" if selection.named else "no data (commands and replies must be named)"
-    raise Failure(f"{options.file} has {what}; `mip info` lists the fields that it has")
+    raise Failure(f"{options.file} has {what}; `mip info` lists its fields")
 
 
 def _check(options: argparse.Namespace) -> None:
     """Raises Misuse if options contradict each other."""
     if options.split and options.output == "-":
-        raise Misuse("--split writes several files; name one with -o, and fields are added to it")
+        raise Misuse("--split writes several files; name one with -o, to which the names of fields are added")
     for one, other in (("split", "align"), ("rate", "align"), ("rate", "position")):
         if getattr(options, one) and getattr(options, other):
             raise Misuse(f"--{one} and --{other} cannot be combined; leave one out")
     others = (options.only, options.without, options.split, options.rate, options.align)
     if NMEA in options.names and (len(options.names) > 1 or any(others)):
-        raise Misuse(f"{NMEA} is a table of its own, without other fields, --split, --rate and --align")
+        raise Misuse(f"{NMEA} is a separate table; leave out other names, --split, --rate and --align")
     if options.method and not options.rate:
-        raise Misuse("--method is for --rate; name a rate")
+        raise Misuse("--method is only for --rate; add --rate HZ")
     if options.rate and (options.by == "packet" or options.time == "none"):
-        raise Misuse("--rate has rows by time; leave out --by packet and --time none")
+        raise Misuse("--rate makes rows by time; leave out --by packet and --time none")
 
 
 class _Job(NamedTuple):
@@ -170,7 +170,7 @@ class _Job(NamedTuple):
     form: Any
 
     def tables(self, options: argparse.Namespace, aligned: Occurrence | None) -> Iterator[Sequence[Series]]:
-        """The columns of each part."""
+        """Yields the columns of each part."""
         from ..columns import resample, tables
 
         clock = self.form.clock if options.time != "none" else ""
@@ -209,7 +209,7 @@ def _job(options: argparse.Namespace, selection: Selection, log: Log) -> _Job:
 
 
 def _sentences(options: argparse.Namespace, log: Log) -> Sequence[Series]:
-    """The columns of the NMEA sentences. Raises Failure if there are none."""
+    """Returns the columns of the NMEA sentences. Raises Failure if there are none."""
     from ..columns import between, times
 
     outputs.refuse_input(options.output, options.file)
@@ -226,7 +226,7 @@ def _by_ending(output: str) -> str:
     other = {"json": "jsonl", "ndjson": "jsonl", "pq": "parquet", "feather": "arrow", "": "csv"}
     form = other.get(ending, ending)
     if form not in FORMATS:
-        raise Misuse(f"what format is '{ending}'? use --format {', '.join(FORMATS)}")
+        raise Misuse(f"'.{ending}' is not a known format; use --format {', '.join(FORMATS)}")
     return form
 
 

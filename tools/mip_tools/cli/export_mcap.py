@@ -1,4 +1,4 @@
-"""MCAP: a channel for each field, with JSON messages and their schemas, as Foxglove opens them."""
+"""Writes MCAP files that Foxglove can open: a channel for each field, with JSON messages and their schemas."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from . import inputs, outputs, values
 from .clocks import dated
 from .selection import Selection
 
-#: Messages that wait for the first time of a log.
+#: The maximum number of messages that wait for the first time in a log.
 HELD = 100_000
 
 #: The separators in the JSON of messages.
 SEPARATORS = (",", ":")
 
-#: Clocks for the times of messages.
+#: What the times of messages mean.
 TIMES = {
     "dated": "UTC in ns since 1970, from the {} clock of the device",
     "undated": "ns since the origin of the {} clock of the device, which has no date",
@@ -32,11 +32,11 @@ TIMES = {
 
 
 def require(form: str) -> Any:
-    """The writer of MCAP. Raises Failure if its package is missing."""
+    """Returns the module that writes MCAP. Raises Failure if it is not installed."""
     try:
         return import_module("mcap.writer")
     except ImportError:
-        raise Failure(f"{MissingExtra('mcap', 'mcap')}; csv and jsonl need nothing") from None
+        raise Failure(f"{MissingExtra('mcap', 'mcap')}; csv and jsonl need no extra") from None
 
 
 class Message(NamedTuple):
@@ -44,9 +44,9 @@ class Message(NamedTuple):
 
     kind: Occurrence
     time: int | None
-    own: bool  # is the time that of its packet?
+    own: bool  # does its packet have the time?
     packet: int
-    data: Any  # in the form of the messages: JSON, or CDR
+    data: Any  # as JSON or CDR
 
 
 class _Timed(Protocol):
@@ -83,16 +83,18 @@ class Job:
 def check(clock: str | None, options: argparse.Namespace) -> None:
     """Raises Failure or Misuse if no clock provides the times that messages need."""
     if options.time not in (None, "utc", "clock"):
-        raise Misuse(f"--time {options.time} is for tables; messages have the time of the clock")
+        raise Misuse(f"--time {options.time} is for tables; messages always have the time of the clock")
     if clock is None:
-        raise Failure("the log has no packet with a valid time, which messages must have; csv and jsonl need none")
+        raise Failure("the log has no valid time, which messages need; use csv or jsonl")
     if options.time == "utc" and not dated(clock):
         raise Failure("the log has no dates; use --time clock")
 
 
 def write_mcap(out: IO[bytes], messages: Iterable[Message], clock: str | None, named: bool, live: bool = False) -> None:
-    """Writes messages; `live`: without a clock, they have the time of the host. The file is complete after an
-    interrupt, too."""
+    """Writes messages. The file is complete even after an interrupt.
+
+    `live`: without a clock, messages have the time of the host.
+    """
     module = require("mcap")
     writer = module.Writer(_Counted(out))
     writer.start(profile="", library=f"mip-tools {__version__}")
@@ -121,18 +123,18 @@ class Topic(NamedTuple):
 
     @classmethod
     def of(cls, kind: Occurrence, named: bool) -> Topic:
-        """The topic of a field."""
+        """Makes the topic of a field."""
         text = json.dumps(schema(kind.kind, named))
         return cls(f"/mip/{kind.name.replace('.', '/')}", f"mip.{kind.name}", text)
 
 
 def encoded(field: Field, named: bool) -> bytes:
-    """A message as JSON."""
+    """Encodes a message as JSON."""
     return json.dumps(message(field, named), separators=SEPARATORS, allow_nan=False).encode()
 
 
 class _Counted:
-    """Output with a position, even if it is a pipe."""
+    """An output that knows its position, even if it is a pipe."""
 
     def __init__(self, out: IO[bytes]) -> None:
         self._out, self._size = out, 0
@@ -154,7 +156,8 @@ def clock_meaning(clock: str | None) -> str:
 
 
 def timed(samples: Iterable[T], by_host: bool) -> Iterator[tuple[T, int]]:
-    """Each sample with its time in ns: the last known one; before the first, that. Raises Failure if there is none."""
+    """Yields each sample with its time in ns, or else the last known one, or else the first. Raises Failure if no
+    sample has a time."""
     last: int | None = None
     waiting: list[T] = []
     for sample in samples:
@@ -165,14 +168,14 @@ def timed(samples: Iterable[T], by_host: bool) -> Iterator[tuple[T, int]]:
             yield from ((one, max(last if one.time is None else one.time, 0)) for one in waiting)
             waiting.clear()
         elif len(waiting) > HELD:
-            raise Failure(f"no time in the first {HELD} fields; use --time clock, or jsonl")
+            raise Failure(f"the first {HELD} fields have no time; use --time clock, or jsonl")
 
 
 # --------------------------------------------------------------------------- messages and schemas
 
 
 def message(field: Field, named: bool) -> dict[str, Any]:
-    """The values of a field as its schema describes them; numbers that JSON does not have are left out."""
+    """Returns the values of a field as its schema describes them, without numbers that JSON cannot represent."""
     return _object(field, values.plain(field, named))
 
 
@@ -190,7 +193,7 @@ def _object(record: Described, held: dict[str, Any]) -> dict[str, Any]:
 
 
 def schema(kind: type[Field], named: bool) -> dict[str, Any]:
-    """The JSON Schema of a field's messages."""
+    """Makes the JSON Schema of a field's messages."""
     found = info(kind)
     properties = {p.name: _of_parameter(p, named) for p in found.members}
     return {"title": found.name, "description": found.title, "type": "object", "properties": properties}

@@ -1,4 +1,4 @@
-"""A bag of ROS 2: standard messages in the axes of REP 103, and those of mip_msgs as the device sends the data."""
+"""Writes ROS 2 bags: standard messages in the axes of REP 103, and messages of mip_msgs in those of the device."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ from .export_mcap import Message, check, timed
 from .messages import Messages, Objects, survey
 from .selection import Selection
 
-#: Of messages in the axes of the device.
+#: The frame of messages in the axes of the device.
 FRAME = "imu_link"
 REFERENCE = "sensor_msgs/msg/TimeReference"
-#: The first time that messages cannot have: their seconds are signed numbers of 32 bits.
+#: The first time that a message cannot represent: its seconds are a signed 32-bit number.
 END = SECOND << 31
 
 
 def require(form: str) -> None:
-    """Raises Failure if the package that writes bags is missing."""
+    """Raises Failure if the package that writes bags is not installed."""
     Types()
 
 
 class _Form:
-    """Fields as messages of mip_msgs, without their times; None if there is no type for them."""
+    """Encodes fields as messages of mip_msgs, without their times; None if mip_msgs has no type for a field."""
 
     def __init__(self, types: Types) -> None:
         self._types = types
@@ -109,26 +109,26 @@ class Job:
                 if one.own and one.time is not None and clocks.dated(self._clock):
                     write("/time_reference", REFERENCE, moment, self._reference(known, one.time))
         if not topics:
-            raise Failure(f"{self._options.file} has nothing of which there are messages; name the folder of mip_msgs")
+            raise Failure(f"{self._options.file} has no data for standard messages; add --messages, for mip_msgs")
 
     def _check(self, packet: int, moment: int) -> None:
-        """Raises Failure if a message cannot have this time."""
+        """Raises Failure if a message cannot represent this time."""
         if moment >= END:
             of, last = (clocks.stamp(self._clock or "", each, 3) for each in (moment, END - SECOND))
             raise Failure(
-                f"{self._name}: packet {packet} has the time {of}; ROS 2 ends at {last}; use --format mcap, which has "
-                "times of 64 bits"
+                f"{self._name}: packet {packet} has the time {of}, but ROS 2 times end at {last}; use --format mcap "
+                "instead, which has 64-bit times"
             )
 
     def _reference(self, known: Types, time: int) -> bytes:
-        """The message with the device's own time of a packet."""
+        """Makes the message with the time of a packet by the device's clock."""
         sec, nanosec = divmod(time, SECOND)
         values = {"time_ref.sec": sec, "time_ref.nanosec": nanosec}
         return known.rows(REFERENCE, 1, values, {"header.frame_id": FRAME, "source": self._clock or ""})[0]
 
 
 def _encoded(made: standard.Messages, known: Types) -> list[bytes]:
-    """Standard messages without their times."""
+    """Encodes standard messages, without their times."""
     texts = {"header.frame_id": made.frame, "child_frame_id": made.child}
     return known.rows(made.type, len(made.packet), made.values, texts)
 

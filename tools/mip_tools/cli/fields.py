@@ -1,4 +1,4 @@
-"""`mip fields`: the specification, in a terminal."""
+"""`mip fields`: shows the specification in a terminal."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ EPILOG = """\
 examples:
   mip fields                          the descriptor sets
   mip fields sensor                   the fields of a set
-  mip fields sensor.scaled_accel      one field; 0x80:0x04 or a vendor's name also find it
+  mip fields sensor.scaled_accel      one field; 0x80:0x04 and the vendor's name also work
   mip fields --search temperature     all fields with this word
   mip fields 3dm --device 3dm-gx5-15  only the fields of a device
 """
@@ -81,7 +81,7 @@ def _chosen(options: argparse.Namespace) -> list[Occurrence]:
 def _nothing(options: argparse.Namespace) -> str:
     """Reports why no field is found, and suggests names."""
     if options.search is None or options.name is not None or options.device is not None:
-        return "no field matches all words; use fewer"
+        return "no field matches NAME, --search and --device together; leave one out"
     words = {word for k in _all() for word in re.split(r"[._]", k.name)}
     close = difflib.get_close_matches(options.search.lower(), sorted(words), 3)
     remedy = f"did you mean {' or '.join(close)}?" if close else "`mip fields` lists the sets"
@@ -115,7 +115,7 @@ def _searched(one: Occurrence) -> str:
 
 
 def text(one: Occurrence) -> str:
-    """All that is known of a field."""
+    """Describes a field completely."""
     number, kind = one
     known = info(kind)
     lines = [f"{one.name} (0x{number:02X},0x{kind.DESCRIPTOR:02X}), {known.role}", known.title]
@@ -186,7 +186,7 @@ def _type(kind: Any) -> list[str]:
 
 
 def as_json(one: Occurrence) -> dict[str, Any]:
-    """A field for JSON."""
+    """Describes a field for JSON."""
     number, kind = one
     known = info(kind)
     return {

@@ -12,19 +12,19 @@ from .inputs import counted
 
 EPILOG = """\
 examples:
-  mip fleet logs -o data                                 all *.bin in a folder and those in it
-  mip fleet logs -o data                                 again: adds what is new
+  mip fleet logs -o data                                 all *.bin in a folder and its subfolders
+  mip fleet logs -o data                                 again: adds new logs
   mip fleet logs -o data --only sensor,filter_data --device-from '^([^/]+)/'
   mip fleet s3://bucket/logs -o data                     needs s3fs
   mip fleet logs -o data --scheduler tcp://host:8786     a cluster that sees the same folders
 
 The data set has a folder for each clock and each field, data/clock=gps/field=NAME, with the rows
-and columns of `mip export` of that field, and `log` and `device`; data/_manifest.json lists what
-counts, data/_catalogue.parquet has devices, times and gaps. An interrupted run goes on when it is
-started again, and no row is there twice. A log is known by its content, under any name. One that
-cannot be read is named, and tried again next time.
+and columns of `mip export` for that field, plus `log` and `device`. data/_manifest.json lists the
+files that belong to the data set; data/_catalogue.parquet has devices, times and gaps. Run an
+interrupted command again to continue; no row is duplicated. A log is recognized by its content,
+under any name. A log that cannot be read is reported, and tried again by the next run.
 
-exit status: 1 if a log is missing in the data set
+exit status: 1 if a log could not be added
 """
 
 
@@ -41,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="keep",
         help="values whose flags mark them as invalid: keep them (default), leave them empty, or drop their rows",
     )
-    add("--device-from", type=_group, metavar="REGEX", help="pattern whose group is the device in the name of a log")
+    add("--device-from", type=_group, metavar="REGEX", help="device of a log: first group of this pattern in its name")
     add("--workers", type=positive, metavar="N", help="number of local processes (default: one for each core)")
     add("--scheduler", metavar="ADDRESS", help="a Dask scheduler, instead of local processes")
 

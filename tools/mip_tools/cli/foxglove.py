@@ -1,4 +1,4 @@
-"""A server for Foxglove: clients that connect see the fields of a stream as they arrive."""
+"""A server for Foxglove: sends the fields of a stream to clients as they arrive."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from ..occurrence import Occurrence
 from .export_mcap import Topic, encoded, timed
 from .samples import Sample
 
-#: Names of the protocol, as clients ask for it.
+#: The names of the protocol that clients request.
 PROTOCOLS = ["foxglove.websocket.v1", "foxglove.sdk.v1"]
 #: The address at which Foxglove expects a server.
 USUAL = "127.0.0.1:8765"
-#: Messages that may wait for a slow client; if there are more, all that wait are dropped.
+#: The number of messages that may wait for a slow client; one more, and all that wait are dropped.
 _WAITING = 4096
 _DATA = struct.Struct("<BIQ")
 
@@ -40,7 +40,7 @@ class Server:
         self._clients: list[_Client] = []
 
     def channel(self, topic: Topic) -> int:
-        """A new channel."""
+        """Adds a channel, and returns its number."""
         with self._lock:
             number = len(self._channels) + 1
             said = {"id": number, "topic": topic.name, "encoding": "json", "schemaName": topic.schema_name}
@@ -50,7 +50,7 @@ class Server:
             return number
 
     def send(self, channel: int, moment: int, data: bytes) -> None:
-        """Sends a message to those who want it."""
+        """Sends a message to the clients that have subscribed to its channel."""
         with self._lock:
             for client in self._clients:
                 client.message(channel, moment, data)
@@ -94,7 +94,7 @@ class _Client:
 
     def __init__(self, connection: Any) -> None:
         self._connection = connection
-        self.subscribed: dict[int, int] = {}  # its number -> channel
+        self.subscribed: dict[int, int] = {}  # the client's number of a subscription -> channel
         self._waiting: deque[str | bytes | None] = deque()
         self._some = threading.Condition()
         threading.Thread(target=self._write, daemon=True).start()
@@ -113,7 +113,7 @@ class _Client:
                 self.put(_DATA.pack(1, number, moment) + data)
 
     def put(self, item: str | bytes | None) -> None:
-        """Queues a message behind the others; None is the end."""
+        """Queues a message; None ends the queue."""
         with self._some:
             if len(self._waiting) >= _WAITING:
                 self._waiting = deque(one for one in self._waiting if not isinstance(one, bytes))
@@ -148,7 +148,7 @@ def serving(server: Server, place: str) -> Iterator[str]:
     """Accepts clients at HOST:PORT; yields its URL. Raises Failure."""
     host, _, port = place.rpartition(":")
     if not host or not port.isdigit():
-        raise Misuse(f"'{place}' is not HOST:PORT; Foxglove looks at {USUAL}")
+        raise Misuse(f"'{place}' is not HOST:PORT; the default is {USUAL}")
     try:
         serve = import_module("websockets.sync.server").serve
     except ImportError:
@@ -169,7 +169,7 @@ def serving(server: Server, place: str) -> Iterator[str]:
 
 
 def write(server: Server, packets: Iterator[list[Sample]], clock: str | None, named: bool) -> None:
-    """Serves samples until they end; without a clock, with the time of the host."""
+    """Serves samples until they end. Without a clock, they have the time of the host."""
     channels: dict[Occurrence, int] = {}
     for sample, moment in timed(chain.from_iterable(packets), clock is None):
         kind = sample.kind

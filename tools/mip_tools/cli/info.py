@@ -18,9 +18,9 @@ examples:
   mip info log.bin
   mip info log.bin --json | jq '.fields[].name'
 
-Rates are in Hz by the timestamps in the packets, gaps left out. A gap is an interval of more than
-1.5 times the usual one between packets of a set. A damaged packet begins like a packet, but has a
-wrong checksum or no end.
+Rates are in Hz, from the timestamps in the packets, without gaps. A gap is an interval between
+packets of a set of more than 1.5 times the usual one. A damaged packet begins like a packet, but
+has a wrong checksum or is incomplete.
 """
 
 
@@ -47,7 +47,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def lines(name: str, report: Report) -> list[str]:
-    """The report as text."""
+    """Formats the report as text."""
     name = "standard input" if name == "-" else name
     text = [f"{name}: {inputs.readable(report.size)}, {_count(report.packets, 'packet')}"]
     text += list(_span(report))
@@ -128,12 +128,12 @@ def _count(number: int, what: str) -> str:
 
 
 def hz(rate: float | None) -> str:
-    """A rate, or `-` if it is unknown."""
+    """Formats a rate; `-` if it is unknown."""
     return "-" if rate is None else f"{rate:.4g}"
 
 
 def duration(seconds: float) -> str:
-    """A duration as readable text."""
+    """Formats a duration for people."""
     if seconds < 60:
         return f"{seconds:.3f} s"
     minutes, rest = divmod(seconds, 60)
@@ -145,7 +145,7 @@ def duration(seconds: float) -> str:
 
 
 def as_json(name: str, report: Report) -> dict[str, Any]:
-    """The report for JSON; times in ns, since 1970 if the clock has a date."""
+    """Converts the report for JSON; times are in ns, since 1970 if the clock has a date."""
     return {
         "file": name,
         "bytes": report.size,

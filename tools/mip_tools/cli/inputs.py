@@ -24,9 +24,9 @@ if TYPE_CHECKING:
     from ..columns import Log
 
 CHUNK = 1 << 16
-#: Bytes that are looked at together, even if more have arrived.
+#: The size from which on a batch of pieces is complete, even if more have arrived.
 _BATCH = 1 << 20
-#: Seconds after which it is reported that nothing has arrived.
+#: Seconds without data after which `arriving` yields None.
 _TURN = 0.1
 _HEX = re.compile(rb"(?:0[xX])?[0-9A-Fa-f]{2}(?:[\s,:]*(?:0[xX])?[0-9A-Fa-f]{2})*[\s,]*")
 _TEXT = re.compile(rb"[0-9A-Fa-fxX\s,:]*")
@@ -48,12 +48,12 @@ def is_port(text: str) -> bool:
 
 
 def exists(name: str) -> bool:
-    """Is there a file of this name, even if it looks like bytes?"""
+    """Is there a file of this name, although it looks like hexadecimal bytes?"""
     return name == "-" or os.path.exists(name)
 
 
 def hex_bytes(words: list[str]) -> bytes | None:
-    """The bytes that these words contain in hexadecimal; None if they are something else."""
+    """Parses words as hexadecimal bytes; None if they are anything else."""
     text = " ".join(words).encode("utf-8", "replace")
     return _plain(text) if _HEX.fullmatch(text.strip()) else None
 
@@ -63,13 +63,12 @@ def _plain(text: bytes) -> bytes:
 
 
 def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
-    """The bytes of a file, or of standard input for `-`, as they arrive. Text of hex digits is
-    converted.
+    """Yields the bytes of a file, or of standard input for `-`, as they arrive. Hexadecimal text is converted.
 
-    `progress` of long files is shown on a terminal. Raises Failure if it cannot be read.
+    `progress`: for long files, the progress is shown on a terminal. Raises Failure if the file cannot be read.
     """
     if is_port(name):
-        raise Failure(f"{name} is a port, not a log; `mip record` writes a log of what it sends")
+        raise Failure(f"{name} is a port, not a log; `mip record` records a log from it")
     try:
         if name == "-":
             # Unbuffered: a thread blocked in a read would hold the buffer's lock when the program ends.
@@ -84,12 +83,12 @@ def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
 
 
 def pieces(name: str, progress: bool = True) -> Iterator[Piece]:
-    """The packets of a file or of standard input, and the bytes between them."""
+    """Yields the packets of a file or of standard input, and the bytes between them."""
     return (piece for piece in arriving(name, progress) if piece is not None)
 
 
 def arriving(name: str, progress: bool = True) -> Iterator[Piece | None]:
-    """The same, with None again and again while nothing arrives."""
+    """Yields the same as `pieces`, and None after each read and regularly while nothing arrives."""
     scanner = Scanner()
     source = chunks(name, progress)
     for chunk in _waited_for(source) if name == "-" else source:
@@ -99,7 +98,7 @@ def arriving(name: str, progress: bool = True) -> Iterator[Piece | None]:
 
 
 def batches(arriving: Iterator[Piece | None]) -> Iterator[list[Piece]]:
-    """The pieces that arrive together."""
+    """Yields lists of the pieces that arrive together."""
     batch: list[Piece] = []
     size = 0
     for piece in arriving:
@@ -114,7 +113,7 @@ def batches(arriving: Iterator[Piece | None]) -> Iterator[list[Piece]]:
 
 
 def _waited_for(source: Iterator[bytes]) -> Iterator[bytes]:
-    """Data of a source, as it arrives; empty after pauses, in which a thread waits for it."""
+    """Yields the data of a source as it arrives, and empty bytes during pauses, in which a thread waits for data."""
     came: queue.Queue[bytes | BaseException | None] = queue.Queue(maxsize=16)
 
     def read() -> None:
@@ -139,7 +138,7 @@ def _waited_for(source: Iterator[bytes]) -> Iterator[bytes]:
 
 
 def is_log(name: str) -> bool:
-    """Is this a file of bytes that can be read: not hexadecimal digits, no pipe, not standard input?"""
+    """Is this a readable file of raw bytes: not hexadecimal text, not a pipe, not standard input?"""
     try:
         if name == "-" or not os.path.isfile(name):
             return False
@@ -150,7 +149,7 @@ def is_log(name: str) -> bool:
 
 
 def need_numpy() -> None:
-    """Raises Failure without NumPy, which everything that reads whole logs needs."""
+    """Raises Failure if NumPy is not installed, which reading whole logs needs."""
     try:
         import numpy  # noqa: F401
     except ImportError:
@@ -159,7 +158,7 @@ def need_numpy() -> None:
 
 @contextmanager
 def columns(name: str) -> Iterator[Log]:
-    """The log in a file or in standard input, as columns. Raises Failure."""
+    """Opens a log, from a file or from standard input, as columns. Raises Failure."""
     need_numpy()
     from ..columns import read_log
 
@@ -169,7 +168,7 @@ def columns(name: str) -> Iterator[Log]:
 
 @contextmanager
 def seekable(name: str) -> Iterator[str]:
-    """A file of bytes that can be read twice: the file itself, or a temporary one with its bytes."""
+    """Provides a file of bytes that can be read twice: the file itself, or a temporary copy."""
     if is_log(name):
         yield name
         return
@@ -188,7 +187,7 @@ def _read(file: IO[bytes]) -> Iterator[bytes]:
 
 
 def _is_text(first: bytes) -> bool:
-    """Are they hexadecimal digits? The sync bytes contain a `u`, which is not one."""
+    """Are these hexadecimal digits? A packet is never mistaken for them: its first sync byte is `u`."""
     return bool(first.strip() and _TEXT.fullmatch(first))
 
 
@@ -207,16 +206,16 @@ def _converted(source: Iterator[bytes], name: str) -> Iterator[bytes]:
         try:
             yield bytes.fromhex(digits[: len(digits) & ~1].decode("ascii"))
         except ValueError:
-            raise Failure(f"{name} begins with hexadecimal digits but has other text, too; remove it") from None
+            raise Failure(f"{name} begins with hexadecimal digits but also has other text; remove that") from None
     if rest:
-        raise Failure(f"{name} has an odd number of hexadecimal digits; two make a byte")
+        raise Failure(f"{name} has an odd number of hexadecimal digits; each byte needs two")
 
 
 # --------------------------------------------------------------------------- progress
 
 
 class Progress:
-    """The progress of a long task, its speed and the time left, on standard error if that is a terminal."""
+    """Shows the progress of a long task, its speed and the remaining time, on standard error if it is a terminal."""
 
     def __init__(self, size: int) -> None:
         self._size = size
@@ -224,7 +223,7 @@ class Progress:
         self._on = size >= 1 << 22
 
     def at(self, done: int) -> None:
-        """Shows it, but not too often."""
+        """Shows the progress, but not too often."""
         now = time.monotonic()
         if self._on and done and now - self._shown > 0.2:
             self._shown = now
@@ -235,13 +234,13 @@ class Progress:
             )
 
     def clear(self) -> None:
-        """Removes it from the terminal."""
+        """Removes the progress from the terminal."""
         if self._on:
             outputs.progress("")
 
 
 def spent(seconds: float) -> str:
-    """A time in seconds for people who wait: `12 s`, `3:05 min`, `1:02:03 h`."""
+    """Formats a waiting time: `12 s`, `3:05 min`, `1:02:03 h`."""
     whole = round(seconds)
     if whole < 60:
         return f"{whole} s"
@@ -262,7 +261,7 @@ def _shown(file: IO[bytes]) -> Iterator[bytes]:
 
 
 def readable(size: float) -> str:
-    """A number of bytes with a unit: `12 kB`."""
+    """Formats a number of bytes with a unit: `12 kB`."""
     for unit in ("B", "kB", "MB", "GB"):
         if size < 1000 or unit == "GB":
             return f"{size:.0f} {unit}" if unit == "B" else f"{size:.3g} {unit}"
@@ -271,12 +270,12 @@ def readable(size: float) -> str:
 
 
 def counted(number: int, what: str) -> str:
-    """A number of things: `1 byte`, `2 bytes`."""
+    """Formats a count: `1 byte`, `2 bytes`."""
     return f"{number} {what}{'s' * (number != 1)}"
 
 
 def existing(name: str) -> Path:
-    """A file that can be read. Raises Failure."""
+    """Returns the path of a file. Raises Failure if it cannot be read."""
     path = Path(name)
     try:
         with open(path, "rb"):

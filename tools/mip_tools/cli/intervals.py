@@ -12,11 +12,11 @@ from .clocks import SECOND
 
 #: An interval of this many times the usual one is a gap.
 GAP = 1.5
-#: The number of gaps and jumps that are kept, with their places.
+#: The number of gaps and jumps that are kept, with their positions.
 KEPT = 10
 
 
-#: Below this many nanoseconds, steps that differ also differ as floats in seconds.
+#: Below this many nanoseconds, different steps remain different as floats in seconds.
 _EXACT = 2**51
 
 
@@ -30,7 +30,7 @@ class Place(NamedTuple):
 
 @dataclass
 class Intervals:
-    """The times between packets of one kind, in the order of the log."""
+    """The intervals between packets of one kind, in the order of the log."""
 
     count: int = 0
     first: int | None = None
@@ -42,7 +42,7 @@ class Intervals:
     _sums: Counter[int] = field(default_factory=Counter)
 
     def add_all(self, times: Any, offsets: Any) -> None:
-        """Adds packets as arrays of NumPy, in the order of the log, as `add` does one by one."""
+        """Adds packets as NumPy arrays, in the order of the log, with the same result as `add` for each."""
         import numpy as np
 
         if self.last is None and len(times):
@@ -68,7 +68,7 @@ class Intervals:
                 self._bins[place_of] += count
                 self._sums[place_of] += step * count
         least = max(1, int(np.partition(steps, -KEPT)[-KEPT])) if len(steps) > KEPT else 1
-        equal = np.flatnonzero(steps == least)[-KEPT:]  # of these, the last ones count
+        equal = np.flatnonzero(steps == least)[-KEPT:]  # of equal steps, the last ones are kept
         for i in [*equal.tolist(), *np.flatnonzero(steps > least).tolist()]:
             self._keep(Place(int(steps[i]) / SECOND, int(offsets[i]), int(times[i])))
 
@@ -91,7 +91,7 @@ class Intervals:
         self.last = time
 
     def _keep(self, place: Place) -> None:
-        """Keeps it if it is one of the longest."""
+        """Keeps the interval if it is one of the longest."""
         if len(self._longest) < KEPT:
             heapq.heappush(self._longest, place)
         elif place > self._longest[0]:
@@ -110,7 +110,7 @@ class Intervals:
 
     @property
     def rate(self) -> float | None:
-        """Hz, without gaps and jumps."""
+        """The rate in Hz, without gaps and jumps."""
         usual = self.usual
         if usual is None:
             return None
@@ -134,7 +134,7 @@ class Intervals:
 
 
 def _bin(step: int) -> int:
-    """Steps that differ by less than 0.1 % are counted together."""
+    """Returns the bin of a step: steps that differ by less than 0.1 % are counted together."""
     return round(math.log(step) * 1000)
 
 

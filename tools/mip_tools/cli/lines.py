@@ -1,4 +1,4 @@
-"""The lines of `mip dump` for whole files, by columns: the same as packet by packet, but faster."""
+"""Makes the lines of `mip dump` for whole files from columns: the same lines as packet by packet, but faster."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..columns.column import Column
     from ..columns.piece import Piece
 
-#: Bytes of the log whose lines are in memory together.
+#: Bytes of the log whose lines are in memory at the same time.
 PART = 1 << 20
 
 
@@ -41,7 +41,7 @@ class Lines:
         return show.short(found, show.set_name(found.raw.set)) + show.inside(found, self.device)
 
     def fields(self, column: Column[Any], kind: type[Field], number: int) -> list[str] | None:
-        """The texts of all rows; None if they depend on more than a value."""
+        """Formats all rows; None if a text depends on more than one value."""
         name = kind.name_in(number).removeprefix(f"{show.set_name(number)}.")
         own = kind.NAME.partition(".")[2]
         parts: list[str] = []
@@ -58,7 +58,7 @@ class Lines:
         return row_texts.formatted(template, values, len(column))
 
     def texts(self, p: Parameter, column: Column[Any]) -> row_texts.Texts | None:
-        """The format of a parameter and its values, with the result of `Parameter.format`."""
+        """Returns the format of a parameter and its values; filled in, they are what `Parameter.format` returns."""
         p = p if self.device is None else p.on(self.device)
         values = row_texts.plain(p, column)
         if values is None:
@@ -88,7 +88,7 @@ class Objects:
         return objects.field(found, self.device)
 
     def fields(self, column: Column[Any], kind: type[Field], number: int) -> list[str] | None:
-        """The texts of all rows; None if they depend on more than a value."""
+        """Formats all rows; None if a text depends on more than one value."""
         made = row_texts.json_object(column, kind, self.device)
         if made is None:
             return None
@@ -97,7 +97,8 @@ class Objects:
 
 
 def lines(log: Log, selection: Selection, form: Lines | Objects) -> Iterator[tuple[int, list[str]]]:
-    """The lines of the packets that have a selected field, many at once, and how many packets they were found in."""
+    """Yields the lines of the packets that have a selected field, many at once, each time with the number of packets
+    that were searched."""
     for part in log.parts(PART):
         for piece in part.pieces():
             yield len(piece.at), _lines(part, piece, selection, form)
@@ -135,7 +136,7 @@ def _lines(log: Log, piece: Piece, selection: Selection, form: Lines | Objects) 
 def _fields(
     log: Log, piece: Piece, form: Lines | Objects, number: int, descriptor: int, runs: list[walk.Run]
 ) -> tuple[Array, Array, list[str]]:
-    """The texts of fields of one set and descriptor, with their packets and their offsets in the payloads."""
+    """Formats the fields of one set and descriptor. Returns their packets, their offsets in the payloads, the texts."""
     packet, offset = walk.places(runs, len(piece.at))
     types = registry.types(number, descriptor)
     shape = layout.layout(types[0]) if len(types) == 1 else None

@@ -1,4 +1,4 @@
-"""Reads from a device its identity, descriptors, base rates and ports."""
+"""Reads the identity, the descriptors, the base rates and the ports of a device."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ RATES = {
     "3dm.get_gnss_base_rate": "gnss_data",
     "3dm.get_filter_base_rate": "filter_data",
 }
-#: The command that reports it for any data set, and those that report the settings of a port.
+#: The command that reports the base rate of any data set, and the commands that report the settings of a port.
 RATE, SPEED, PROTOCOLS = "3dm.get_base_rate", "base.comm_speed", "system.interface_control"
 EXTENDED = "base.get_extended_descriptors"
 
@@ -34,7 +34,7 @@ Key = tuple[int, int]  # descriptor set and descriptor
 
 @dataclass(frozen=True)
 class ToldPort:
-    """A port with its current settings. Settings that it did not report are None."""
+    """A port with its current settings. Settings that the device did not report are None."""
 
     id: int
     name: str
@@ -44,7 +44,7 @@ class ToldPort:
 
     @property
     def virtual(self) -> bool:
-        """Is it a USB port, or may it be one? Then its baud rate has no effect."""
+        """Is this a USB port, or can it be one? If so, its baud rate has no effect."""
         return self.name.split()[0] in ("USB", "Main")
 
 
@@ -57,7 +57,7 @@ class Listing:
 
     @property
     def title(self) -> str:
-        """The name of the model, as far as it can be printed."""
+        """The name of the model, without characters that cannot be printed."""
         text = "".join(c for c in self.info.model_name if c.isprintable())
         return " ".join(text.split())
 
@@ -69,10 +69,10 @@ class Listing:
 
 
 def ask(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda text: None) -> Listing:
-    """Asks a device while it is idle, and resumes its streams, also after an error or an interrupt.
+    """Queries a device while it is idle, and resumes its streams, even after an error or an interrupt. Raises Failure.
 
-    `name` is that of the port, for messages; `complain` is called with one for each missing answer, without which the
-    listing is still made, and if the streams could not be resumed. Raises Failure.
+    `name` is the name of the port, for messages. `complain` is called with a message for each missing answer that the
+    listing can do without, and if the streams could not be resumed.
     """
     questions = _Questions(link, name, complain)
     questions.greet()
@@ -81,7 +81,7 @@ def ask(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda 
 
 
 def identity(link: DeviceAtPort, name: str, complain: Callable[[str], None]) -> Listing:
-    """Asks a device only for its identity and its descriptors, also while it streams. Raises Failure."""
+    """Reads only the identity and the descriptors of a device, which may be streaming. Raises Failure."""
     questions = _Questions(link, name, complain)
     questions.greet()
     return questions.identity()
@@ -89,11 +89,11 @@ def identity(link: DeviceAtPort, name: str, complain: Callable[[str], None]) -> 
 
 @contextmanager
 def idle(link: DeviceAtPort, name: str, complain: Callable[[str], None] = lambda text: None) -> Iterator[None]:
-    """Sets a device to idle, and resumes its streams, also after an error or an interrupt."""
+    """Sets a device to idle, and resumes its streams afterwards, even after an error or an interrupt."""
     questions = _Questions(link, name, complain)
     resumes = True
     try:
-        # A device that refuses it streams on, which does no harm. One that does not answer may be idle.
+        # A device that rejects it continues to stream, which does no harm. One that does not answer may be idle.
         resumes = questions.carried_out("base.set_idle") is not False
         yield
     finally:
@@ -109,7 +109,7 @@ class _Questions:
         self._listed: frozenset[Key] = frozenset()
 
     def greet(self) -> None:
-        """Checks that a device answers, if only with a NACK. Raises Failure."""
+        """Checks that the device answers, even with a NACK. Raises Failure if it does not."""
         try:
             self._link.request(command_type("base.ping")())
         except Refused:
@@ -121,7 +121,7 @@ class _Questions:
             raise Failure(f"{self.name}: {error}") from None
 
     def carried_out(self, command: str) -> bool | None:
-        """Did the device carry out the command? None if it has not answered."""
+        """Sends a command. Did the device carry it out? None if it did not answer."""
         try:
             self._link.request(command_type(command)())
         except Refused:
@@ -145,19 +145,19 @@ class _Questions:
         return Listing(identity, keys)
 
     def _needed(self, command: str) -> Any:
-        """The response to a command without which there is no profile."""
+        """Requests a response that the listing needs. Raises Failure if there is none."""
         try:
             return self._link.request(command_type(command)())
         except Refused as error:
             code = f"{error.code.name.lower()} ({int(error.code)})"
-            raise Failure(f"the device refused {command}: {code}; it cannot be asked what it has", REFUSED) from None
+            raise Failure(f"the device refused {command}: {code}; its descriptors are unknown", REFUSED) from None
         except NoAnswer:
             raise Failure(f"{self.name} did not answer {command}; try again", SILENT) from None
         except MipError as error:
             raise Failure(f"{self.name}: {error}") from None
 
     def optional(self, command: str, *values: Any, function: str = "") -> Any:
-        """The response to a command that the device lists; None if there is none, as for a port that it lacks."""
+        """Requests the response to a command that the device lists; None if there is none, as for a missing port."""
         kind = _known(command)
         if kind is None:
             return None
@@ -192,7 +192,7 @@ class _Questions:
     # ----------------------------------------------------------------- ports
 
     def _ports(self, profile: Device | None) -> Iterator[ToldPort]:
-        """The ports whose numbers the specification knows, of all devices and of this one."""
+        """Yields the ports of the device. All port numbers that the specification defines are tried."""
         speed, protocols = self._lists(SPEED), self._lists(PROTOCOLS)
         if not (speed or protocols) or _known(PROTOCOLS) is None:
             return
@@ -213,7 +213,8 @@ class _Questions:
 
 
 def _port_name(value: str) -> str:
-    """
+    """Converts the name of an enumeration value to the name of a port.
+
     >>> _port_name("uart_1"), _port_name("main")
     ('UART 1', 'Main')
     """
@@ -221,7 +222,7 @@ def _port_name(value: str) -> str:
 
 
 def _names(protocols: Any) -> tuple[str, ...]:
-    """The names of protocols, in the order of their bits; a bit without a name by its number."""
+    """Returns the names of protocols, in the order of their bits; for a bit without a name, its number."""
     kind: Any = type(protocols)
     bits = list(kind)
     named = [str(bit.name) for bit in bits if bit in protocols]
@@ -230,7 +231,7 @@ def _names(protocols: Any) -> tuple[str, ...]:
 
 
 def _known(command: str) -> Any:
-    """The type of a command; None if the specification has none."""
+    """Returns the type of a command; None if the specification does not define it."""
     try:
         return lookup.field(command)
     except UnknownName:
@@ -238,10 +239,10 @@ def _known(command: str) -> Any:
 
 
 def command_type(name: str) -> Any:
-    """The type of a command without which a device cannot be asked. Raises Failure."""
+    """Returns the type of a command that querying a device needs. Raises Failure if the package lacks it."""
     kind = _known(name)
     if kind is None:
-        raise Failure(f"the generated package has no {name}, with which a device is asked")
+        raise Failure(f"the generated package has no {name}, which is needed to query a device")
     return kind
 
 

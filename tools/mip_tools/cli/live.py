@@ -1,4 +1,4 @@
-"""A stream as a table or as messages while it arrives, from a port or a pipe."""
+"""Writes a stream from a port or a pipe as a table or as messages, while it arrives."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from ..columns.tables import Form
     from .foxglove import Server
 
-#: Data that is read before the first line, for the clock and the columns: seconds and bytes, from the first packet on.
+#: The data that is read before the first line, to find the clock and the columns: seconds, and bytes, from the first
+#: packet on.
 PREVIEW = 1.0
 _MOST = 1 << 20
 
@@ -37,10 +38,10 @@ def write(
     selection: Selection,
     types: Sequence[Occurrence] = (),
 ) -> None:
-    """Writes the fields of a stream until it ends. `types`: the columns of CSV; by default what the preview has.
+    """Writes the fields of a stream until it ends. `types`: the columns of CSV; by default the fields in the preview.
 
-    The rows are those of `mip export`, but an instant that arrives in two pieces has two. Raises Failure if the
-    stream ends without any of the fields.
+    The rows are the same as those of `mip export`, except that an instant that arrives in two pieces has two rows.
+    Raises Failure if the stream ends without any of the fields.
     """
     if form != "mcap":
         inputs.need_numpy()
@@ -54,7 +55,7 @@ def write(
         write_mcap(out, made, clock, options.named, live=True)
         return
     if form == "csv" and not (types or found):
-        raise Failure("nothing arrived of which the columns could be known; name the fields")
+        raise Failure("no field arrived, so the columns are unknown; name the fields")
     _write_table(out, form, chain([seen], inputs.batches(arriving)), options, selection, clock, types or found)
 
 
@@ -70,10 +71,10 @@ def serve(server: Server, arriving: Iterator[Piece | None], options: argparse.Na
 def _begun(
     arriving: Iterator[Piece | None], options: argparse.Namespace, selection: Selection
 ) -> tuple[list[Piece], list[Occurrence], str | None]:
-    """The preview, its types of fields, and the clock of the times."""
+    """Reads the preview. Returns its pieces, the types of its fields, and the clock of the times."""
     seen = _preview(arriving)
     found, clock = survey(seen, selection)
-    if options.time in ("utc", "unix"):  # the device may have its date later
+    if options.time in ("utc", "unix"):  # the device may learn the date later
         clock = next(filter(dated, CLOCKS), None)
     elif options.time == "none":
         clock = None
@@ -122,7 +123,7 @@ def _kinds(log: Any, form: Form) -> list[Occurrence]:
 
 
 def _preview(arriving: Iterator[Piece | None]) -> list[Piece]:
-    """The pieces of the first second, or of a part of it if these are many."""
+    """Reads the pieces of the first second, or fewer if that is much data."""
     seen: list[Piece] = []
     end: float | None = None
     size = 0

@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     from ..columns import Log
     from ..columns.piece import Piece
 
-#: Bytes of the log whose times are in memory together.
+#: Bytes of the log whose times are in memory at the same time.
 PART = 1 << 23
 
 
 @dataclass
 class Kind:
-    """A descriptor in packets of a set."""
+    """The counts of one descriptor in one set."""
 
     name: str
     count: int = 0
@@ -56,7 +56,7 @@ class Report:
 
     @property
     def times(self) -> dict[int, Intervals]:
-        """Set -> the times of its packets, by that clock."""
+        """Set -> the intervals between its packets, by the best clock."""
         return self.clocks[self.clock] if self.clock else {}
 
 
@@ -123,7 +123,7 @@ def _add(report: Report, piece: Piece) -> None:
 
 
 def first(piece: Piece, runs: list[Any]) -> Found:
-    """The first one of some fields."""
+    """Decodes the first of some fields."""
     firsts = [(int(r.packet[0]), r.offset if isinstance(r.offset, int) else int(r.offset[0]), r) for r in runs]
     packet, offset, run = min(firsts, key=lambda first: first[:2])
     begin = int(piece.at[packet]) + HEADER + offset

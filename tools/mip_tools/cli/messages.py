@@ -1,4 +1,4 @@
-"""The fields of a log as messages, by columns: the same as packet by packet, but faster."""
+"""Makes messages of the fields of a log from columns: the same messages as packet by packet, but faster."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .export_mcap import SEPARATORS, Message, encoded
 from .samples import valid
 from .selection import Selection
 
-#: Bytes of a log whose messages are in memory together.
+#: Bytes of a log whose messages are in memory at the same time.
 PART = 1 << 20
 
 #: Rows of fields: their packets, the offsets of their data in the payloads, and the values made from them.
@@ -29,7 +29,7 @@ _NOTHING: _Rows = (np.zeros(0, np.int64), np.zeros(0, np.int64), [])
 
 
 def survey(log: Log, selection: Selection) -> tuple[list[Occurrence], str | None]:
-    """The types of the selected fields in a log, by number, and its best clock."""
+    """Finds the types of the selected fields in a log, in the order of their numbers, and its best clock."""
     found = {
         of(number, kind)
         for part in log.parts(PART)
@@ -45,13 +45,13 @@ Objects = Callable[[Array], Iterator[Field]]
 
 
 class Form(Protocol):
-    """The form of messages."""
+    """Makes messages in one form."""
 
     def rows(self, column: Column[Any], kind: Occurrence, objects: Objects) -> Sequence[Any] | None:
-        """The messages of all rows of a column; None if they depend on more than its values."""
+        """Makes the messages of all rows of a column; None if they depend on more than its values."""
 
     def field(self, field: Field, kind: Occurrence) -> Any:
-        """The message of a field."""
+        """Makes the message of a field."""
 
 
 class Json:
@@ -67,7 +67,7 @@ class Json:
         messages = [text.encode() for text in row_texts.formatted(*texts, len(column))]
         odd = np.zeros(len(column), bool)
         for name in column:
-            if column[name].dtype.kind == "f":  # numbers that JSON does not have are left out
+            if column[name].dtype.kind == "f":  # NaN and infinity, which JSON does not have, are left out
                 odd |= ~np.isfinite(column[name]).reshape(len(column), -1).all(axis=1)
         rows = np.flatnonzero(odd)
         for row, one in zip(rows.tolist(), objects(rows)):
@@ -88,13 +88,13 @@ class Messages:
         self._drops, self._form = invalid == "drop", form
 
     def of(self, log: Log) -> Iterator[Message]:
-        """The messages of a log, in the order of the fields."""
+        """Yields the messages of a log, in the order of the fields."""
         for part, first in self.parts(log):
             yield from self.of_part(part, first)
 
     @staticmethod
     def parts(log: Log) -> Iterator[tuple[Log, int]]:
-        """The parts of a log, and the numbers of their first packets."""
+        """Yields the parts of a log, each with the number of its first packet."""
         number, progress = 0, inputs.Progress(log.size)
         for part in log.parts(PART):
             yield part, number
@@ -103,12 +103,12 @@ class Messages:
         progress.clear()
 
     def of_part(self, part: Log, first: int) -> Iterator[Message]:
-        """The messages of a part of a log."""
+        """Yields the messages of a part of a log, whose first packet has this number."""
         for piece in part.pieces():
             yield from self._of_piece(part, piece, first + piece.number)
 
     def kept(self, column: Column[Any]) -> Array:
-        """The rows of a column whose values are wanted."""
+        """Returns which rows of a column are kept: all, or those whose values are valid."""
         there = np.ones(len(column), bool)
         for name in column if self._drops else ():
             if column.parameters[name].flags:
@@ -116,7 +116,7 @@ class Messages:
         return there
 
     def _of_piece(self, part: Log, piece: Piece, first: int) -> Iterator[Message]:
-        """The messages of a piece, whose first packet has this number."""
+        """Yields the messages of a piece, whose first packet has this number."""
 
         def made(number: int, descriptor: int, runs: list[walk.Run]) -> tuple[Array, Array, list[Message]]:
             packet, offset, rows = self._rows(part, piece, number, descriptor, runs)
@@ -133,14 +133,14 @@ class Messages:
         yield from walk.in_order(wanted, made)[1]
 
     def _times(self, part: Log, piece: Piece, number: int, packet: Array) -> tuple[Array, Array]:
-        """The times of packets of a set, and whether these are their own."""
+        """Returns the times of packets of a set, and whether each is in the packet itself."""
         if self._clock is None or number < 0x80:
             return np.full(len(packet), times.NONE, np.int64), np.zeros(len(packet), bool)
         places = piece.begin + piece.at[packet]
         return times.at(part, number, self._clock, packet + piece.number, lambda: places)
 
     def _rows(self, part: Log, piece: Piece, number: int, descriptor: int, runs: list[walk.Run]) -> _Rows:
-        """The fields of a set and descriptor."""
+        """Makes the messages of the fields with this set and descriptor."""
         every = registry.types(number, descriptor)
         if not any(of(number, kind) in self._kinds for kind in every):
             return _NOTHING
@@ -162,7 +162,7 @@ class Messages:
         return not self._drops or valid(field)
 
     def _by_column(self, part: Log, piece: Piece, kind: Occurrence, number: int, runs: list[walk.Run]) -> _Rows | None:
-        """The fields of a type that has as many bytes as any other; None if their values depend on each other."""
+        """Makes the messages of fields of one type and one size from a column; None if the form cannot do so."""
         reader = Reader(part, (number, kind.kind), None)
         reader.add(piece)
         column = reader.column()
@@ -171,7 +171,7 @@ class Messages:
         def objects(rows: Array) -> Iterator[Field]:
             for raw in piece.fields(kind.kind.DESCRIPTOR, packet[rows], offset[rows]):
                 value = decoded(raw).value
-                assert value is not None  # such types take any bytes
+                assert value is not None  # any bytes of this size can be decoded
                 yield value
 
         messages = self._form.rows(column, kind, objects)
@@ -182,7 +182,7 @@ class Messages:
 
 
 def _decoded(piece: Piece, descriptor: int, packet: Array, offset: Array) -> Iterator[tuple[Occurrence, Field] | None]:
-    """Fields as objects; None where there is none."""
+    """Decodes fields to objects; None for a field that cannot be decoded."""
     for found in map(decoded, piece.fields(descriptor, packet, offset)):
         yield None if found.kind is None or found.value is None else (of(found.raw.set, found.kind), found.value)
 

@@ -23,9 +23,9 @@ examples:
   mip monitor /dev/ttyACM0 --duration 5 > values.txt
 
 On a terminal with the extra `monitor` (textual), the view fills the screen: arrows and the mouse
-scroll, / filters by names and values, space pauses, q quits. Without it, the first
-lines are shown, and Ctrl-C ends it. If the output is not a terminal, the values are printed one
-after another.
+scroll, / filters by names and values, space pauses, q quits. Without the extra, only the values
+that fit on the screen are shown, and Ctrl-C ends the program. If the output is not a terminal, all
+values are printed again at each refresh.
 """
 
 #: Seconds after which a value is old.
@@ -45,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 class _Latest:
-    """The last field of a kind, and the times of the last ones."""
+    """The last field of a kind, and the arrival times of the last ones."""
 
     __slots__ = ("found", "times")
 
@@ -54,7 +54,7 @@ class _Latest:
         self.times: deque[float] = deque(maxlen=200)
 
     def rate(self, now: float) -> float | None:
-        """Hz over the last seconds."""
+        """Returns the rate in Hz over the last seconds."""
         recent = [t for t in self.times if now - t < STALE]
         if len(recent) < 2:
             return None
@@ -82,7 +82,7 @@ class Shown(NamedTuple):
 
 
 class Latest:
-    """The latest values of what arrives."""
+    """The latest values of all fields that have arrived."""
 
     def __init__(self, selection: Selection, device: str | None) -> None:
         self._selection = selection
@@ -91,7 +91,7 @@ class Latest:
         self.packets = self.skipped = 0
 
     def add(self, piece: Piece, now: float) -> None:
-        """Adds what has arrived."""
+        """Adds a piece that has arrived."""
         if piece.packet is None:
             self.skipped += len(piece.data)
             return
@@ -109,7 +109,7 @@ class Latest:
         return f"{self.packets} packets, {self.skipped} bytes skipped"
 
     def shown(self, now: float) -> Iterator[Shown]:
-        """The fields in order of their sets."""
+        """Yields the fields, ordered by set and name."""
         for (number, _), one in sorted(self._latest.items()):
             found = one.found
             name = show.short(found, show.set_name(number))
@@ -119,7 +119,7 @@ class Latest:
             yield Shown(number, name, one.rate(now), now - one.times[-1], values)
 
     def lines(self) -> list[str]:
-        """All of it as text."""
+        """Formats all values as lines."""
         lines, set = [self.summary], None
         for one in self.shown(time.monotonic()):
             if one.set != set:
@@ -168,7 +168,7 @@ def _draw(options: argparse.Namespace, latest: Latest) -> None:
 
 
 def pieces(options: argparse.Namespace, say: Callable[[str], object] | None = None) -> Iterator[Piece | None]:
-    """Yields data as it arrives, until the time is over. Raises Failure, and Lost as `ports.pieces`."""
+    """Yields data as it arrives, until the time is over. Raises Failure, or Lost like `ports.pieces`."""
     if inputs.is_port(options.input):
         yield from ports.pieces(options.input, options, options.duration, say=say)
         return
@@ -201,7 +201,7 @@ class _Screen:
         width, height = shutil.get_terminal_size()
         if len(lines) > height - 1:
             shown = max(height - 2, 0)
-            more = f"… {len(lines) - shown} more lines; name the fields that you want, or pip install textual"
+            more = f"… {len(lines) - shown} more lines; name the fields to show, or pip install textual"
             lines = [*lines[:shown], more]
         text = "\r\n".join(line[:width] + "\x1b[K" for line in lines)
         sys.stdout.write(f"\x1b[H{text}\x1b[J")

@@ -30,7 +30,7 @@ def fill(options: argparse.Namespace, latest: Latest, pieces: Pieces) -> None:
 
 
 class MonitorScreen(App[None]):
-    """A row for each value: its field, the value, its rate, and the time of its arrival."""
+    """Shows a row for each value: its field, the value, its rate, and its age."""
 
     CSS = """
     #said { height: 1; background: $panel; padding: 0 1; }
@@ -51,7 +51,7 @@ class MonitorScreen(App[None]):
         super().__init__()
         self._options, self._latest, self._pieces = options, latest, pieces
         self._lock = threading.Lock()
-        self._over = False  # no more is wanted
+        self._over = False  # the view is closed
         self._held = False
         self._notice = ""
         self._rows: list[tuple[str, ...]] = []
@@ -105,7 +105,7 @@ class MonitorScreen(App[None]):
         self._show([row for one in fields for row in _rows(one) if wanted in " ".join(row).lower()])
 
     def _show(self, rows: list[tuple[str, ...]]) -> None:
-        """Replaces what has changed; the place of the cursor and of the view stays."""
+        """Replaces only what has changed, so that the cursor and the view stay where they are."""
         table = self.query_one(DataTable)
         while len(self._rows) > len(rows):
             self._rows.pop()
@@ -121,20 +121,20 @@ class MonitorScreen(App[None]):
                 self._rows[i] = row
 
     def action_filter(self) -> None:
-        """Asks for a part of a name or a value."""
+        """Opens the input for a filter: a part of a name or a value."""
         wanted = self.query_one("#filter", Input)
         wanted.add_class("on")
         wanted.focus()
 
     def action_clear(self) -> None:
-        """Shows all."""
+        """Removes the filter."""
         wanted = self.query_one("#filter", Input)
         wanted.value = ""
         wanted.remove_class("on")
         self.query_one(DataTable).focus()
 
     def action_hold(self) -> None:
-        """Holds the values, or lets them go on."""
+        """Pauses the values, or resumes them."""
         self._held = not self._held
         self.draw()
 
@@ -146,7 +146,7 @@ class MonitorScreen(App[None]):
 
 
 def _rows(one: Shown) -> Iterator[tuple[str, ...]]:
-    """A row for each of the values; the first also describes the field."""
+    """Yields a row for each of the values; the first also describes the field."""
     for i, value in enumerate(one.values or [""]):
         set = show.set_name(one.set)
         yield set, one.name, one.hertz if i == 0 else "", one.old, value

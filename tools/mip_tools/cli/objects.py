@@ -1,4 +1,4 @@
-"""Packets as JSON objects, one in a line."""
+"""Formats packets as JSON objects, one per line."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from .decoding import Found, malformed, name_of
 
 
 def packet(offset: int, given: Packet, fields: Iterable[Found], device: str | None, raw: bool = False) -> str:
-    """A packet with some of its fields, and with its bytes, if they are wanted."""
+    """Formats a packet with these fields, and with its bytes if `raw` is set."""
     wrong = malformed(given)
     rest = {**({"malformed": wrong} if wrong else {}), **({"raw": bytes(given).hex()} if raw else {})}
     return joined(offset, given.set, [field(found, device) for found in fields], rest)
 
 
 def joined(offset: int, number: int, fields: Iterable[str], rest: dict[str, str] | None = None) -> str:
-    """A packet from the texts of its fields, and the keys after them."""
+    """Formats a packet from the texts of its fields; `rest` are the keys after them."""
     head = f'{{"offset": {offset}, "set": {_set(number)}, "fields": [{", ".join(fields)}]'
     return head + "".join([f", {json.dumps(name)}: {json.dumps(text)}" for name, text in (rest or {}).items()]) + "}"
 
@@ -31,7 +31,7 @@ def _set(number: int) -> str:
 
 
 def field(found: Found, device: str | None) -> str:
-    """A field with its values; with its bytes, if they cannot be decoded, or if some are left over."""
+    """Formats a field with its values, and with its bytes if they cannot be decoded or if some are left over."""
     said: dict[str, Any] = {"field": name_of(found)}
     if found.value is not None:
         said["values"] = values.plain(found.value, True, device)

@@ -21,10 +21,10 @@ _LONGEST = 255
 
 @contextmanager
 def whole(name: str, keep: bool = False, replace: bool = True) -> Iterator[IO[bytes]]:
-    """A file to write, or standard output for `-`. It gets its name when it is complete.
+    """Opens a file for writing, or standard output for `-`. The file gets its name when it is complete.
 
-    After an interrupt or an error nothing is left, unless the written part is to be kept. Raises Failure, also if a
-    file that is not to be replaced has appeared meanwhile; the part is then kept.
+    After an interrupt or an error nothing is left, unless `keep` is set. Without `replace`, a file that has appeared
+    meanwhile is not replaced: this raises Failure, and the written part is kept. Raises Failure for other errors, too.
     """
     if name == "-" or _is_output(name):
         yield sys.stdout.buffer
@@ -41,7 +41,7 @@ def whole(name: str, keep: bool = False, replace: bool = True) -> Iterator[IO[by
 
 @contextmanager
 def _whole_path(name: str, keep: bool, replace: bool) -> Iterator[Path]:
-    """A path beside a file, which replaces the file at the end. Raises Failure."""
+    """Provides a path beside a file, which replaces that file at the end. Raises Failure."""
     path, special = _target(name)
     if special:
         try:
@@ -67,7 +67,7 @@ def _whole_path(name: str, keep: bool, replace: bool) -> Iterator[Path]:
                 with suppress(OSError):
                     part.unlink()
             if isinstance(error, OSError):
-                more = "; what came before is kept" if keeps else ""
+                more = "; the part before is kept" if keeps else ""
                 raise _failed(name, error, more) from None
             raise
         _rename(part, path, name, keep, replace)
@@ -76,7 +76,7 @@ def _whole_path(name: str, keep: bool, replace: bool) -> Iterator[Path]:
 
 
 def _is_output(name: str) -> bool:
-    """Is it the same file as standard output, such as /dev/stdout?"""
+    """Is this the same file as standard output, such as /dev/stdout?"""
     try:
         return os.path.samestat(os.stat(name), os.fstat(sys.stdout.fileno()))
     except (OSError, ValueError):  # there is no such file yet, or standard output is not a file
@@ -84,12 +84,12 @@ def _is_output(name: str) -> bool:
 
 
 def _target(name: str) -> tuple[Path, bool]:
-    """The file, with links resolved, and whether it is special, such as /dev/null, and must not be replaced.
+    """Resolves links. Returns the path, and whether the file is special, such as /dev/null, and must not be replaced.
 
-    Raises Failure.
+    Raises Failure if the file cannot be written.
     """
     if not name:
-        raise Misuse("the name of the output is empty")
+        raise Misuse("the name of the output file is empty")
     try:
         mode = os.stat(name).st_mode
         if not os.access(name, os.W_OK):
@@ -105,7 +105,7 @@ def _target(name: str) -> tuple[Path, bool]:
 
 
 def _beside(path: Path) -> Path:
-    """A free name for the part; it is not too long if that of the file is not."""
+    """Returns an unused name for the incomplete file, which is not too long if the name of the file is not."""
     number = os.getpid()
     while True:
         end, begin = f".{number}.part", path.name
@@ -114,11 +114,11 @@ def _beside(path: Path) -> Path:
         part = path.with_name(begin + end)
         if not part.exists():
             return part
-        number += 1  # a killed program has left it; numbers of processes repeat
+        number += 1  # a killed program has left this part; process IDs repeat
 
 
 def _failed(name: str, error: OSError, more: str = "") -> Exception:
-    """The exception to raise: a Failure, unless the reader of a pipe has stopped."""
+    """Returns the exception to raise: a Failure, unless the program that reads a pipe has ended."""
     if isinstance(error, BrokenPipeError):
         return error
     return Failure(f"{name} cannot be written: {error.strerror or error}{more}")
@@ -140,12 +140,12 @@ def _rename(part: Path, path: Path, name: str, keep: bool, replace: bool) -> Non
 
 
 def holds_bytes(path: str | Path) -> bool:
-    """Is this a file that is not empty?"""
+    """Is this an existing file that is not empty?"""
     return os.path.isfile(path) and os.path.getsize(path) > 0
 
 
 def refuse_input(output: str, source: str) -> None:
-    """Raises Misuse if the output would replace the log, whatever the names of the two are."""
+    """Raises Misuse if the output would replace the log, even under another name."""
     try:  # one of them may not exist, or standard input or output may not be a file
         given = os.fstat(sys.stdin.fileno()) if source == "-" else os.stat(source)
         taken = os.fstat(sys.stdout.fileno()) if output == "-" else os.stat(output)
@@ -157,19 +157,19 @@ def refuse_input(output: str, source: str) -> None:
 
 
 def redraws(stream: TextIO) -> bool:
-    """Is it a terminal on which text can be replaced?"""
+    """Is this a terminal on which text can be replaced?"""
     return stream.isatty() and os.environ.get("TERM", "dumb") not in ("", "dumb")
 
 
 def progress(text: str) -> None:
-    """Replaces the line about the progress on standard error; empty removes it."""
+    """Replaces the progress line on standard error; an empty text removes it."""
     if redraws(sys.stderr):
         sys.stderr.write(f"\r\x1b[K{text}")
         sys.stderr.flush()
 
 
 def note(text: str) -> None:
-    """Reports what was done, only on a terminal."""
+    """Reports on standard error what was done, but only on a terminal."""
     if sys.stderr.isatty():
         print(text, file=sys.stderr)
 

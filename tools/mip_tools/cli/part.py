@@ -14,23 +14,23 @@ from .selection import Selection
 
 
 class Within:
-    """Finds the packets that are within bounds, part by part of a log."""
+    """Finds the packets that are within bounds, in one part of a log after another."""
 
     def __init__(self, bounds: Bounds, clock: str | None) -> None:
         self._bounds, self._clock = bounds, clock
         self._start: int | None = None
         self._now: int | None = None
         self._read = 0  # packets
-        self._found = 0  # those that are within
-        #: Has the range ended?
+        self._found = 0  # packets within the bounds
+        #: Is the end of the range reached?
         self.ended = False
-        #: Are the bytes before the first packet within?
+        #: Are the bytes before the first packet within the bounds?
         self.first = not bounds.bytes.first and not bounds.packets.first and bounds.begin is None
 
     def known(self) -> str:
-        """Describes the log, for a range in which nothing was found."""
+        """Describes the log, for the message that nothing was found in the range."""
         if self._found:
-            return "has other fields there; `mip info` lists them"
+            return "has only other fields there; `mip info` lists them"
         if self._now is None or self._start is None or self.ended:
             return f"has {inputs.counted(self._read, 'packet')}{' up to there' * self.ended}"
         begin = ""
@@ -39,7 +39,7 @@ class Within:
         return f"{begin}lasts {(self._now - self._start) / clocks.SECOND:.2f} s"
 
     def by_time(self, part: Log) -> Array:
-        """The packets of the next part that are within by their times."""
+        """Returns which packets of the next part are within the limits of time."""
         if self._clock is None:
             return np.ones(part.packets, bool)
         own = times.of_packets(part, self._clock)
@@ -61,7 +61,7 @@ class Within:
         return when.time + (0 if when.absolute else self._start or 0)
 
     def by_place(self, offset: Array) -> Array:
-        """The next packets that are within by offset and number."""
+        """Returns which of the next packets are within the limits of bytes and packet numbers."""
         number = self._read + np.arange(len(offset))
         ended = np.zeros(len(offset), bool)
         within = np.ones(len(offset), bool)
@@ -74,18 +74,18 @@ class Within:
         return np.asarray(within & ~ended)
 
     def found(self, within: Array) -> None:
-        """Counts the packets that are within."""
+        """Counts the packets within the bounds."""
         self._found += int(within.sum())
 
 
 def kept(
     parts: Iterable[tuple[int, Log]], within: Within, selection: Selection, skipped: bool
 ) -> Iterator[tuple[bytes, int]]:
-    """The bytes of the packets that are within, with those behind each if wanted, and the number of packets.
+    """Yields the bytes of the packets within the bounds, and the number of these packets.
 
-    The parts are logs, each with the place at which its bytes begin.
+    `parts` are logs, each with the offset at which its bytes begin; `skipped` also keeps the bytes behind each packet.
     """
-    before, free = within.first, 0  # the last packet: is it within, and where does it end?
+    before, free = within.first, 0  # the last packet: is it within the bounds, and where does it end?
     for place, part in parts:
         by_time = within.by_time(part)
         for piece in part.pieces(fields=not selection.everything):

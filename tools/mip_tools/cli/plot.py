@@ -23,8 +23,8 @@ examples:
   mip plot log.bin sensor.scaled_accel.z filter_data.llh_position      in a window
   mip plot log.bin gnss_1.llh_position.latitude filter_data.llh_position.latitude --together
 
-The ending of the file chooses the format: png, svg, pdf. Values whose flags mark them as invalid
-are left out. Enumerations and flags are shown as numbers.
+The file extension selects the format: png, svg, pdf. Values whose flags mark them as invalid are
+left out. Enumerations and flags are shown as numbers.
 """
 FORMATS = ("png", "svg", "pdf")
 
@@ -54,7 +54,7 @@ def _size(text: str) -> tuple[float, float]:
 class Curve(NamedTuple):
     kind: Occurrence
     parameter: Parameter
-    path: str  # as columns name it
+    path: str  # the name in a column
     element: str  # of a vector; empty for all
 
 
@@ -87,7 +87,7 @@ def _matplotlib(window: bool) -> Any:
     import matplotlib.pyplot as pyplot
 
     if window and matplotlib.get_backend().lower() == "agg":
-        raise Failure("there is no screen for a window; write an image with -o FILE.png")
+        raise Failure("no window can be opened here; write an image with -o FILE.png")
     return pyplot
 
 
@@ -98,7 +98,7 @@ def _format(output: str | None) -> str | None:
     if output == "-":
         return "png"
     if ending not in FORMATS:
-        raise Misuse(f"what format is '{ending}'? name a file that ends in .png, .svg or .pdf")
+        raise Misuse(f"'.{ending}' is not a known format; name a file that ends in .png, .svg or .pdf")
     return ending
 
 
@@ -106,14 +106,14 @@ def _format(output: str | None) -> str | None:
 
 
 def _curves(name: str) -> list[Curve]:
-    """A field, one of its parameters, or an element of that."""
+    """Finds the curves of a name: a field, one of its parameters, or an element of a parameter."""
     one, path = _split(name)
     kind = one.kind
     if not issubclass(kind, Data):
         raise Misuse(f"{one.name} is not a data field; `mip info` lists the fields of a log")
     numbers = [p for p in info(kind).members if _drawable(p)]
     if not path:
-        plain = [p for p in numbers if p.type is None]  # flags and states only if they are named
+        plain = [p for p in numbers if p.type is None]  # enumerations and flags must be named
         if not plain:
             raise Misuse(f"{one.name} has no numbers to draw; name one of its parameters")
         return [Curve(one, p, p.attribute, "") for p in plain]
@@ -151,14 +151,14 @@ def _split(name: str) -> tuple[Occurrence, list[str]]:
 
 
 def draw(pyplot: Any, log: Log, curves: Sequence[Curve], options: argparse.Namespace) -> Any:
-    """A figure with a diagram for each parameter, one above another, or with a single one."""
+    """Draws a figure with a diagram for each parameter, one above another, or with a single diagram."""
     np: Any = import_module("numpy")  # its masked arrays are not typed in all versions
     kinds = list(dict.fromkeys(c.kind for c in curves))
     columns = dict(zip(kinds, log.columns(kinds)))
     clock = _clock(log, columns.values())
     for kind, column in columns.items():
         if not len(column):
-            raise Failure(f"{options.file} has no {kind.name}; `mip info` lists what it has")
+            raise Failure(f"{options.file} has no {kind.name}; `mip info` lists its fields")
     count = 1 if options.together else len(curves)
     width, height = options.size
     figure, axes = pyplot.subplots(
@@ -205,7 +205,7 @@ def draw(pyplot: Any, log: Log, curves: Sequence[Curve], options: argparse.Names
 
 
 def _clock(log: Log, columns: Iterable[Any]) -> str | None:
-    """The clock of the axis, the same for all curves."""
+    """Chooses the clock of the time axis, the same for all curves."""
     from ..columns import times
 
     return times.chosen(log, sorted({number for column in columns for number in column.sets})) or None
@@ -240,7 +240,7 @@ def _times(column: Any, clock: str | None) -> Any:
 
 def _time_label(clock: str | None) -> str:
     if clock is None:
-        return "number of the packet"
+        return "packet number"
     return "UTC" if clocks.dated(clock) else f"{clock} clock in s"
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     Begin = Callable[[DeviceAtPort], object]
 
-#: Seconds without a byte until an incomplete packet is discarded.
+#: Seconds without data after which an incomplete packet is discarded.
 INCOMPLETE = 0.5
 _TURN = 0.1
 
@@ -49,7 +49,7 @@ class Lost(Failure):
 
 @contextmanager
 def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[DeviceAtPort]:
-    """A device at a port. Raises Failure if it cannot be opened."""
+    """Opens the port of a device. Raises Failure if it cannot be opened."""
     from ..binding import open_port
 
     if os.path.isfile(name):
@@ -64,13 +64,13 @@ def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Devi
 
 
 def why_not(name: str, error: BaseException) -> str:
-    """Why a port cannot be opened, with its name."""
+    """Describes why a port cannot be opened, with its name."""
     said = reason(error)
     return said if isinstance(error, PortError) else f"{name} cannot be opened: {said}"
 
 
 def reason(error: BaseException) -> str:
-    """The message of an exception, in one line."""
+    """Formats the message of an exception in one line."""
     said = getattr(error, "strerror", None) or str(error) or type(error).__name__
     return " ".join(str(said).split())
 
@@ -78,22 +78,23 @@ def reason(error: BaseException) -> str:
 def received(
     name: str, options: argparse.Namespace, seconds: float | None = None, begin: Begin | None = None
 ) -> Iterator[bytes]:
-    """The bytes received at a port, as they arrive, until the time is over; empty after a pause.
+    """Yields the bytes received at a port as they arrive, until the time is over, and empty bytes during a pause.
 
-    `begin` gets the device as soon as the port is open. Raises Lost when the port closes, after all that was received.
+    `begin` is called with the device as soon as the port is open. Raises Lost when the port closes, after all received
+    bytes.
     """
     came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     with opened(name, options, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
         if begin is not None:
             begin(device)
-            while not came.empty():  # from before
+            while not came.empty():  # data from before `begin` ended
                 came.get()
         end = None if seconds is None else time.monotonic() + seconds
         while True:
             left = _TURN if end is None else min(_TURN, end - time.monotonic())
             if left <= 0:
                 return
-            closed = device.closed  # read before the queue, which then contains the last data
+            closed = device.closed  # read before the queue: if it is true, the queue contains the last data
             try:
                 yield came.get(timeout=0 if closed else left)
             except queue.Empty:
@@ -109,10 +110,10 @@ def pieces(
     begin: Begin | None = None,
     say: Callable[[str], object] | None = None,
 ) -> Iterator[Piece | None]:
-    """The packets received at a port, and the bytes between them; None when nothing more has arrived.
+    """Yields the packets received at a port, and the bytes between them; None when nothing more has arrived.
 
-    A silence is reported, see `silence`, by `say` if it is given. Raises Lost when the port closes, after all that was
-    received.
+    A silence is reported, see `silence`, with `say` if it is not None. Raises Lost when the port closes, after all
+    received data.
     """
     scanner = Scanner()
     silence: Silence | None = None

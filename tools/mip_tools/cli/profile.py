@@ -1,4 +1,4 @@
-"""`mip profile`: writes what a device reports of itself as a file for a specification."""
+"""`mip profile`: writes what a device reports about itself as a file for a specification."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ examples:
   mip profile /dev/ttyACM0 --spec spec       the same below spec
   mip profile localhost:5000 --dry-run       prints what would be written
 
-The device is set to idle while it is asked, and resumes afterwards. The file names the model, its
-firmware and the day as the evidence, and contains no serial number. A model that the generated
-package knows gets a file that extends it. If there is a file already, the list is added to it, and
-takes the place of a list of the same firmware only; this needs the extra `yaml` (PyYAML).
-`mipgen validate` checks the file.
+The device is set to idle while it is queried, and resumes afterwards. The file states the model,
+the firmware and the date as evidence, and contains no serial number. For a model in the generated
+package, the file extends its profile. If the file exists, the list is added to it, and replaces
+only a list for the same firmware; this needs the extra `yaml` (PyYAML). `mipgen validate` checks
+the file.
 """
 
 

@@ -1,4 +1,4 @@
-"""`mip record`: what a device sends, into a file."""
+"""`mip record`: writes what a device sends to a file."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ examples:
   mip record localhost:5000 -o log.bin --duration 60
   mip record /dev/ttyACM0 -o - | mip dump -
 
-Every byte is written as it arrives, including NMEA sentences and damaged packets; `mip cut`
-removes them. The file gets its name when the recording ends, also by Ctrl-C; until then, and if
-the program is killed, it is FILE.NUMBER.part.
+Every byte is written as it arrives, including NMEA sentences and damaged packets; `mip cut` can
+remove them. The file gets its name when the recording ends, by Ctrl-C too. Until then, and if the
+program is killed, its name is FILE.NUMBER.part.
 """
 
 
@@ -52,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
             outputs.progress("")
         if not recording.size:
             what = "was closed before it sent anything" if closed else "has sent nothing"
-            kept = f"; {options.output} is as it was" if old else ""
+            kept = f"; {options.output} is unchanged" if old else ""
             raise Failure(f"{options.port} {what}{kept}")
     outputs.note(recording.status())
     if closed:
@@ -70,7 +70,7 @@ class _Recording:
         self._shown = self._start = time.monotonic()
 
     def write(self, out: IO[bytes]) -> None:
-        """Writes the received bytes until there are enough."""
+        """Writes the received bytes until the requested duration or number of packets is reached."""
         options = self._options
         watch: silence.Silence | None = None
         for data in ports.received(options.port, options, options.duration):
@@ -87,7 +87,7 @@ class _Recording:
                     keep = piece.offset + len(piece.data) - self.size
                     break
             out.write(data[:keep])
-            out.flush()  # what is written is safe, whatever happens to this program
+            out.flush()  # so that written bytes are safe even if this program is killed
             self.size += keep
             self._show()
             watch.check()
@@ -99,7 +99,7 @@ class _Recording:
         spent = max(time.monotonic() - self._start, 1e-9)
         return (
             f"{spent:.0f} s, {inputs.readable(self.size)}, {self.packets} packets, "
-            f"{self.packets / spent:.0f} a second, {self.skipped} bytes skipped"
+            f"{self.packets / spent:.0f} per second, {self.skipped} bytes skipped"
         )
 
     def _show(self) -> None:

@@ -1,4 +1,4 @@
-"""The values of all rows of a column as text."""
+"""Formats the values of all rows of a column."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from ..columns.text import shortest
 if TYPE_CHECKING:
     from ..columns.column import Column
 
-#: A format, and its arguments: a list for each, with an item for each row.
+#: A format, and a list for each of its arguments, with an item for each row.
 Texts = tuple[str, list[list[Any]]]
 
 
 def formatted(template: str, values: list[list[Any]], count: int) -> list[str]:
-    """The text of each row."""
+    """Formats each row."""
     return list(map(template.__mod__, zip(*values))) if values else [template % ()] * count
 
 
@@ -32,7 +32,7 @@ def json_object(
     names: bool = True,
     separators: tuple[str, str] = (", ", ": "),
 ) -> Texts | None:
-    """The values of a field as a JSON object, as `to_dict` has them; None if they depend on more than a value."""
+    """Formats the values of fields as JSON objects, like `to_dict`; None if a text depends on more than one value."""
     between, after = separators
     parts: list[str] = []
     values: list[list[Any]] = []
@@ -62,7 +62,7 @@ def _json(p: Parameter, column: Column[Any], names_: bool, separators: tuple[str
 
 
 def plain(p: Parameter, column: Column[Any]) -> Array | None:
-    """The values of a parameter, if each is a number, a name or a vector, whatever the other values are."""
+    """Returns the values of a parameter if each is a number, a name or a vector, independent of other values."""
     if p.attribute not in column.names or any(v.by != "device" for v in p.variants):
         return None
     if p.length is not None or p.scalar in ("char", "bits") or p.kind not in ("scalar", "array"):
@@ -76,7 +76,7 @@ def is_named(p: Parameter) -> bool:
 
 
 def names(p: Parameter, values: Array, word: Callable[[Any], str]) -> Texts:
-    """Each value that occurs is formatted once."""
+    """Formats values by name; each different value is formatted once."""
     known, place = np.unique(values, return_inverse=True)
     as_bool = p.scalar == "bool" and p.type is None
     words = [word(bool(v) if as_bool and v in (0, 1) else v) for v in known.tolist()]
@@ -84,7 +84,7 @@ def names(p: Parameter, values: Array, word: Callable[[Any], str]) -> Texts:
 
 
 def singles(values: Array) -> Texts:
-    """The format of each number, and the numbers, by elements of a vector."""
+    """Returns the format of one number, and the numbers: a list for each element of a vector."""
     numbers = shortest(values.reshape(-1)).reshape(values.shape) if values.dtype == np.float32 else values
     return "%r" if values.dtype.kind == "f" else "%d", numbers.T.tolist() if values.ndim > 1 else [numbers.tolist()]
 

@@ -1,4 +1,4 @@
-"""The fields of a stream as objects, with their times."""
+"""Decodes the fields of a stream to objects, with their times."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ class Sample(NamedTuple):
 
 
 def survey(pieces: Iterable[Piece | None], selection: Selection) -> tuple[list[Occurrence], str | None]:
-    """The types of the selected fields in a log, by number, and its best clock."""
+    """Finds the types of the selected fields in a log, in the order of their numbers, and its best clock."""
     first: dict[Occurrence, tuple[int, int]] = {}
-    single: set[tuple[int, int]] = set()  # has one layout, and is known
+    single: set[tuple[int, int]] = set()  # fields with one layout that have been found
     clocks: set[str] = set()
     for piece in pieces:
         if piece is None or piece.packet is None:
@@ -53,14 +53,14 @@ def survey(pieces: Iterable[Piece | None], selection: Selection) -> tuple[list[O
 
 
 class Timeline:
-    """The time of each packet: its own, else the last one of its set."""
+    """Finds the time of each packet: the one in the packet, else the last one of its set."""
 
     def __init__(self, clock: str | None) -> None:
         self._clock = clock
         self._last: dict[int, tuple[int | None, int]] = {}
 
     def at(self, packet: Packet, offset: int) -> tuple[int | None, bool]:
-        """The time, None if none is known or it is not valid, and whether it is the packet's own."""
+        """Returns the time, None if it is unknown or not valid, and whether it is in the packet itself."""
         if self._clock is None:
             return None, False
         own = moments(packet)
@@ -74,7 +74,7 @@ class Timeline:
 def samples(
     pieces: Iterable[Piece], wanted: Sequence[Occurrence] | None, selection: Selection, clock: str | None
 ) -> Iterator[list[Sample]]:
-    """The selected fields of these types, or of all; those of one packet together."""
+    """Yields the selected fields of these types (None: all), in a list for each packet."""
     line = Timeline(clock)
     number = -1
     selected = None if wanted is None else set(wanted)
@@ -110,7 +110,7 @@ def kept(packets: Iterator[list[Sample]], invalid: str) -> Iterator[list[Sample]
 
 
 def valid(record: Structure) -> bool:
-    """Do the flags of a record vouch for all of its values?"""
+    """Are all values of a record valid according to its flags?"""
     for p in info(type(record)).parameters:
         for flag in p.flags:
             bits = getattr(record, flag.attribute)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..binding import MAX_PAYLOAD, OVERHEAD, Packet, Parser
 
-#: The number of bytes that decide whether a packet begins with the first of them.
+#: The number of bytes needed to decide whether a packet begins at the first of them.
 REACH = MAX_PAYLOAD + OVERHEAD + 1
 _MOST = 1 << 16  # skipped bytes that are kept
 
@@ -21,18 +21,18 @@ class Piece(NamedTuple):
 
 
 class Scanner:
-    """The parser, with offsets. The pieces together are the whole stream; memory is bounded."""
+    """A parser that reports offsets. The pieces together are the whole stream. Memory is bounded."""
 
     def __init__(self) -> None:
         self._parser = Parser()
         self._offset = 0
 
     def feed(self, data: bytes) -> Iterator[Piece]:
-        """The pieces that are complete with these bytes."""
+        """Adds bytes, and yields the pieces that they complete."""
         return self._pieces(self._parser.feed_all(data))
 
     def flush(self) -> Iterator[Piece]:
-        """The remaining pieces, at the end of a file or after a silence."""
+        """Yields the remaining pieces, at the end of a file or after a silence."""
         return self._pieces(self._parser.flush_all())
 
     def _pieces(self, items: list[Packet | bytes]) -> Iterator[Piece]:
@@ -43,7 +43,7 @@ class Scanner:
 
 
 class Damaged:
-    """The number of packets that the skipped bytes seem to have contained, as far as their syncs are complete."""
+    """Counts the packets that skipped bytes seem to have contained; only those with intact sync bytes are found."""
 
     def __init__(self) -> None:
         self.count = 0
@@ -52,20 +52,20 @@ class Damaged:
         self._run = bytearray()
 
     def feed(self, data: bytes | memoryview) -> None:
-        """The next skipped bytes of a run."""
+        """Adds the next skipped bytes of a run."""
         self.runs += not self._run
         self._run += data
         if len(self._run) > _MOST:
             del self._run[: self._counted(len(self._run) - REACH)]
 
     def end(self) -> None:
-        """Ends a run: a packet follows, or nothing."""
+        """Ends a run, before a packet or at the end."""
         if self._run:
             self._counted(len(self._run))
             self._run.clear()
 
     def _counted(self, stop: int) -> int:
-        """Counts those that begin before a place; returns where to continue."""
+        """Counts the packets that begin before an offset; returns where to continue."""
         run, at = self._run, 0
         while at < stop:
             found = run.find(b"\x75\x65", at)

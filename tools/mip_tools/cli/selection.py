@@ -16,7 +16,7 @@ Key = tuple[int, int | None]
 
 
 def keys(name: str) -> list[Key]:
-    """Resolves a name: a field, a set, or numbers such as 0x80 and 0x80:0x04. Raises Failure."""
+    """Resolves a name: a field, a set, or numbers such as 0x80 or 0x80:0x04. Raises Failure."""
     numbers = _NUMBERS.fullmatch(name)
     if numbers is not None:
         set, descriptor = (None if n is None else int(n, 0) for n in numbers.groups())
@@ -30,7 +30,7 @@ def keys(name: str) -> list[Key]:
 
 
 def fields(name: str) -> list[Occurrence]:
-    """The fields of a name, in its set; several if it is ambiguous or several sets have it. Raises Failure."""
+    """Finds the fields with this name; several if it is ambiguous or several sets have it. Raises Failure."""
     numbers = _NUMBERS.fullmatch(name)
     if numbers is not None and numbers[2]:
         set = int(numbers[1], 0)
@@ -50,7 +50,7 @@ def fields(name: str) -> list[Occurrence]:
 
 
 def near(name: str) -> str:
-    """The names of sets and fields that may be meant; empty if there are none."""
+    """Suggests names of sets or fields similar to this one; empty if there are none."""
     for find in (registry.set_by_name, registry.by_name):
         try:
             find(name)
@@ -61,7 +61,7 @@ def near(name: str) -> str:
 
 
 def field(name: str) -> Occurrence:
-    """The one field of this name. Raises Failure if several sets have one."""
+    """Finds the only field with this name. Raises Failure if several sets have one."""
     kinds = fields(name)
     if len(kinds) > 1:
         raise Misuse(f"'{name}' is in several sets; write {' or '.join(k.name for k in kinds)}")
@@ -69,9 +69,9 @@ def field(name: str) -> Occurrence:
 
 
 class Selection:
-    """The selected fields: all, or those of `only`, and none of `without`.
+    """The selected fields: all, or only those in `only`, and none of those in `without`.
 
-    `data`: without `only`, data alone is selected, neither commands nor answers.
+    `data`: if `only` is empty, only data fields are selected, neither commands nor responses.
     """
 
     def __init__(self, only: Iterable[str] = (), without: Iterable[str] = (), data: bool = False) -> None:
@@ -82,7 +82,7 @@ class Selection:
 
     @property
     def named(self) -> bool:
-        """Are the wanted fields named?"""
+        """Does the selection name fields?"""
         return bool(self._only)
 
     @property
@@ -90,7 +90,7 @@ class Selection:
         return not self._only and not self._without
 
     def has(self, set: int, descriptor: int) -> bool:
-        """Is this field of a packet of this set selected?"""
+        """Is this field selected in packets of this set?"""
         known = self._known.get((set, descriptor))
         if known is None:
             known = not self._only or _within(self._only, set, descriptor)
@@ -101,7 +101,7 @@ class Selection:
 
 
 def _all(names: Iterable[str]) -> set[Key]:
-    """The keys of names; each text may have several, with commas between them."""
+    """Resolves names; each text may contain several, separated by commas."""
     chosen: set[Key] = set()
     for text in names:
         if _NUMBERS.fullmatch(text):
@@ -115,7 +115,7 @@ def _all(names: Iterable[str]) -> set[Key]:
 def _within(wanted: set[Key], number: int, descriptor: int) -> bool:
     if (number, None) in wanted or (number, descriptor) in wanted:
         return True
-    if number < 0x80:  # the acknowledge is of no set
+    if number < 0x80:  # the acknowledge field belongs to no set
         return (0, descriptor) in wanted
     shared = not any(listed(t) for t in registry.types(number, descriptor))
     return shared and ((0xFF, descriptor) in wanted or (0xFF, None) in wanted)

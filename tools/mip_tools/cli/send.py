@@ -1,4 +1,4 @@
-"""`mip send`: one command, and its answer."""
+"""`mip send`: sends one command, and shows the reply."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ examples:
   mip send /dev/ttyACM0 3dm.message_format write descriptor_set=0x80 descriptors=0x04:10,0x05:10
   mip send --hex 3dm.message_format read sensor        the bytes, without a device
 
-Values come in order or as NAME=VALUE: numbers (10, 0x0A, -1.5), names of enumerations, true and
-false, flags (a|b), lists (1,2,3), structures (4:10), lists of structures (4:10,5:10), or JSON. The
-name of a set or field stands for its number where a byte is wanted. `mip fields COMMAND` says what
-a command takes.
+Enter values in order or as NAME=VALUE: numbers (10, 0x0A, -1.5), names of enumeration values, true
+and false, flags (a|b), lists (1,2,3), structures (4:10), lists of structures (4:10,5:10), or JSON.
+Where a byte is required, the name of a set or field stands for its number. `mip fields COMMAND`
+lists the parameters of a command.
 
-exit status: 3 if the device refuses the command, 4 if it does not answer
+exit status: 3 if the device rejects the command, 4 if it does not reply
 """
 
 
@@ -38,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = "mip send [options] PORT COMMAND [FUNCTION] [VALUE ...]"
     add = parser.add_argument
     add("port", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT; left out with --hex")
-    # It is missing with --hex, as there is no port before it then.
+    # Optional for argparse, because with --hex, the command is the first word, in place of the port.
     add("command_name", metavar="COMMAND", nargs="?", help="name of the command, as in `mip fields`")
     add("function", metavar="FUNCTION", nargs="?", help="write, read, save, load or default")
     add("values", metavar="VALUE", nargs="*", default=[], help="values in order, or NAME=VALUE")
@@ -50,15 +50,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def shielded(given: list[str]) -> list[str]:
-    """The words of the command line, so that none that begins with a negative number looks like an option: -1,0,0.
+    """Prefixes words that begin with a negative number, such as -1,0,0, with a space.
 
-    For argparse, a word that begins with a space is not an option.
+    Otherwise argparse takes them for options.
     """
     return [f" {word}" if _NEGATIVE.match(word) else word for word in given]
 
 
 def _bare(word: str) -> str:
-    """A word without the space that `shielded` has added; options with numbers ignore it themselves."""
+    """Removes the space that `shielded` has added. Options with numbers ignore it themselves."""
     return word[1:] if word.startswith(" -") else word
 
 
@@ -69,7 +69,7 @@ def run(options: argparse.Namespace) -> int:
     if options.hex:
         words = [options.port, *words]
     if not words:
-        raise Misuse("which command? `mip fields` lists them")
+        raise Misuse("the command is missing; `mip fields` lists the sets, `mip fields SET` their commands")
     command = typed.command(_kind(words[0]), words[1:])
     device = device_id(options.device and _bare(options.device))
     if options.hex:

@@ -1,4 +1,4 @@
-"""Packets as lines and trees."""
+"""Formats packets as lines and trees."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from .selection import Selection
 
 
 def set_name(number: int) -> str:
-    """The name of a descriptor set; its number if it has none."""
+    """Returns the name of a descriptor set, or its number if it is unknown."""
     return SETS[number][0] if number in SETS else f"0x{number:02X}"
 
 
 def spaced(data: bytes, most: int = 0) -> str:
-    """Bytes in hexadecimal, at most this many."""
+    """Formats bytes in hexadecimal, at most this many."""
     if most and len(data) > most:
         return data[:most].hex(" ") + " …"
     return data.hex(" ")
 
 
 def selected(packet: Packet, selection: Selection) -> list[Found]:
-    """The selected fields of a packet, with their values."""
+    """Decodes the selected fields of a packet."""
     raws = raw_fields(packet)
     if selection.everything:
         return [decoded(raw) for raw in raws]
@@ -35,7 +35,7 @@ def selected(packet: Packet, selection: Selection) -> list[Found]:
 
 
 def line(packet: Packet, fields: list[Found], device: str | None) -> str:
-    """A packet in one line: its set, and each field with its values in parentheses."""
+    """Formats a packet in one line: its set, and each field with its values in parentheses."""
     set = set_name(packet.set)
     parts = [f"{short(f, set)}{inside(f, device)}" for f in fields]
     wrong = malformed(packet)
@@ -45,13 +45,13 @@ def line(packet: Packet, fields: list[Found], device: str | None) -> str:
 
 
 def short(found: Found, set: str) -> str:
-    """The name of a field without the set of its packet."""
+    """Returns the name of a field without the set of its packet."""
     name = name_of(found)
     return name[len(set) + 1 :] if name.startswith(f"{set}.") else name
 
 
 def inside(found: Found, device: str | None) -> str:
-    """The values of a field in one line, in parentheses; a unit may follow."""
+    """Formats the values of a field in one line, in parentheses; a unit may follow."""
     if found.value is None:
         said = found.raw.data.hex()
         return f"({said}: {found.error})" if found.error else f"({said})"
@@ -70,7 +70,7 @@ def inside(found: Found, device: str | None) -> str:
 
 
 def tree(packet: Packet, fields: list[Found], device: str | None) -> Iterator[str]:
-    """A packet, its fields and their values in indented lines, with their bytes."""
+    """Formats a packet, its fields and their values in indented lines, with their bytes."""
     raw = bytes(packet)
     count = sum(1 for _ in raw_fields(packet))
     yield (
@@ -81,11 +81,11 @@ def tree(packet: Packet, fields: list[Found], device: str | None) -> Iterator[st
         yield from (f"  {text}" for text in branch(f, device))
     wrong = malformed(packet)
     if wrong:
-        yield f"  malformed: {wrong}; what follows it cannot be read"
+        yield f"  malformed: {wrong}; the rest cannot be read"
 
 
 def branch(found: Found, device: str | None) -> Iterator[str]:
-    """A field and its values in indented lines."""
+    """Formats a field and its values in indented lines."""
     raw, kind = found.raw, found.kind
     numbers = f"0x{0 if kind is Acknowledge else raw.set:02X},0x{raw.descriptor:02X}"
     head = f"{name_of(found)} ({numbers})" if kind else f"unknown field ({numbers})"
@@ -103,7 +103,7 @@ def branch(found: Found, device: str | None) -> Iterator[str]:
 
 
 def leaves(value: Described, device: str | None) -> Iterator[str]:
-    """The values of a field or structure, one in a line."""
+    """Formats the values of a field or structure, one per line."""
     for item in items(value, device):
         name, held = item.parameter.name, item.value
         inner = held if isinstance(held, (list, tuple)) else (held,)
@@ -123,13 +123,13 @@ def leaves(value: Described, device: str | None) -> Iterator[str]:
 
 
 def skipped(data: bytes) -> str:
-    """Bytes outside packets, and the reason, if they look like a packet."""
+    """Describes bytes outside packets, with the reason if they look like a packet."""
     reason = damage(data)
     return f"{counted(len(data), 'byte')} outside packets{', ' * bool(reason)}{reason}: {_as_text(data)}"
 
 
 def damage(data: bytes) -> str:
-    """The fault of bytes that look like a packet; empty if they do not."""
+    """Describes what is wrong with bytes that look like a packet; empty if they do not."""
     at = data.find(SYNC)
     if at < 0 or len(data) - at < 4:
         return ""

@@ -13,7 +13,7 @@ Handler = Callable[[int, "FrameType | None"], None]
 
 @contextmanager
 def handled(handler: Handler) -> Iterator[None]:
-    """Makes them call a function, except those that are ignored, as with nohup."""
+    """Sets the handler of these signals, except of those that are ignored, for example by nohup."""
     before = {}
     try:
         for name in ("SIGINT", "SIGTERM", "SIGHUP"):
@@ -29,12 +29,12 @@ def handled(handler: Handler) -> Iterator[None]:
 
 
 def interrupt(number: int, frame: FrameType | None) -> None:
-    """The handler that makes each of them an interrupt."""
+    """Raises KeyboardInterrupt at each signal."""
     raise KeyboardInterrupt
 
 
 class Held:
-    """The handler that makes the first of them an interrupt, but only while `open`; else it waits."""
+    """A handler that raises KeyboardInterrupt at the first signal, but only while `open`; else the signal waits."""
 
     def __init__(self) -> None:
         self.open = False

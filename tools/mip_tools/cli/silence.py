@@ -1,4 +1,4 @@
-"""Messages about a port that sends nothing, or nothing that can be decoded."""
+"""Reports a port at which nothing arrives, or nothing that can be decoded."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from collections.abc import Callable
 from ..errors import Failure
 from .arguments import seconds
 
-#: Seconds after which a port that sends nothing is reported.
+#: Seconds without data after which a silence is reported.
 PATIENCE = 2.0
-#: Exit status when it stays silent.
+#: The exit status if the silence lasts until the time-out.
 SILENT = 4
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "--timeout", type=seconds, metavar="S", help="fail after S seconds without data (default: wait on)"
+        "--timeout", type=seconds, metavar="S", help="fail after S seconds without data (default: keep waiting)"
     )
 
 
 class Silence:
-    """Watches what arrives at a port: reports a silence once, and ends it if there is a time-out."""
+    """Watches a port: reports a silence once, and raises Failure after the time-out, if there is one."""
 
     def __init__(self, name: str, options: argparse.Namespace, say: Callable[[str], object] | None = None) -> None:
         """`say` is called with the report, which otherwise goes to standard error."""
@@ -35,12 +35,12 @@ class Silence:
         self._reported = False
 
     def packet(self) -> None:
-        """A packet has arrived."""
+        """Notes that a packet has arrived."""
         self._heard = self._understood = time.monotonic()
         self._reported = False
 
     def data(self) -> None:
-        """Bytes have arrived."""
+        """Notes that bytes have arrived."""
         self._heard = time.monotonic()
 
     def check(self) -> None:
@@ -65,7 +65,7 @@ class Silence:
 
 
 def resume_command() -> str:
-    """The name of the command that makes a device stream again; empty if the specification names none."""
+    """Returns the name of the command that resumes streams; empty if the specification names none."""
     from ..binding import session
 
     commands = session()

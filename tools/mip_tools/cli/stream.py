@@ -1,4 +1,4 @@
-"""`mip stream`: what a device sends, as lines or messages, as it arrives."""
+"""`mip stream`: writes what a device sends as lines or messages, as it arrives."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ examples:
   mip stream /dev/ttyACM0 --format foxglove          open ws://localhost:8765 in Foxglove
   mip record /dev/ttyACM0 -o - | mip stream - --format csv
 
-With rates, the device is told to send these fields, in place of all others of their sets, and it
-continues afterwards; without, it is not changed. Lines have the form of `mip export`, with the time
-of the device, which is told to send a timestamp, too, unless you name one. The clock, and the
-columns of csv if no fields are named, are those of the first second.
+With rates, the device is configured to send these fields instead of all others in their sets, and
+a timestamp unless you name one; it continues afterwards. Without rates, it is not configured. Lines
+have the format of `mip export`, with the time of the device. The data of the first second determine
+the clock, and the columns of csv if no fields are named.
 
-Ctrl-C ends it. exit status: 4 if nothing arrives within --timeout
+Ctrl-C ends the stream. exit status: 4 if nothing arrives within --timeout
 """
 
 _RATE = re.compile(r"(.+)@([^@]*)")
@@ -82,10 +82,10 @@ def _serve(options: argparse.Namespace, arriving: Iterator[Piece | None], select
     from . import foxglove
 
     if options.output != "-":
-        raise Misuse("foxglove connects to this program, which writes no file; use --format mcap")
+        raise Misuse("with --format foxglove, no file is written; for a file, use --format mcap")
     if not inputs.is_port(options.input) and options.input != "-":
         raise Misuse(
-            f"{options.input} is a log; `mip export {options.input} -o log.mcap` makes a file that Foxglove opens"
+            f"{options.input} is a log; `mip export {options.input} -o log.mcap` writes a file that Foxglove can open"
         )
     server = foxglove.Server(options.input)
     place = options.listen or foxglove.USUAL
@@ -102,9 +102,9 @@ Rates = dict[Occurrence, float]
 
 
 def asked(words: list[str], rate: float | None) -> tuple[list[str], Rates]:
-    """The names of what is wanted, and the rates of fields. Raises Misuse."""
+    """Parses the names, and the rates of fields. Raises Misuse."""
     if rate is not None and not words:
-        raise Misuse("--rate of what? name fields, as in sensor.scaled_accel")
+        raise Misuse("--rate needs fields; name them, as in sensor.scaled_accel")
     names: list[str] = []
     rates: Rates = {}
     for word in words:
@@ -124,7 +124,7 @@ def _hertz(text: str) -> float:
 
 
 def _single(name: str) -> list[Occurrence]:
-    """The field of a name in each set that has it; empty if the name is that of a set."""
+    """Finds the field with this name in each set that has it; empty if the name is that of a set."""
     try:
         return [one for one in fields(name) if issubclass(one.kind, Data)]
     except Misuse:
@@ -134,14 +134,14 @@ def _single(name: str) -> list[Occurrence]:
 def _of_one_set(name: str) -> list[Occurrence]:
     found = [one for one in fields(name) if issubclass(one.kind, Data)]
     if not found:
-        raise Misuse(f"{name} is not data, which alone has a rate; `mip fields` lists it")
+        raise Misuse(f"{name} is not a data field, and only these have a rate; `mip fields` lists them")
     if len(found) > 1:
         raise Misuse(f"'{name}' is in several sets; write {' or '.join(one.name for one in found)}")
     return found
 
 
 def _start(device: DeviceAtPort, rates: Rates, time: str | None) -> None:
-    """Starts fields at their rates, set by set. Those that all sets have are sent with each set.
+    """Starts fields at their rates, set by set. Shared fields are started in each of these sets.
 
     A timestamp is added if none is named, unless `time` is "none".
     """
@@ -153,7 +153,7 @@ def _start(device: DeviceAtPort, rates: Rates, time: str | None) -> None:
         if one.kind not in shared:
             sets.setdefault(one.set, {})[one.kind] = rate
     if not sets:
-        raise Misuse("a field that all sets have is sent with others; name one of these, too")
+        raise Misuse("a shared field is sent in the packets of other fields; add one of a data set")
     for number, own in sets.items():
         wanted = {**shared, **own}
         for stamp in _timestamps(number, wanted, time):
@@ -167,7 +167,7 @@ def _start(device: DeviceAtPort, rates: Rates, time: str | None) -> None:
 
 
 def _timestamps(number: int, wanted: dict[type[Field], float], time: str | None) -> Iterator[dict[type[Field], float]]:
-    """Timestamps to try for fields of a set, with their rate: one that is always valid first, none last."""
+    """Yields the timestamps to try for a set, with their rate: first one that is always valid, last no timestamp."""
     suitable = [clock for clock in reversed(CLOCKS) if time not in ("utc", "unix") or dated(clock)]
     known = [kind for clock in suitable for kind in timestamps.kinds(number, clock)]
     if time != "none" and not any(kind in wanted for kind in known):
@@ -184,7 +184,7 @@ def _arriving(options: argparse.Namespace, rates: Rates, at_port: bool) -> Itera
 
 
 def _counted(pieces: Iterator[Piece | None], most: int | None) -> Iterator[Piece | None]:
-    """Ends after `most` packets."""
+    """Yields pieces, up to `most` packets."""
     count = 0
     for piece in pieces:
         yield piece

@@ -1,4 +1,4 @@
-"""Options for the rows of a table, from a log or as they arrive."""
+"""Options for the rows of a table, for logs and for live data."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="keep",
         help="values whose flags mark them as invalid: keep them (default), leave them empty, or drop their rows",
     )
-    add("--names", action="store_true", dest="named", help="names of values and flags, not numbers")
+    add("--names", action="store_true", dest="named", help="names of values and flags instead of numbers")
 
 
 def check_clock(wanted: str | None, clock: str) -> None:
-    """Raises Failure if the log lacks the times that are wanted."""
+    """Raises Failure if the log lacks the requested times."""
     if wanted in ("utc", "unix") and not clocks.dated(clock or None):
         raise Failure("the log has no dates; use --time clock, --time start or --time none")
     if wanted in ("start", "clock") and not clock:
@@ -37,7 +37,7 @@ def check_clock(wanted: str | None, clock: str) -> None:
 
 
 class Time:
-    """The column of times, in the wanted form."""
+    """Converts the column of times to the requested form."""
 
     def __init__(self, wanted: str | None, clock: str) -> None:
         self._seconds = wanted in ("unix", "start", "clock") and bool(clock)
@@ -45,7 +45,7 @@ class Time:
         self._first: int | None = None
 
     def of(self, columns: Sequence[Series]) -> Sequence[Series]:
-        """The columns of a part, the first of which is the time."""
+        """Converts the first of the columns of a part, which is the time."""
         import numpy as np
 
         if not self._seconds:

@@ -18,7 +18,7 @@ _INTEGERS = ("u8", "u16", "u32", "u64", "s8", "s16", "s32", "s64")
 
 
 def command(kind: type[Command], words: Sequence[str]) -> Command:
-    """A command of this type from a function and values. Raises Failure."""
+    """Makes a command of this type from the words for its function and values. Raises Failure."""
     build, words = _constructor(kind, words)
     accepted = inspect.signature(build).parameters
     wanted = [p for p in info(kind).parameters if p.attribute in accepted]
@@ -42,17 +42,17 @@ def command(kind: type[Command], words: Sequence[str]) -> Command:
 
 
 def usage(kind: type[Command]) -> str:
-    """The command that shows its parameters."""
-    return f"`mip fields {kind.NAME}` says what it takes"
+    """Names the command that lists the parameters."""
+    return f"`mip fields {kind.NAME}` lists its parameters"
 
 
 def functions(kind: type[Command]) -> list[str]:
-    """The functions that a command has constructors for."""
+    """Returns the functions for which a command has constructors."""
     return [f.name.lower() for f in FunctionSelector if f.value in kind.REQUIRED and hasattr(kind, f.name.lower())]
 
 
 def wanted(kind: type[Command], function: str) -> list[str]:
-    """The names of the values that a function takes; in brackets if they may be left out."""
+    """Returns the names of a function's values; optional ones are in brackets."""
     build = getattr(kind, function) if function else kind
     accepted = inspect.signature(build).parameters
     return [
@@ -67,13 +67,13 @@ def _constructor(kind: type[Command], words: Sequence[str]) -> tuple[Callable[..
     if not known:
         return kind, list(words)
     if not words or words[0].lower() not in known:
-        said = f"not '{words[0]}'" if words else "and it is missing"
-        raise Misuse(f"{kind.NAME} takes a function, {said}: {', '.join(known)}")
+        said = f", not '{words[0]}'" if words else ""
+        raise Misuse(f"{kind.NAME} needs a function{said}: {', '.join(known)}")
     return getattr(kind, words[0].lower()), list(words[1:])
 
 
 def _assigned(kind: type[Command], wanted: list[Parameter], words: list[str]) -> list[tuple[Parameter, str]]:
-    """Parameters with their words: by name, or in order. In the order of the parameters."""
+    """Assigns words to parameters, by name or in order. Returns them in the order of the parameters."""
     by_name = {p.name: p for p in wanted} | {p.attribute: p for p in wanted}
     given: dict[str, tuple[Parameter, str]] = {}
     free = list(wanted)
@@ -91,7 +91,7 @@ def _assigned(kind: type[Command], wanted: list[Parameter], words: list[str]) ->
                 free.pop(0)
             if not free:
                 names = ", ".join(p.name for p in wanted) or "no values"
-                raise Misuse(f"'{word}' is one value too many; {kind.NAME} takes {names}")
+                raise Misuse(f"'{word}' is one value too many; {kind.NAME} has {names}")
             p, text = free.pop(0), word
         given[p.attribute] = (p, text)
     return [given[p.attribute] for p in wanted if p.attribute in given]
@@ -101,13 +101,16 @@ def _assigned(kind: type[Command], wanted: list[Parameter], words: list[str]) ->
 
 
 def value(p: Parameter, text: str, before: Mapping[str, Any], set: int | None = None) -> Any:
-    """Converts a text for a parameter; `before` has the parameters before it, `set` is that of fields it names."""
+    """Converts a text to a parameter's value.
+
+    `before` has the values of the parameters before it; `set` is the set of the fields that it names.
+    """
     set = _set_of(p, before, set)
     if p.kind == "switch":
         tag = before.get(p.tag)
         case = p.cases.get(int(tag)) if tag is not None else None
         if case is None:
-            raise Misuse(f"{p.name} takes no value for {p.tag}={tag}")
+            raise Misuse(f"{p.name} has no value for {p.tag}={tag}; leave it out")
         return value(case, text, before, set)
     if text[:1] in "[{" and text:
         try:
@@ -123,7 +126,7 @@ def value(p: Parameter, text: str, before: Mapping[str, Any], set: int | None = 
 
 
 def _set_of(p: Parameter, before: Mapping[str, Any], inside: int | None) -> int | None:
-    """The set of the fields that a parameter names: always the same, or that of a parameter before it."""
+    """Returns the set of the fields that a parameter names: a fixed one, or the value of a parameter before it."""
     if not p.fields_of:
         return inside
     beside = before.get(p.fields_of)
@@ -135,7 +138,7 @@ def _is_structure(p: Parameter) -> bool:
 
 
 def _structure(p: Parameter, text: str, set: int | None) -> Any:
-    """`1:2` is a structure of two members."""
+    """Parses a structure: `1:2` has two members."""
     members = [m for m in info(p.type).parameters if m.attribute and m.kind != "constant"]
     parts = text.split(":")
     if len(parts) > len(members):
@@ -171,12 +174,12 @@ def _from_json(p: Parameter, given: Any, set: int | None) -> Any:
             values[m.attribute] = _from_json(case or m, v, _set_of(m, values, set))
         return _made(p, values)
     if isinstance(given, (dict, type(None))):
-        raise Misuse(f"{p.name}: {json.dumps(given)} is not a value for it")
+        raise Misuse(f"{p.name} cannot have the value {json.dumps(given)}")
     return scalar(p, str(given).lower() if isinstance(given, bool) else str(given), set)
 
 
 def scalar(p: Parameter, text: str, set: int | None = None) -> Any:
-    """One value of a text; `set` is that of a field that it names. Raises Misuse."""
+    """Parses one value; `set` is the set of a field that it may name. Raises Misuse."""
     kind = p.type if isinstance(p.type, type) else None
     if p.kind == "text" or p.scalar == "char":
         return text
@@ -213,7 +216,7 @@ def _truth(p: Parameter, text: str) -> bool | int:
 
 
 def _whole(p: Parameter, text: str, set: int | None) -> int:
-    """A number; of a byte, also the name of a set or a field."""
+    """Parses an integer, or, for a byte, the name of a set or a field."""
     number = _integer(text)
     if number is None and p.refers == "field" and set is not None:
         return _descriptor(p, text, set)
@@ -227,7 +230,7 @@ def _whole(p: Parameter, text: str, set: int | None) -> int:
 
 
 def _descriptor(p: Parameter, text: str, set: int) -> int:
-    """The descriptor of a field of this set, or of a shared one. Other sets may have a field of the same name."""
+    """Returns the descriptor of a field in this set, or of a shared field."""
     own = SETS.get(set, ())
     for name in (*(f"{word}.{text}" for word in own), text):
         try:
@@ -255,7 +258,7 @@ def _integer(text: str) -> int | None:
 
 
 def _named_number(text: str) -> int | None:
-    """The number of a set, or the descriptor of a field, where a byte is required."""
+    """Returns the number of a set or the descriptor of a field with this name; None if there is none."""
     try:
         number, descriptor = keys(text)[0]
     except Failure:

@@ -1,4 +1,4 @@
-"""Values of fields as text and for JSON."""
+"""Formats values of fields as text and for JSON."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from ..binding import shortest as shortest
 
 
 def words(p: Parameter, value: Any) -> str:
-    """A value as text, with names but without units."""
+    """Formats a value, with names but without units."""
     return replace(p, units=()).format(value)
 
 
 def names(value: int) -> str:
-    """The name of an enumeration's value; its number if it has none."""
+    """Returns the name of an enumeration value, or its number if it is undefined."""
     if isinstance(value, IntEnum):
         return info(type(value)).names.get(int(value), str(int(value)))
     return str(int(value))
 
 
 def number(value: float, scalar: str) -> str:
-    """A number as text, with the precision of its type on the wire."""
+    """Formats a number with the precision of its type on the wire."""
     return shortest(value) if scalar == "float" else repr(value)
 
 
 def plain(value: Described, named: bool, device: str | None = None) -> dict[str, Any]:
-    """A field for strict JSON; numbers have the precision of their type on the wire."""
+    """Converts a field for strict JSON; numbers have the precision of their type on the wire."""
     values = value.to_dict(names=named, json=True, device=device)
     _shorten(value.INFO.members, values)
     return values

@@ -1,4 +1,4 @@
-"""Files of tables: CSV, JSON lines, Parquet, Arrow and NumPy, part by part."""
+"""Writes tables to files, part by part: CSV, JSON lines, Parquet, Arrow and NumPy."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ np: Any = numpy  # its file format is not typed
 
 #: Writes the columns of a part.
 Write = Callable[[Sequence[Series]], None]
-#: Rows of a table in a file that are written together.
+#: The number of rows that are written together.
 _GROUP = 1 << 15
 
 
 def require(form: str) -> None:
-    """Raises Failure if a package is missing that a format needs."""
+    """Raises Failure if a package that the format needs is missing."""
     try:
         if form in ("parquet", "arrow"):
             frames.library("pyarrow")
     except MissingExtra as missing:
-        raise Failure(f"{missing}; csv, jsonl and npz need NumPy only") from None
+        raise Failure(f"{missing}; csv, jsonl and npz need only NumPy") from None
 
 
 @contextmanager
@@ -66,13 +66,13 @@ def jsonl(out: IO[bytes]) -> Iterator[Write]:
 
 @contextmanager
 def parquet(out: IO[bytes]) -> Iterator[Write]:
-    """Writes groups of some ten thousand rows."""
+    """Writes row groups of some ten thousand rows."""
     with _arrow(lambda schema: parquet_writer(out, schema)) as write:
         yield write
 
 
 def parquet_writer(out: Any, schema: Any) -> Any:
-    """Floats rarely repeat: they are smaller without dictionaries and with their bytes split into streams."""
+    """Opens a Parquet writer. Floats rarely repeat, so they are stored without dictionaries, as byte streams."""
     pa: Any = import_module("pyarrow")
     floats = [field.name for field in schema if pa.types.is_floating(field.type)]
     alone = {*floats, "time", "offset"}
@@ -83,7 +83,7 @@ def parquet_writer(out: Any, schema: Any) -> Any:
 
 @contextmanager
 def arrow(out: IO[bytes]) -> Iterator[Write]:
-    """Writes the file format of Arrow, which is also that of Feather."""
+    """Writes the Arrow file format, which is also that of Feather."""
     with _arrow(lambda schema: import_module("pyarrow").ipc.new_file(out, schema)) as write:
         yield write
 
@@ -116,9 +116,10 @@ def _arrow(opened: Callable[[Any], Any]) -> Iterator[Write]:
 
 @contextmanager
 def npz(out: IO[bytes]) -> Iterator[Write]:
-    """An array for each column, `NAME/valid` if some rows have no value, and `schema`, which is JSON.
+    """Writes an array for each column, `NAME/valid` if some rows have no value, and `schema`, which is JSON.
 
-    Lists are two arrays: row i is `NAME[offsets[i] : offsets[i + 1]]`, with `NAME/offsets`; lists in lists are JSON.
+    A column of lists is two arrays: with the array `NAME/offsets`, row i is `NAME[offsets[i] : offsets[i + 1]]`. Lists
+    in lists are JSON.
     """
     with tempfile.TemporaryDirectory(prefix="mip-") as folder:
         arrays = _Arrays(Path(folder))
@@ -127,7 +128,7 @@ def npz(out: IO[bytes]) -> Iterator[Write]:
 
 
 class _Arrays:
-    """Arrays that grow in files, so that a log of any size needs little memory. Texts, which are rare, stay in it."""
+    """Arrays that grow in files, so that a log of any size needs little memory. Texts, which are rare, do not."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder

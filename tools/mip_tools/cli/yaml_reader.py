@@ -1,4 +1,4 @@
-"""Reads YAML files that people write; reports each mistake with its place and the remedy."""
+"""Reads hand-written YAML files; reports each mistake with its position and the remedy."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class YamlReader:
         self.mistakes: list[str] = []
 
     def end(self) -> None:
-        """Raises Failure, which names all mistakes, if there are any."""
+        """Raises Failure with all mistakes, if there are any."""
         if self.mistakes:
             raise Failure("\n".join(self.mistakes))
 
@@ -38,7 +38,7 @@ class YamlReader:
         return f"{self.path}:{node.start_mark.line + 1}:{node.start_mark.column + 1}"
 
     def keys(self, node: Any, known: Iterable[str], what: str) -> dict[str, Any]:
-        """The values of a mapping by their keys, which must be known ones."""
+        """Returns the values of a mapping by key. Unknown keys are mistakes."""
         found: dict[str, Any] = {}
         names = list(known)
         for key, value in self.pairs(node, what):
@@ -49,7 +49,7 @@ class YamlReader:
         return found
 
     def pairs(self, node: Any, what: str) -> list[tuple[Any, Any]]:
-        """Keys and values of a mapping, each key once."""
+        """Returns the keys and values of a mapping. Repeated keys are mistakes."""
         if kind_of(node) != "mapping":
             if kind_of(node) == "scalar" and node.value in ("", "~", "null"):
                 return []
@@ -61,7 +61,7 @@ class YamlReader:
                 self.wrong(Wrong(key, "a key must be one word"))
             elif key.value in seen:
                 line = seen[key.value].start_mark.line + 1
-                self.wrong(Wrong(key, f"'{key.value}' is already in line {line}; remove one"))
+                self.wrong(Wrong(key, f"'{key.value}' is already on line {line}; remove one"))
             else:
                 seen[key.value] = key
         return [(key, value) for key, value in node.value if seen.get(key.value) is key]

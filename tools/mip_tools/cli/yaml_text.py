@@ -1,4 +1,4 @@
-"""YAML files of people, changed in a few places: everything else in them stays as it is, byte by byte."""
+"""Edits hand-written YAML files: everything else in them stays as it is, byte by byte."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ WIDTH = 115
 
 
 class YamlFile:
-    """A mapping, its nodes with their places in the text, and the changes to it."""
+    """A file with a mapping: its nodes with their positions in the text, and the changes to it."""
 
     def __init__(self, path: Path) -> None:
-        """Raises Failure if it cannot be read."""
+        """Reads a file. Raises Failure if it cannot be read."""
         self.path = path
         self.text = contents(path)
-        self.root = composed(self.text, path, "; `mipgen validate` says more")
+        self.root = composed(self.text, path, "; `mipgen validate` explains it")
         if kind_of(self.root) != "mapping" or not self.root.value:
             raise Failure(f"{path}:1:1: this is not a device file; write `extend: DEVICE`, or remove it")
-        #: Beginning and end of an edit, its order among those at one place, and the new text.
+        #: The beginning and end of each edit, its order among edits at the same position, and the new text.
         self._edits: list[tuple[int, int, int, str]] = []
 
     def place(self, node: Any) -> str:
         return f"{self.path}:{node.start_mark.line + 1}:{node.start_mark.column + 1}"
 
     def get(self, key: str, kind: str) -> Any:
-        """The value of a key of the file, which must be of this kind; None if there is none."""
+        """Returns the value of a key of the file; None if there is none. Raises Failure if it is of another kind."""
         node = child(self.root, key)
         if node is not None and kind_of(node) != kind:
             what = {"mapping": "a mapping", "sequence": "a list", "scalar": "one word"}[kind]
-            raise Failure(f"{self.place(node)}: '{key}' must be {what}; `mipgen validate` says more")
+            raise Failure(f"{self.place(node)}: '{key}' must be {what}; `mipgen validate` explains it")
         return node
 
     # ----------------------------------------------------------------- changes
@@ -78,18 +78,18 @@ class YamlFile:
             self._edit(line, line, "".join(f"{indent}{c}{self.newline}" for c in comments))
 
     def source(self, first: Any, last: Any) -> str:
-        """The unchanged text from one node to another."""
+        """Returns the original text from one node to another."""
         return self.text[first.start_mark.index : self.end(last)]
 
     def changed(self) -> str:
-        """The text with all changes."""
+        """Returns the text with all changes."""
         text = self.text
         for start, end, _, new in sorted(self._edits, reverse=True):
             text = text[:start] + new + text[end:]
         return text
 
     def _edit(self, start: int, end: int, text: str, outer: bool = False) -> None:
-        """Additions to the file itself follow those to its last item."""
+        """Records an edit. `outer`: an addition to the file itself, which follows additions to its last item."""
         self._edits.append((start, end, len(self._edits) + 1000 * outer, text))
 
     @property
@@ -103,20 +103,20 @@ class YamlFile:
         self._edit(at, at, f", {text}" if items else text, node is self.root)
 
     def _add_lines(self, node: Any, lines: Iterable[str]) -> None:
-        """Adds lines after the last line of a node and the comment in it."""
+        """Adds lines after the last line of a node, and after the comment on that line."""
         at = self.text.find("\n", self.end(node))
         at = len(self.text) if at < 0 else at - (self.text[at - 1] == "\r")
         self._edit(at, at, "".join(f"{self.newline}{line}" for line in lines), node is self.root)
 
     def end(self, node: Any) -> int:
-        """The end of a node, without the comments after it, which PyYAML counts as part of a block."""
+        """Returns the end of a node, without the comments after it, which PyYAML counts as part of a block."""
         items = _children(node)
         if items and not node.flow_style:
             return self.end(items[-1])
         return len(self.text[: node.end_mark.index].rstrip()) if kind_of(node) == "scalar" else int(node.end_mark.index)
 
     def _comments(self, node: Any) -> list[str]:
-        """The comments within a node, up to the end of its last line if they are within its range."""
+        """Returns the comments within a node, also the one on its last line if PyYAML counts it as part of the node."""
         spans = [(leaf.start_mark.index, self.end(leaf)) for leaf in _leaves(node)]
         rest = "".join(self.text[before:start] for (_, before), (start, _) in pairwise(spans))
         return [c.rstrip() for c in re.findall(r"(?<!\S)#.*", rest)]
@@ -126,7 +126,7 @@ class YamlFile:
 
 
 def contents(path: Path) -> str:
-    """The text of a file. Raises Failure."""
+    """Reads the text of a file. Raises Failure."""
     if path.is_char_device():  # reading it would wait
         raise Failure(f"{path} is a port, not a file")
     try:
@@ -138,11 +138,11 @@ def contents(path: Path) -> str:
 
 
 def composed(text: str, path: Path, more: str = "") -> Any:
-    """The nodes of a text in YAML, with their places. Raises Failure."""
+    """Parses a YAML text into nodes with positions. Raises Failure."""
     try:
         import yaml
     except ImportError:
-        raise Failure(f"{path} exists, and to read it, {MissingExtra('pyyaml', 'yaml')}") from None
+        raise Failure(f"{path} exists; to read it, {MissingExtra('pyyaml', 'yaml')}") from None
     try:
         return yaml.compose(text, Loader=yaml.SafeLoader)
     except yaml.MarkedYAMLError as error:
@@ -154,7 +154,7 @@ def composed(text: str, path: Path, more: str = "") -> Any:
 
 
 def kind_of(node: Any) -> str:
-    """The kind of a node: mapping, sequence or scalar."""
+    """Returns the kind of a node: mapping, sequence or scalar."""
     return getattr(node, "id", "nothing")
 
 
@@ -170,21 +170,21 @@ def _leaves(node: Any) -> list[Any]:
 
 
 def child(node: Any, key: str) -> Any:
-    """The value of a key of a mapping; None if there is none."""
+    """Returns the value of a key of a mapping; None if there is none."""
     return (
         next((value for name, value in node.value if name.value == key), None) if kind_of(node) == "mapping" else None
     )
 
 
 def plain(node: Any) -> Any:
-    """The value of a node: mappings, lists and texts, numbers as they are written."""
+    """Converts a node to mappings, lists and texts; numbers remain as they are written."""
     if kind_of(node) == "mapping":
         return {str(key.value): plain(value) for key, value in node.value}
     return [plain(item) for item in node.value] if kind_of(node) == "sequence" else node.value
 
 
 def parsed(text: str, path: Path) -> Any:
-    """The values in a text."""
+    """Parses a YAML text into values."""
     return plain(composed(text, path))
 
 
@@ -192,7 +192,7 @@ def parsed(text: str, path: Path) -> Any:
 
 
 def word(text: str) -> str:
-    """A text in YAML: as it is, or in quotes.
+    """Writes a text in YAML: plain if possible, else in quotes.
 
     >>> word("3DM-GQ7-GNSS/INS"), word("12"), word("a: b"), word("1.0.07"), word("-x"), word("no")
     ('3DM-GQ7-GNSS/INS', '"12"', '"a: b"', '1.0.07', '"-x"', '"no"')
@@ -208,7 +208,7 @@ def quoted(text: str) -> str:
 
 
 def listed(name: str, words: Iterable[str]) -> list[str]:
-    """A key with a list in brackets, in as many lines as it takes."""
+    """Writes a key with a list in brackets, on as many lines as needed."""
     texts = list(words)
     whole = f"{name}: [{', '.join(texts)}]"
     if len(whole) <= WIDTH - 10:

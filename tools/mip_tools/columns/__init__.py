@@ -1,6 +1,6 @@
 """Columns of a log: an array for each parameter of each type of field.
 
-Needs NumPy, the extra `numpy`; frames need pandas, Polars or PyArrow too.
+Needs NumPy, the extra `numpy`; frames also need pandas, Polars or PyArrow.
 """
 
 from __future__ import annotations

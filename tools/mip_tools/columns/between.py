@@ -1,4 +1,4 @@
-"""The bytes of a log that belong to no packet, and the NMEA sentences in them."""
+"""Finds the bytes of a log that belong to no packet, and the NMEA sentences in them."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ PART = 1 << 23
 
 
 class Gap(NamedTuple):
-    """Bytes between two packets, as far as they are in a piece."""
+    """The bytes between two packets that are in one piece."""
 
     offset: int  # in the file
     data: bytes
@@ -37,7 +37,7 @@ class Gaps:
         self._end = -1  # of the last gap
 
     def of(self, piece: Piece) -> Iterator[Gap]:
-        """The gaps in the next piece."""
+        """Yields the gaps in the next piece."""
         first = max(0, self._free - piece.begin)
         begins = np.concatenate(([first], piece.end))
         ends = np.concatenate((piece.at, [max(first, piece.size)]))
@@ -51,9 +51,9 @@ class Gaps:
 
 
 def sentences(log: Log) -> Iterator[tuple[int, str]]:
-    """The NMEA sentences of a log with a correct checksum, and where each begins in the file."""
+    """Yields the NMEA sentences of a log that have a correct checksum, each with its offset in the file."""
     gaps, finder = Gaps(), Sentences()
-    fed, places = 0, [(0, 0)]  # bytes that were given before a gap, and where it begins
+    fed, places = 0, [(0, 0)]  # for each gap: the bytes fed to the parser before it, and its offset
     for part in log.parts(PART):
         for piece in part.pieces(fields=False):
             for gap in gaps.of(piece):
@@ -66,7 +66,7 @@ def sentences(log: Log) -> Iterator[tuple[int, str]]:
 
 
 def table(log: Log, clock: str) -> Table:
-    """The NMEA sentences of a log, with the time of the last packet before each."""
+    """Makes the table of the NMEA sentences of a log, with the time of the last packet before each."""
     found = list(sentences(log))
     offset = np.array([at for at, _ in found], np.int64)
     columns = []
@@ -90,7 +90,7 @@ def table(log: Log, clock: str) -> Table:
 
 
 def _before(log: Log, clock: str, offset: Array) -> Array:
-    """The last valid timestamp of any packet before each place, as far as it is near."""
+    """Returns the last valid timestamp of any packet shortly before each offset."""
     stamps = [times.read(log, number, clock) for number in log.sets() if number >= 0x80]
     where = np.concatenate([s.offset for s in stamps if s.some] or [np.zeros(0, np.int64)])
     value = np.concatenate([s.value for s in stamps if s.some] or [np.zeros(0, np.int64)])

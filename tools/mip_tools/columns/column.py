@@ -21,21 +21,21 @@ F = TypeVar("F", bound=Field)
 
 
 class Column(Generic[F]):
-    """All fields of one type and set in a log, in their order: an array for each parameter.
+    """All fields of one type and set in a log, in the order of the log: an array for each parameter.
 
     `column["scaled_accel"]` has the shape (rows, 3), a number (rows,), an array of fixed length
     (rows, length). Enumerations, bitfields and bools are the integers on the wire; their types are
-    in `parameters`. Text is an array of `str`, an array of varying length a `Ragged`. The parameters
-    of a structure have names as `place.x`; those of a union's member too, behind the member's name:
-    `shape.circle.radius`. What is absent in a row is masked (`numpy.ma`).
+    in `parameters`. Text is an array of `str`, an array of varying length a `Ragged`. A parameter of
+    a structure has a name such as `place.x`, in a member of a union `shape.circle.radius`. Values that
+    are absent in a row are masked (`numpy.ma`).
     """
 
     def __init__(self, log: Log, kind: type[F], values: dict[str, Values], where: Where, only: int | None) -> None:
         self._log = log
         self._values = values
-        #: The source of its rows, for `times`.
+        #: The source of the rows, for `times`.
         self.where = where
-        #: The descriptor set that all rows are of, if it was named or there is only one.
+        #: The descriptor set of all rows, if it was named or there is only one.
         self.only = only
         #: The class of the field.
         self.type = kind
@@ -80,9 +80,9 @@ class Column(Generic[F]):
         return iter(self._values)
 
     def __getitem__(self, name: str) -> Array | Any:
-        """The values of a parameter: an array, or a `Ragged` if their number varies.
+        """Returns the values of a parameter: an array, or a `Ragged` if their number varies.
 
-        Raises KeyError if there is none of that name.
+        Raises KeyError if there is no such parameter.
         """
         try:
             return self._values[name]
@@ -98,19 +98,19 @@ class Column(Generic[F]):
 
     @cached_property
     def titles(self) -> Mapping[str, str]:
-        """The name of each column in the specification, as in tables; that in Python may differ."""
+        """The name of each column in the specification, which tables use; the name in Python may differ."""
         parameters = info(self.type).parameters
         return dict(zip((name for name, _ in described(parameters, "")), _titles(parameters, "")))
 
     def time(self, clock: str | None = None) -> Times:
-        """The time of each row, by its packet's own timestamp or the last one before it."""
+        """Returns the time of each row: the timestamp in its packet, or the last one before it."""
         return self._log.times(self, clock)
 
     def valid(self, name: str) -> Array:
-        """Is each value valid, according to its flags? Shape (rows,), or (rows, elements) if each
-        element has its own flag.
+        """Returns whether each value is valid according to its flags. The shape is (rows,), or (rows, elements) if
+        each element has its own flag.
 
-        Without a flag, every value is. Values that are absent are not.
+        A value without a flag is valid, an absent one is not.
         """
         values = self[name]
         flags = [self._holds(name, flag) for flag in self.parameters[name].flags]
@@ -125,20 +125,20 @@ class Column(Generic[F]):
         return np.asarray(there)
 
     def _holds(self, name: str, flag: Flag) -> Array:
-        """The rows in which the valid flag of a column is set."""
+        """Finds the rows in which the valid flag of a column is set."""
         record = name.rpartition(".")[0]
         flags = self._values[f"{record}.{flag.attribute}" if record else flag.attribute]
-        if isinstance(flags, Ragged):  # of structures in an array
+        if isinstance(flags, Ragged):  # flags of structures in an array
             return np.ones(len(self), bool)
         return np.asarray(flag.holds(np.asarray(flags)))
 
     def objects(self) -> Iterator[F]:
-        """The same rows as objects."""
+        """Yields the rows as objects."""
         return self._log.objects(self.type, self.only)
 
 
 def absent(values: Array) -> Array:
-    """The rows that have no value."""
+    """Finds the rows that have no value."""
     mask: Any = getattr(values, "mask", False)
     whole = np.broadcast_to(mask, values.shape)
     if not whole.size:
@@ -147,7 +147,7 @@ def absent(values: Array) -> Array:
 
 
 def described(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[tuple[str, Parameter]]:
-    """The columns of some parameters, and their descriptions."""
+    """Yields the columns of some parameters, with their descriptions."""
     for p in parameters:
         if p.kind == "counter" or p.constant is not None:
             continue
@@ -162,7 +162,7 @@ def described(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[tuple[
 
 
 def _titles(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[str]:
-    """The names of the same columns in the specification."""
+    """Yields the names of the same columns in the specification."""
     for p in parameters:
         if p.kind == "counter" or p.constant is not None:
             continue

@@ -1,4 +1,4 @@
-"""The contents of a log: how many fields of each type, and their rates."""
+"""Lists the contents of a log: the number of fields of each type, and their rates."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ if TYPE_CHECKING:
 class TypeCount:
     """The number of fields of a type in a log."""
 
-    set: int  # of their packets
+    set: int  # the set of their packets
     descriptor: int
-    type: type[Field] | None  # None: unknown, or they cannot be decoded
+    type: type[Field] | None  # None: unknown, or not decodable
     name: str
     count: int
     rate: float | None  # in Hz, if the times of the first and of the last one are known
 
 
 class _Span(NamedTuple):
-    """Some fields: how many, and the first and the last packet that has one."""
+    """The number of some fields, and the first and the last packet that has one."""
 
     rows: int
     first: int
@@ -36,7 +36,7 @@ class _Span(NamedTuple):
 
 
 def types(log: Log) -> list[TypeCount]:
-    """The types in the order of sets and descriptors; what cannot be decoded follows the others."""
+    """Returns the types in the order of sets and descriptors; fields that cannot be decoded are last in each set."""
     return [
         TypeCount(n, d, kind, name, span.rows, times.rate(log, n, *span) if kind else None)
         for n, d, kind, name, span in _types(log)
@@ -44,7 +44,7 @@ def types(log: Log) -> list[TypeCount]:
 
 
 def kinds(log: Log) -> list[tuple[int, type[Field]]]:
-    """The sets and types of all fields that can be decoded, in the same order."""
+    """Returns the sets and types of all fields that can be decoded, in the same order."""
     return [(n, kind) for n, _, kind, *_ in _types(log) if kind is not None]
 
 
@@ -72,7 +72,7 @@ def _together(spans: list[_Span]) -> _Span:
 
 
 def _decodable(log: Log, number: int, kind: type[Field], lengths: dict[int, _Span]) -> _Span | None:
-    """The decodable fields of a type, if there are any."""
+    """Counts the decodable fields of a type; None if there are none."""
     shape = layout.layout(kind)
     if shape is not None and shape.plain and len(registry.types(number, kind.DESCRIPTOR)) == 1:
         spans = [span for length, span in lengths.items() if length >= shape.dtype.itemsize]

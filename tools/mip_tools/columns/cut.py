@@ -1,4 +1,4 @@
-"""The bytes of a piece that remain when packets and fields are taken out of it."""
+"""Removes packets and fields from the bytes of a piece."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ Spans = tuple[Array, Array]
 
 
 def gaps(piece: Piece, free: int, wanted: Array) -> Spans:
-    """The bytes outside packets that are wanted: before the first packet, and behind each. `free` is the end of the
-    packet before."""
+    """Returns the spans of bytes outside packets to keep: before the first packet, and behind each. `free` is the end
+    of the packet before the piece."""
     first = max(0, free - piece.begin)
     begin = np.concatenate(([first], piece.end))
     end = np.concatenate((piece.at, [max(piece.size, int(begin[-1]))]))
@@ -25,7 +25,7 @@ def gaps(piece: Piece, free: int, wanted: Array) -> Spans:
 
 
 class Fields:
-    """The fields of a piece that are wanted, by set and descriptor."""
+    """The selected fields of a piece, by set and descriptor."""
 
     def __init__(self, piece: Piece, has: Callable[[int, int], bool]) -> None:
         self._piece = piece
@@ -35,11 +35,11 @@ class Fields:
         for runs, numbers in ((piece.runs or (), total), (self._runs, wanted)):
             for run in runs:
                 numbers += np.bincount(run.packet, minlength=count)
-        #: Packets with wanted fields only, and those that also have others.
+        #: Packets with only selected fields, and packets that also have others.
         self.whole, self.mixed = (wanted > 0) & (wanted == total), (wanted > 0) & (wanted < total)
 
     def spans(self, packets: Array) -> list[Spans]:
-        """The wanted fields of these packets, with a head and a checksum for each packet."""
+        """Returns the spans of the selected fields of these packets, with the header and checksum of each packet."""
         at, end = self._piece.at, self._piece.end
         found = [(at[packets], at[packets] + HEADER), (end[packets] - (OVERHEAD - HEADER), end[packets])]
         for run in self._runs:
@@ -50,7 +50,7 @@ class Fields:
 
 
 def cut(piece: Piece, spans: list[Spans], changed: Array) -> bytes:
-    """The bytes of these spans. Packets that are `changed` get the right length and checksum."""
+    """Joins the bytes of these spans. Packets in `changed` get a new length and checksum."""
     steps = np.zeros(len(piece.data) + 1, np.int8)
     for begin, end in spans:
         steps[begin] += 1
@@ -66,7 +66,7 @@ def cut(piece: Piece, spans: list[Spans], changed: Array) -> bytes:
 
 
 def _checksums(data: Array, begin: Array, end: Array) -> Spans:
-    """Both bytes of the checksums of some spans, from running sums of all the data."""
+    """Computes both bytes of the checksums of some spans, from running sums of all data."""
     one = np.cumsum(np.concatenate(([0], data)), dtype=np.uint8)
     two = np.cumsum(one, dtype=np.uint8)
     return one[end] - one[begin], two[end] - two[begin] - (end - begin).astype(np.uint8) * one[begin]

@@ -1,4 +1,4 @@
-"""Tables as data frames: pandas, Polars or an Arrow table."""
+"""Converts tables to data frames of pandas, Polars or Arrow."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def nmea(log: Log, library: str, time: str | None) -> Any:
 
 
 def data_of(log: Log) -> list[Kind]:
-    """All data fields that a log has, except timestamps."""
+    """Lists all data fields of a log, except timestamps."""
     found = tables.survey(log, Form(wanted=lambda set, descriptor: set >= 0x80))[0]
     return [one for one in found if timestamps.clock_of(max(one[0], 0x80), one[1].DESCRIPTOR) is None]
 
@@ -73,7 +73,7 @@ def _library(name: str) -> str:
 
 
 def _clock(log: Log, columns: Sequence[Column[Any]], time: str | None) -> str:
-    """The clock of a table; the first one that the log has if none is named."""
+    """Chooses the clock of a table; if none is named, the first one that the log has."""
     if time in (None, "auto"):
         return times.chosen(log, sorted({n for c in columns for n in c.sets}))
     if time not in CLOCKS:
@@ -82,18 +82,18 @@ def _clock(log: Log, columns: Sequence[Column[Any]], time: str | None) -> str:
 
 
 def made(columns: Sequence[Series], library: str, units: bool) -> Any:
-    """The frame of a library. Raises MissingExtra."""
+    """Makes a frame of this library. Raises MissingExtra."""
     return import_module(f".{library}_frame", __package__).made(columns, units)
 
 
 def titled(one: Series, units: bool = True) -> str:
-    """The name with its unit: "scaled_accel.x [g]"."""
+    """Returns the name with its unit: "scaled_accel.x [g]"."""
     unit = one.facts.get("unit", "")
     return f"{one.name} [{unit}]" if units and unit else one.name
 
 
 def library(name: str) -> Any:
-    """A library that an extra of the package brings. Raises MissingExtra."""
+    """Imports a library that an extra of the package installs. Raises MissingExtra."""
     try:
         return import_module(name)
     except ImportError as error:
@@ -101,7 +101,7 @@ def library(name: str) -> Any:
 
 
 def objects(one: Series) -> list[Any]:
-    """The values as Python objects; None where there is none."""
+    """Converts the values to Python objects; missing ones are None."""
     items = [item.tolist() if isinstance(item, np.ndarray) else item for item in one.values]
     if one.mask is None:
         return items

@@ -1,4 +1,4 @@
-"""Values of fields whose layout varies, from their objects: counted arrays, unions, absent values."""
+"""Makes columns from objects, for fields whose layout varies: counted arrays, unions, absent values."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from ..binding import Parameter, info, single_to_bits
 from .scan import Array
 
-#: The scalars of the specification as NumPy calls them. A bool is a byte: it need not be 0 or 1.
+#: The NumPy types of the scalars in the specification. A bool is a byte, which need not be 0 or 1.
 SCALARS = {
     "u8": "u1", "u16": "u2", "u32": "u4", "u64": "u8", "s8": "i1", "s16": "i2", "s32": "i4", "s64": "i8",
     "float": "f4", "double": "f8", "bool": "u1", "char": "u1",
@@ -18,24 +18,24 @@ SCALARS = {
 
 
 class Ragged(NamedTuple):
-    """An array for each row: that of row `i` is `values[offsets[i] : offsets[i + 1]]`."""
+    """An array for each row: row `i` has `values[offsets[i] : offsets[i + 1]]`."""
 
     values: Any  # an array, or again Ragged
     offsets: Array
-    mask: Array | None = None  # True where a row has none
+    mask: Array | None = None  # True for rows without an array
 
     def __len__(self) -> int:
         return len(self.offsets) - 1
 
     def row(self, number: int) -> Any:
-        """The array of one row."""
+        """Returns the array of one row."""
         begin, end = int(self.offsets[number]), int(self.offsets[number + 1])
         if isinstance(self.values, Ragged):
             return [self.values.row(i) for i in range(begin, end)]
         return self.values[begin:end]
 
     def rows(self) -> list[Any]:
-        """The arrays of all rows; None where there is none."""
+        """Returns the arrays of all rows; None for a row without one."""
         absent = np.zeros(len(self), bool) if self.mask is None else self.mask
         return [None if gone else self.row(i) for i, gone in enumerate(absent.tolist())]
 
@@ -44,7 +44,7 @@ Values: TypeAlias = "Array | Ragged"
 
 
 def columns(parameters: tuple[Parameter, ...], records: Sequence[Any], prefix: str = "") -> dict[str, Values]:
-    """The columns of some objects, of which some may be None."""
+    """Makes the columns of objects, some of which may be None."""
     all_columns: dict[str, Values] = {}
     for p in parameters:
         if p.kind == "counter" or p.constant is not None:
@@ -87,7 +87,7 @@ def _one(p: Parameter, values: list[Any], name: str) -> dict[str, Values]:
 
 
 def _arrays(p: Parameter, counts: list[int], values: list[Any], items: Values) -> Values:
-    """The items of all rows as an array for each row."""
+    """Divides the items of all rows into an array for each row."""
     if isinstance(p.length, int) and isinstance(items, np.ndarray):
         if None not in values:
             return items.reshape(len(values), p.length, *items.shape[1:])
@@ -112,7 +112,7 @@ def _masked(column: Array, values: Sequence[Any]) -> Array:
 
 
 def _numbers(p: Parameter, values: Sequence[Any]) -> Array:
-    """Numbers, vectors or wide bitfields; zero where there is none."""
+    """Makes an array of numbers, vectors or wide bitfields; missing ones are zero."""
     if p.scalar == "bits":
         octets = b"".join(int(v or 0).to_bytes(p.size, "little") for v in values)
         return np.frombuffer(octets, np.uint8).reshape(len(values), p.size).copy()
@@ -122,7 +122,7 @@ def _numbers(p: Parameter, values: Sequence[Any]) -> Array:
         items = [x for v in values for x in ([0] * width if v is None else v)]
     else:
         items = [0 if v is None else v for v in values]
-    if p.scalar == "float":  # the bits, as a conversion of eight bytes into four changes some NaNs
+    if p.scalar == "float":  # copies the bits, because a conversion from eight bytes to four changes some NaNs
         column = np.array([single_to_bits(x) for x in items], np.uint32).view(dtype)
     else:
         column = np.array([x if dtype.kind == "f" else int(x) for x in items], dtype)

@@ -10,7 +10,7 @@ import numpy as np
 from .scan import Array
 from .times import NONE
 
-#: Packets with the same timestamp are of one instant if they begin within so many bytes: a clock may start again.
+#: Packets with the same timestamp belong to one instant if they begin within this many bytes: a clock may restart.
 TOGETHER = 1 << 16
 _MOST = 1 << 32  # fields of one type in an instant
 
@@ -19,22 +19,22 @@ class Fields(NamedTuple):
     """The fields of one type."""
 
     offset: Array  # of their packets in the file
-    time: Array  # of their packets, in nanoseconds; NONE where these have no valid timestamp of their own
-    once: bool  # an instant has one: those of further packets are the same
+    time: Array  # of their packets, in nanoseconds; NONE for packets without a valid timestamp
+    once: bool  # an instant has only one, because all its packets have the same
 
 
 class Instants(NamedTuple):
-    """Rows in the order of their first packets, and where the fields of each type are."""
+    """Rows in the order of their first packets, and the rows of the fields of each type."""
 
-    begin: Array  # of each row: where the first packet of its instant begins
-    kept: list[Array]  # of each type, the numbers of the fields that have a place, …
+    begin: Array  # for each row, the offset of the first packet of its instant
+    kept: list[Array]  # for each type, the numbers of the fields that are in a row, …
     place: list[Array]  # … and their rows
-    packets: Array  # where the packets begin, …
-    first: Array  # … and where the first one of their instant does
+    packets: Array  # the offsets of the packets, …
+    first: Array  # … and, for each, the offset of the first packet of its instant
 
 
 def found(fields: Sequence[Fields], by: str) -> Instants:
-    """The rows of some types of fields. `by` is "time" or "packet"."""
+    """Finds the rows of some types of fields. `by` is "time" or "packet"."""
     packets = np.unique(np.concatenate([f.offset for f in fields]))
     first = packets if by == "packet" else _first(packets, fields)
     begins = np.unique(first)
@@ -51,7 +51,8 @@ def found(fields: Sequence[Fields], by: str) -> Instants:
 
 
 def _first(packets: Array, fields: Sequence[Fields]) -> Array:
-    """The offset of the first packet of the same instant. A packet without a timestamp is an instant by itself."""
+    """Returns, for each packet, the offset of the first packet of its instant. A packet without a timestamp is an
+    instant by itself."""
     time = np.full(len(packets), NONE, np.int64)
     for f in fields:
         time[np.searchsorted(packets, f.offset)] = f.time
@@ -72,7 +73,7 @@ def _first(packets: Array, fields: Sequence[Fields]) -> Array:
 
 
 def _near(places: Array) -> Array:
-    """For each of these places, which are sorted, the first of those that are near to each other."""
+    """Groups sorted offsets that are near each other. Returns, for each, the first of its group."""
     first, at = places.copy(), 0
     while at < len(places):
         end = int(np.searchsorted(places, places[at] + TOGETHER, side="right"))
@@ -82,7 +83,7 @@ def _near(places: Array) -> Array:
 
 
 def _turn(row: Array) -> Array:
-    """0 for the first field of a row, 1 for the second one, …"""
+    """Numbers the fields within each row: 0 for the first, 1 for the second, …"""
     numbers = np.arange(len(row))
     if (row[1:] > row[:-1]).all():
         return np.zeros(len(row), np.int64)

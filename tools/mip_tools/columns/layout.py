@@ -1,4 +1,4 @@
-"""Values of fields with a fixed layout, straight from their bytes."""
+"""Reads values of fields with a fixed layout directly from their bytes."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from .scan import Array
 
 
 class Layout(NamedTuple):
-    """The bytes of a field: its type in NumPy, big-endian."""
+    """The layout of a field as a big-endian NumPy type."""
 
     dtype: np.dtype[Any]
     base: np.dtype[Any] | None  # if all values are of one type: that one
-    plain: bool  # no constants in it: any bytes will do
+    plain: bool  # without constants: any bytes are valid
 
 
 _KNOWN: dict[type[Field], Layout | None] = {}
 
 
 def layout(kind: type[Field]) -> Layout | None:
-    """The layout of a field, if it always has the same."""
+    """Returns the layout of a field; None if it varies."""
     if kind not in _KNOWN:
         _KNOWN[kind] = _layout(kind)
     return _KNOWN[kind]
@@ -40,12 +40,12 @@ def _layout(kind: type[Field]) -> Layout | None:
 
 
 def _constant(kind: type[Structure]) -> bool:
-    """Is any value a constant?"""
+    """Does the structure contain a constant?"""
     return any(isinstance(what, int) or (_inner(what) and _constant(_inner(what))) for _, _, what in kind._LAYOUT)
 
 
 def _inner(what: Any) -> Any:
-    """The structure in a row of a layout, alone or as an array."""
+    """Returns the structure of a member, which may be an array of structures."""
     what = what.kind if isinstance(what, wire.Items) else what
     return what if wire.is_structure(what) else None
 
@@ -77,14 +77,14 @@ def _scalars(dtype: np.dtype[Any]) -> Iterator[np.dtype[Any]]:
 
 
 def values(kind: type[Field], rows: Array, shape: Layout, turned: bool) -> tuple[dict[str, Array], Array | None]:
-    """The columns of some rows of bytes, and which rows have the right constants, if not all do.
+    """Makes columns from rows of bytes. Also returns which rows have the right constants; None if all do.
 
     `turned`: items of one size already have the byte order of this machine.
     """
     if not shape.dtype.itemsize:
         return {}, None
     record = rows.reshape(-1).view(shape.dtype)
-    if shape.base is not None:  # all are byte-swapped at once, in place
+    if shape.base is not None:  # swaps the bytes of all items at once, in place
         if not turned and sys.byteorder == "little":
             rows.reshape(-1).view(shape.base.newbyteorder("=")).byteswap(inplace=True)
         record = rows.reshape(-1).view(shape.dtype.newbyteorder("="))
@@ -118,7 +118,7 @@ def _leaves(kind: type[Structure], record: Array, prefix: str) -> Iterator[tuple
 
 
 def texts(column: Array) -> Array:
-    """The texts of a column with one byte per character, as str; zeros are kept."""
+    """Converts texts with one byte per character to str; zeros are kept."""
     flat = np.ascontiguousarray(column).reshape(-1, column.shape[-1])
     strings = np.empty(len(flat), object)
     strings[:] = [row.tobytes().decode("latin-1") for row in flat]

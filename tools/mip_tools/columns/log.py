@@ -1,4 +1,4 @@
-"""A log as columns: its packets are found once, values are read when they are requested."""
+"""A log as columns. Packets are found once; values are read when they are requested."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 F = TypeVar("F", bound=Field)
 
-#: Kinds of rows of a table.
+#: What the rows of a table stand for.
 By: TypeAlias = Literal["time", "packet"]
 #: Treatments of values that are not valid according to their flags.
 Invalid: TypeAlias = Literal["keep", "mask", "drop"]
@@ -34,38 +34,38 @@ Method: TypeAlias = Literal["linear", "nearest", "last"]
 Library: TypeAlias = Literal["pandas", "polars", "pyarrow"]
 
 _PIECE = 1 << 20  # bytes that are read at once
-#: Packets whose places are kept, so that they are found only once: some 250 MB. Those behind them
-#: are found again for each request.
+#: The number of packets whose offsets are stored, so that they are found only once: some 250 MB. Later
+#: packets are found again for each request.
 _KEPT = 10_000_000
 
 
 class Log:
-    """The packets that begin in some bytes of a log.
+    """The packets that begin within a range of bytes of a log.
 
     They are exactly those that `Parser` finds, however the file is divided: a packet belongs to the
     part that contains its first byte. Memory is needed for the positions of the packets, up to a
-    limit, and for the requested columns; the file itself is not read into memory. A log of a path
-    can be pickled, for other processes: as the path and the bytes.
+    limit, and for the requested columns; the file itself is not read into memory. A log that was
+    opened from a path can be pickled for other processes, as the path and the range.
     """
 
     def __init__(self, source: Any, begin: int = 0, end: int | None = None, device: str | None = None) -> None:
         """See `read_log`."""
-        #: The device that sent it, if that is known.
+        #: The id of the device that sent the log, if it is known.
         self.device = None if device is None else device_id(device)
         if begin < 0 or (end is not None and end < begin):
-            raise ValueError(f"bytes {begin} to {end}: `begin` is 0 or more, and not behind `end`")
+            raise ValueError(f"bytes {begin} to {end}: `begin` must be 0 or more, and not after `end`")
         self._earlier: Log | None = None
         self.source = source if isinstance(source, Source) else Source(source)
-        #: Bytes of the whole file.
+        #: The size of the whole file, in bytes.
         self.size = self.source.size
-        #: The bytes that the packets begin in.
+        #: The range of bytes in which the packets begin.
         self.begin = min(begin, self.size)
         self.end = self.size if end is None else min(end, self.size)
         self._kept: dict[int, Piece] = {}
         self._first: int | None = None
         self._counts: tuple[int, int] | None = None  # of packets, of skipped bytes
         self._types: list[TypeCount] | None = None
-        #: (set, clock) -> timestamps, for `times`; also with those of packets shortly before.
+        #: (set, clock) -> timestamps, for `times`, including those of packets shortly before this part.
         self.own_stamps: dict[tuple[int, str], Stamps] = {}
         self.stamps: dict[tuple[int, str], Stamps] = {}
 
@@ -80,7 +80,7 @@ class Log:
         self.source.close()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Copies, also in other processes, open the file again."""
+        """Pickles the path and the range: copies, also in other processes, open the file again."""
         origin = self.source.origin
         if origin is None:
             raise TypeError("a log of an open file or a buffer cannot be pickled: read it from a path or from bytes")
@@ -92,7 +92,7 @@ class Log:
         return f"<Log {name}: bytes {self.begin} to {self.end}>"
 
     def _repr_html_(self) -> str:
-        """The contents, for notebooks."""
+        """Shows the contents in notebooks."""
         rows = "".join(
             f"<tr><td>{escape(one.name)}</td><td style='text-align: right'>{one.count}</td>"
             f"<td style='text-align: right'>{'' if one.rate is None else f'{one.rate:.4g}'}</td></tr>"
@@ -103,13 +103,13 @@ class Log:
         return f"<p>{escape(repr(self))}: {facts}</p><table>{head}{rows}</table>"
 
     def _ipython_key_completions_(self) -> list[str]:
-        """The names for `log[...]`."""
+        """Returns the names that complete `log[...]`."""
         return list(dict.fromkeys(one.name for one in self.types() if one.type is not None))
 
     def parts(self, size: int = 1 << 26) -> Iterator[Log]:
-        """The same log in parts of this many bytes; together they have every packet once."""
+        """Yields the log in parts of this many bytes; together they have every packet once."""
         if size < 1:
-            raise ValueError(f"a part has 1 byte or more, not {size}")
+            raise ValueError(f"a part must have 1 byte or more, not {size}")
         for begin in range(self.begin, self.end, size):
             yield Log(self.source, begin, min(begin + size, self.end), self.device)
 
@@ -133,7 +133,7 @@ class Log:
         return self._counts
 
     def pieces(self, fields: bool = True) -> Iterator[Piece]:
-        """For `Reader`: the pieces of the log in order, with their packets, and with the fields of these."""
+        """Yields the pieces of the log in order, with their packets and the fields in them. For `Reader`."""
         if self._first is None:
             self._first = self._beginning()
         free, number = self._first, 0
@@ -148,7 +148,7 @@ class Log:
                     self._kept[begin] = piece
             if fields and piece.runs is None:
                 piece.runs = walk.runs(data, piece.at, piece.end)
-            own = copy(piece)  # other requests may look at the same piece meanwhile
+            own = copy(piece)  # other requests may use the same piece meanwhile
             own.data = data
             yield own
             own.data = NOTHING
@@ -157,12 +157,12 @@ class Log:
             if len(piece.end):
                 free = begin + int(piece.end[-1])
                 covered += int((piece.end - piece.at).sum())
-        if number:  # the last packet may end behind this part
+        if number:  # the last packet may end after this part
             covered -= max(0, free - self.end)
         self._counts = number, self.end - self.begin - covered
 
     def _beginning(self) -> int:
-        """The offset at which the first packet may begin: one that begins before this part may reach into it."""
+        """Returns the offset at which the first packet may begin: after one that reaches into this part."""
         back = 8 * scan.REACH
         while True:
             begin = max(0, self.begin - back)
@@ -179,11 +179,11 @@ class Log:
     @overload
     def __getitem__(self, kind: Kind) -> Column[Any]: ...
     def __getitem__(self, kind: Kind) -> Column[Any]:
-        """The fields of a type, also by its name ("sensor.scaled_accel"); a shared one of all sets.
+        """Returns the fields of a type, also by name ("sensor.scaled_accel"); for a shared field, those of all sets.
 
-        They are those that `registry.decode_packet` returns: well formed, and long enough. A type of
-        which several sets have their own, such as those of two GNSS receivers, is found by its class
-        if the log has it in one of these sets only. "gnss_2.dop" is that of one set.
+        They are exactly the fields that `registry.decode_packet` returns: well formed, and long enough.
+        If several sets have their own fields of a type, such as the sets of two GNSS receivers, the
+        class finds them only if the log has them in one of these sets. "gnss_2.dop" names one set.
 
         Raises LookupError if the specification has no such type, or if the log has it in several
         sets and none of them is named.
@@ -191,22 +191,22 @@ class Log:
         return self.column(kind)
 
     def __contains__(self, kind: Kind) -> bool:
-        """Has the log any field of this type, in whichever set?"""
+        """Does the log have a field of this type, in any set?"""
         kinds: Sequence[Kind] = [kind]
         if isinstance(kind, type) and issubclass(kind, Field) and hasattr(kind, "SETS"):
             kinds = every(kind)
         return any(map(len, self.columns(kinds)))
 
     def column(self, kind: Kind, set: int | None = None) -> Column[Any]:
-        """The fields of a type; if several sets have it, only those in packets of one set, if wanted.
+        """Returns the fields of a type; with `set`, only those in packets of this set.
 
         Raises LookupError as `log[kind]` does.
         """
         return self.columns([kind], set)[0]
 
     def columns(self, kinds: Sequence[Kind] | None = None, set: int | None = None) -> list[Column[Any]]:
-        """The columns of several types, read together; without a list, of all that the log has, separately for each
-        set."""
+        """Returns the columns of several types, read in one pass; by default those of all types in the log, separately
+        for each set."""
         if kinds is None:
             known = [count for count in self.types() if set is None or count.set == set]
             kinds = list(dict.fromkeys(of(count.set, count.type) for count in known if count.type is not None))
@@ -217,13 +217,13 @@ class Log:
         return [reader.column() for reader in readers]
 
     def objects(self, kind: type[F], set: int | None = None) -> Iterator[F]:
-        """The fields of a type as objects. Raises LookupError as `log[kind]` does."""
+        """Yields the fields of a type as objects. Raises LookupError as `log[kind]` does."""
         return Reader(self, kind, set).objects()
 
     # ----------------------------------------------------------------- what is in it
 
     def types(self) -> list[TypeCount]:
-        """The number of fields of each type, by set and descriptor, and their rates."""
+        """Returns the number and the rate of the fields of each type, sorted by set and descriptor."""
         if self._types is None:
             self._types = contents.types(self)
         return self._types
@@ -275,19 +275,19 @@ class Log:
         units: bool = True,
         position: bool = False,
     ) -> Any:
-        """A data frame of one type, or of several: a row for each instant that has any of them.
+        """Returns a data frame of one or several types, with a row for each instant that has any of them.
 
-        Packets with the same timestamp are of one instant if they are near to each other in the file;
-        a packet without a timestamp is one by itself. If an instant has several fields of one type, it
-        has several rows. With `by="packet"`, there is a row for each packet.
+        Packets with the same timestamp belong to one instant if they are near each other in the file;
+        a packet without a timestamp is an instant by itself. If an instant has several fields of one
+        type, it has several rows. With `by="packet"`, there is a row for each packet.
 
         `library` is "pandas", "polars" or "pyarrow". `time` is a clock, "auto" for the first one
-        that the log has, None for no time; `time_own` is False where the packet itself has no
-        timestamp (see `Times`). `invalid="mask"` leaves out values whose flag says that they are
-        not valid, `"drop"` fields that have such a value. Vectors have a column for each element,
-        "scaled_accel.x [g]"; `units` says whether their units are included, in the names or in the
-        metadata of Arrow. A type without parameters has one column, which is True in its rows.
-        `position` adds the number of the row's first packet, its descriptor set and its place in the file.
+        that the log has, None for no time; `time_own` is False if the packet itself has no timestamp
+        (see `Times`). `invalid="mask"` leaves out values that are not valid according to their flags,
+        `"drop"` leaves out fields that have such a value. Vectors have a column for each element,
+        "scaled_accel.x [g]"; `units` includes their units, in the names or in the metadata of Arrow.
+        A type without parameters has one column, which is True in its rows. `position` adds the number
+        of the row's first packet, its descriptor set and its offset in the file.
 
         Raises LookupError as `log[kind]` does, ValueError for other choices, MissingExtra if the library
         is missing.
@@ -337,18 +337,18 @@ class Log:
         time: str = "auto",
         units: bool = True,
     ) -> Any:
-        """A data frame at a fixed rate, "100Hz", "10ms" or a number in Hz; of some types, or of all data.
+        """Returns a data frame at a fixed rate, "100Hz", "10ms" or a number in Hz, of some types or of all data.
 
         The rows are at whole multiples of the step. `method` is "linear", "nearest" or "last", the value
-        before. "linear" applies to floats; angles in rad or deg take the short way round, and quaternions
+        before. "linear" interpolates floats; angles in rad or deg go the short way round, and quaternions
         are normalized. Integers, flags, text and matrices keep the value before. Values whose flags mark
-        them as invalid, and those of packets without a timestamp, are ignored; there is no value where
-        the next ones are more than 2.5 usual intervals of their field apart.
-        After a pause of more than 10 s, or if time goes back so far, the rows begin anew.
+        them as invalid, and values in packets without a timestamp, are ignored. There is no value where
+        the neighbours are further apart than 2.5 usual intervals of their field. After a pause of more
+        than 10 s, or if time goes back by as much, the rows restart.
 
-        All times are those of one clock, as for `frame`. Times of a set that does not have it are
-        converted from another clock, by packets that have both; the metadata of `time` say so (in
-        pandas, `frame.attrs`).
+        All times are of one clock, as for `frame`. Times of a set without this clock are converted from
+        another clock, by means of packets that have both; the metadata of `time` state this (in pandas,
+        `frame.attrs`).
 
         Raises LookupError as `log[kind]` does, ValueError for other choices or if the log has no
         timestamps, MissingExtra if the library is missing.
@@ -363,29 +363,29 @@ class Log:
     @overload
     def nmea(self, *, library: Literal["pyarrow"], time: str | None = ...) -> pyarrow.Table: ...
     def nmea(self, *, library: Library = "pandas", time: str | None = "auto") -> Any:
-        """A data frame of the NMEA sentences between the packets that have a right checksum.
+        """Returns a data frame of the NMEA sentences between the packets that have a correct checksum.
 
         Its columns are `time` (of the last packet with a timestamp before the sentence), `time_own`
-        (False), `offset` (place in the file), `talker` ("GP"), `type` ("GGA"), `sentence` (the whole
-        line), and `fields` (what is between its commas). Raises ValueError and MissingExtra as `frame` does.
+        (False), `offset` (in the file), `talker` ("GP"), `type` ("GGA"), `sentence` (the whole line), and
+        `fields` (the texts between its commas). Raises ValueError and MissingExtra as `frame` does.
         """
         return frames.nmea(self, library, time)
 
     # ----------------------------------------------------------------- time
 
     def sets(self) -> list[int]:
-        """The descriptor sets of the packets, each once."""
+        """Returns the descriptor sets of the packets, each once."""
         counts = np.zeros(256, np.int64)
         for piece in self.pieces(fields=False):
             counts += np.bincount(piece.sets(), minlength=256)
         return [int(number) for number in np.flatnonzero(counts)]
 
     def before_offset(self, offset: int) -> int:
-        """The number of packets that begin before a place in the file."""
+        """Counts the packets that begin before an offset in the file."""
         return sum(int(np.searchsorted(piece.at, offset - piece.begin)) for piece in self.pieces(fields=False))
 
     def before(self, size: int) -> Log | None:
-        """For `times`: the part of this many bytes before this one, if there is any."""
+        """Returns the part of this many bytes before this one, if there is any. For `times`."""
         if not self.begin:
             return None
         if self._earlier is None:
@@ -393,26 +393,26 @@ class Log:
         return self._earlier
 
     def times(self, column: Column[Any], clock: str | None = None) -> Times:
-        """The time of each row of a column; see `Column.time`."""
+        """Returns the time of each row of a column; see `Column.time`."""
         return times.of(self, column, clock)
 
 
 def several(kinds: Kind | Iterable[Kind]) -> list[Kind]:
-    """One type, or several. Raises ValueError if there is none."""
+    """Returns a list of one or several types. Raises ValueError if there is none."""
     chosen: list[Any] = [kinds]
     pair = isinstance(kinds, tuple) and len(kinds) == 2 and isinstance(kinds[0], int)
     if isinstance(kinds, Iterable) and not isinstance(kinds, (str, type)) and not pair:
         chosen = list(kinds)
     if not chosen:
-        raise ValueError("a table has one type or more")
+        raise ValueError("a table needs at least one type")
     return chosen
 
 
 def read_log(source: Any, begin: int = 0, end: int | None = None, device: str | None = None) -> Log:
-    """The log in a file (a path or a binary file, which is mapped into memory) or in bytes.
+    """Opens a log: a file (a path or a binary file, which is mapped into memory) or bytes.
 
-    With `begin` and `end`, in bytes, only the packets that begin there. `device` is the id or name
-    of the device that sent it: devices differ in which flags say that values are valid.
+    With `begin` and `end`, in bytes, the log has only the packets that begin in this range. `device` is
+    the id or name of the device that sent it: the flags that mark values as valid depend on the device.
 
     Raises OSError, TypeError if `source` is something else, ValueError if `begin` is negative or
     after `end`, LookupError if there is no such device.

@@ -1,7 +1,7 @@
-"""The innermost loops in compiled code, which platform wheels bring and a source tree gets by
-`python setup.py build_ext --inplace`.
+"""The innermost loops in compiled code, which platform wheels contain, and which
+`python setup.py build_ext --inplace` compiles in a source tree.
 
-It returns the same as `scan` and `walk`, which are used without it.
+They return the same results as `scan` and `walk`, which are used if they are missing.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ class Fields(NamedTuple):
 
 
 class Kernel:
-    """The functions of the compiled code. All of them release the lock of the interpreter."""
+    """The functions of the compiled code. All of them release the interpreter lock."""
 
     def __init__(self, path: Path) -> None:
-        """Raises OSError if it cannot be loaded, AttributeError if it is something else."""
+        """Loads the library. Raises OSError if this fails, AttributeError if it is another library."""
         import ctypes
 
         loaded = ctypes.CDLL(str(path))
@@ -50,14 +50,15 @@ class Kernel:
         self._gather = function("mip_gather", None, *[place] * 4, number, number, number, place)
 
     def packets(self, data: Array, first: int, limit: int, length: int, overlap: bool) -> tuple[Array, Array]:
-        """Beginnings and ends of packets that begin in `first` … `limit`; with `overlap`, all that look like one."""
+        """Returns the beginnings and ends of packets that begin in `first` … `limit`; with `overlap`, of everything
+        that looks like one."""
         most = max(0, limit - first) // (2 if overlap else _SMALLEST) + 1
         at, end = np.empty(most, np.int32), np.empty(most, np.int32)
         count = self._packets(_at(data), first, limit, length, overlap, _at(at), _at(end))
         return at[:count].copy(), end[:count].copy()
 
     def fields(self, data: Array, at: Array) -> list[Fields] | None:
-        """The fields of packets; None if there are too many different ones."""
+        """Finds the fields of packets; None if there are too many different ones."""
         keys, counts = np.empty(_KINDS, np.uint32), np.empty(_KINDS, np.int64)
         room = len(data) // _SHORTEST
         in_log: list[Array] = [np.empty(room, np.uint16), np.empty(room, np.int32), np.empty(room, np.uint8)]
@@ -74,19 +75,19 @@ class Kernel:
         return [Fields(key >> 16, key >> 8 & 255, (key & 255) - 2, packet[a:b], offset[a:b]) for key, a, b in bounds]
 
     def gather(self, data: Array, at: Array, packet: Array, offset: Array, item: int, rows: Array) -> None:
-        """Copies the bytes of fields, one row for each, and reverses every `item` bytes of them."""
+        """Copies the bytes of each field to a row, and reverses the bytes of each item of `item` bytes."""
         packet = packet.astype(np.int32, copy=False)
         places = (_at(data), _at(at), _at(packet), _at(offset))
         self._gather(*places, len(rows), rows.shape[1], item, _at(rows))
 
 
 def _at(array: Array) -> int:
-    """The address of an array."""
+    """Returns the address of an array."""
     return int(array.ctypes.data)
 
 
 def found(folder: Path = Path(__file__).parent) -> Kernel | None:
-    """The compiled code, if it is there and built for this machine."""
+    """Loads the compiled code, if it exists and was built for this machine."""
     for suffix in EXTENSION_SUFFIXES:
         path = folder / f"_kernel{suffix}"
         try:
@@ -102,5 +103,5 @@ kernel: Kernel | None = found()
 
 
 def compiled() -> bool:
-    """Are the innermost loops compiled code? Platform wheels of mip-tools have it, the pure one does not."""
+    """Is compiled code in use for the innermost loops? Platform wheels of mip-tools have it, the pure one does not."""
     return kernel is not None

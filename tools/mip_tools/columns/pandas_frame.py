@@ -1,4 +1,4 @@
-"""Frames of pandas."""
+"""Makes pandas data frames."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .tables import Series
 
 
 def made(series: Sequence[Series], units: bool) -> Any:
-    """A frame; missing values are NaN or NaT, and NA among integers."""
+    """Makes a frame; missing values are NaN or NaT, and NA in columns of integers."""
     pandas = library("pandas")
     frame = pandas.DataFrame({titled(one, units): _column(pandas, one) for one in series})
     if series and series[0].name == "time":

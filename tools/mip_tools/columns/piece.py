@@ -15,7 +15,7 @@ NOTHING = np.zeros(0, np.uint8)
 
 
 class Piece:
-    """The packets that begin in it, and their fields once they are requested."""
+    """The packets that begin in a piece of a log, and their fields once they are requested."""
 
     __slots__ = ("_sets", "at", "begin", "data", "end", "number", "runs", "size")
 
@@ -29,30 +29,30 @@ class Piece:
         self._sets: Array | None = None
 
     def sets(self) -> Array:
-        """The descriptor sets of the packets. The first call must be made while the piece has its bytes."""
+        """Returns the descriptor sets of the packets. The first call must be made while the piece has its bytes."""
         if self._sets is None:
             self._sets = self.data[self.at + 2]
         return self._sets
 
     def fields(self, descriptor: int, packet: Array, offset: Array) -> Iterator[RawField]:
-        """Fields with this descriptor: their packets, and the offsets of their data in the payloads."""
+        """Yields fields with this descriptor, given their packets, and the offsets of their data in the payloads."""
         place = self.at[packet] + HEADER + offset
         sets, sizes = self.data[self.at[packet] + 2], self.data[place - 2]
         for number, begin, size in zip(sets.tolist(), place.tolist(), sizes.tolist()):
             yield RawField(number, descriptor, self.data[begin : begin + size - 2].tobytes())
 
     def bare(self) -> Piece:
-        """The same without the fields."""
+        """Returns a copy of the piece without the fields."""
         copy = Piece(self.begin, self.size, self.number, self.at, self.end)
         copy._sets = self._sets
         return copy
 
 
 class Where:
-    """The source of a column's rows; each part is computed only when it is used."""
+    """The source of a column's rows; each property is computed when it is first used."""
 
     def __init__(self, only: int) -> None:
-        """`only` is the set of all rows, or 0 for several."""
+        """`only` is the set of all rows, or 0 if there are several."""
         self._only = only
         self._rows: list[tuple[Piece, Array]] = []
         self._right: Array | None = None
@@ -64,11 +64,11 @@ class Where:
             piece.sets()
 
     def keep(self, right: Array | None) -> None:
-        """Keeps some of the rows."""
+        """Keeps only these rows; None keeps all."""
         self._right = right
 
     def __getstate__(self) -> dict[str, Any]:
-        """The state that copies of a column need."""
+        """Returns the state that copies of a column need."""
         return self.__dict__ | {"_rows": [(piece.bare(), packet) for piece, packet in self._rows]}
 
     def packet(self) -> Array:
@@ -77,19 +77,19 @@ class Where:
         return self._joined(numbers, np.int64)
 
     def offset(self) -> Array:
-        """Their offsets in the file."""
+        """The offsets of the packets in the file."""
         places = [_from(piece.begin, piece.at[packet]) for piece, packet in self._rows]
         return self._joined(places, np.int64)
 
     def set(self) -> Array:
-        """Their descriptor sets."""
+        """The descriptor sets of the packets."""
         if self._only:
             total = sum(len(packet) for _, packet in self._rows)
             return self._joined([np.full(total, self._only, np.uint8)], np.uint8)
         return self._joined([piece.sets()[packet] for piece, packet in self._rows], np.uint8)
 
     def sets(self) -> list[int]:
-        """Each of their descriptor sets."""
+        """The descriptor sets of the packets, each once."""
         if self._only:
             return [self._only]
         numbers: list[int] = np.flatnonzero(np.bincount(self.set(), minlength=1)).tolist()
@@ -107,5 +107,5 @@ class Where:
 
 
 def _from(first: int, numbers: Array) -> Array:
-    """Numbers that count from another one: in a whole log, they need 64 bits."""
+    """Adds `first` to numbers within a piece: in a whole log, they need 64 bits."""
     return np.add(numbers, first, dtype=np.int64)

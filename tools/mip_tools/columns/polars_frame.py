@@ -1,4 +1,4 @@
-"""Frames of Polars."""
+"""Makes Polars data frames."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .tables import Series
 
 
 def made(series: Sequence[Series], units: bool) -> Any:
-    """A frame; missing values are null."""
+    """Makes a frame; missing values are null."""
     polars = library("polars")
     return polars.DataFrame([_column(polars, one, titled(one, units)) for one in series])
 

@@ -1,4 +1,4 @@
-"""Tables of Arrow."""
+"""Makes Arrow tables."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .tables import Series
 
 
 def made(series: Sequence[Series], units: bool) -> Any:
-    """A table; units, frames, clocks and types are in the metadata of its fields."""
+    """Makes a table; units, frames, clocks and types are in the metadata of its fields."""
     arrow = library("pyarrow")
     fields, arrays = [], []
     for one in series:
@@ -42,7 +42,7 @@ def _type(arrow: Any, depth: int, item: str) -> Any:
 
 
 def _lists(arrow: Any, values: Any, mask: Any) -> Any:
-    """Lists of one size; of variable size for Arrow, as Parquet loses missing ones of a fixed size."""
+    """Makes variable-size lists, although all have one size: Parquet loses missing lists of a fixed size."""
     offsets = arrow.array(np.arange(len(values) + 1, dtype=np.int32) * values.shape[1])
     inner = values.reshape(-1, *values.shape[2:])
     items = _lists(arrow, inner, None) if inner.ndim > 1 else arrow.array(np.ascontiguousarray(inner))

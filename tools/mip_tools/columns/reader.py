@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .log import Log
 
 
-#: A field: its class, its name, or a set and a class, as `registry.all_types` has them.
+#: A type of field: its class, its name, or a set and a class as in `registry.all_types`.
 Kind: TypeAlias = "type[Field] | str | tuple[int, type[Field]]"
 
 
@@ -27,7 +27,7 @@ class Reader:
     """Collects the rows of a column."""
 
     def __init__(self, log: Log, kind: Kind, set: int | None) -> None:
-        """Raises LookupError if the specification has no such type in that set."""
+        """Prepares for fields of this type. Raises LookupError if the specification does not define it in that set."""
         name, said = repr(kind), None
         if isinstance(kind, str):
             kind = registry.by_name(name := kind)
@@ -44,7 +44,7 @@ class Reader:
         self._log, self._kind = log, kind
         self._set = sets[0] if set is None and len(sets) == 1 else set
         self._known: dict[int, bool] = {}
-        #: The sets to search for it; empty: all.
+        #: The sets to search; empty means all.
         self._sets = sets if self._set is None else (self._set,)
         if not all(map(self._in, self._sets or kind.SETS[:1])):
             where = "the specification" if set is None else f"set 0x{set:02X}"
@@ -63,7 +63,7 @@ class Reader:
         return self._known[number]
 
     def _runs(self, piece: Piece) -> list[walk.Run]:
-        """The fields in a piece with the right descriptor and enough data."""
+        """Finds the fields in a piece that have the right descriptor and enough data."""
         width = 0 if self._layout is None else self._layout.dtype.itemsize
         descriptor = self._kind.DESCRIPTOR
         return [
@@ -73,14 +73,14 @@ class Reader:
         ]
 
     def _fields(self, piece: Piece) -> tuple[Array, Array] | None:
-        """Their packets, and their offsets in the payloads."""
+        """Returns the packets of these fields, and their offsets in the payloads; None if there are none."""
         runs = self._runs(piece)
         if not runs:
             return None
         return walk.places(runs, len(piece.at))
 
     def add(self, piece: Piece) -> None:
-        """Adds what is in a piece."""
+        """Adds the fields in a piece."""
         places = self._fields(piece)
         if places is None:
             return
@@ -94,7 +94,7 @@ class Reader:
         self._where.add(piece, packet)
 
     def _decoded(self, piece: Piece, packet: Array, offset: Array) -> Iterator[Field | None]:
-        """The objects; None where they cannot be decoded, or have another type."""
+        """Decodes fields to objects; None for one that cannot be decoded, or has another type."""
         for raw in piece.fields(self._kind.DESCRIPTOR, packet, offset):
             kind = chosen(registry.types(raw.set, raw.descriptor), raw)
             try:
@@ -103,17 +103,18 @@ class Reader:
                 yield None
 
     def _one_of(self, present: list[int]) -> int | None:
-        """The only set in which the log has it. Raises LookupError if there are more: they are never mixed."""
+        """Returns the only set in which the log has the field. Raises LookupError if there are several, which are never
+        mixed."""
         if len(present) > 1:
             names = [self._kind.name_in(n) for n in present]
             raise LookupError(
                 f"the log has {self._kind.NAME} in several sets: {', '.join(names)}; "
-                f"name one, as log[{names[0]!r}] or log.column({self._kind.__name__}, 0x{present[0]:02X})"
+                f"select one, for example log[{names[0]!r}] or log.column({self._kind.__name__}, 0x{present[0]:02X})"
             )
         return next(iter(present), None)
 
     def column(self) -> Column[Any]:
-        """The column of all that was added."""
+        """Makes the column of all added fields."""
         values: dict[str, Any]
         right = None
         if self._rows is None or self._layout is None:
@@ -129,7 +130,7 @@ class Reader:
         return Column(self._log, self._kind, values, self._where, only)
 
     def objects(self) -> Iterator[Any]:
-        """The rows as objects."""
+        """Yields the rows as objects."""
         if self._set is None and self._sets:
             self._one_of(sorted({run.set for piece in self._log.pieces() for run in self._runs(piece)}))
         for piece in self._log.pieces():

@@ -1,1 +1,1 @@
-"""The settings of a device as one file, and their transfer to and from a device."""
+"""Reads and writes all settings of a device as one file."""

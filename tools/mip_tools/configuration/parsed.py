@@ -1,4 +1,4 @@
-"""Reads settings from a file; reports each mistake with its place and the remedy."""
+"""Reads settings from a file; reports each mistake with its position and the remedy."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .settings import UNKNOWN, Place, of, on, parameters, settings
 from .words import numbers
 from .written import Beside, selectors
 
-#: Descriptors from here on are those of shared data.
+#: The first descriptor of shared data.
 SHARED = 0xD0
 
 KEYS = ("model", "firmware", "date", "settings")
@@ -27,7 +27,7 @@ KEYS = ("model", "firmware", "date", "settings")
 
 @dataclass
 class File:
-    """The settings in a file, and the place of each."""
+    """The settings in a file, each with its position."""
 
     path: Path
     model: str
@@ -37,9 +37,9 @@ class File:
 
 
 def parsed(path: Path, device: Device | None = None) -> File:
-    """Reads a file, for a device that has reported its fields, if one is given.
+    """Reads a file, and checks it for `device`, if given: a device that has reported its fields.
 
-    Raises Failure, which names all mistakes.
+    Raises Failure with all mistakes.
     """
     return _Reader(path, device).file()
 
@@ -53,10 +53,10 @@ class _Reader(YamlReader):
     def file(self) -> File:
         root = yaml_text.composed(yaml_text.contents(self.path), self.path)
         if kind_of(root) != "mapping":
-            raise Failure(f"{self.path}:1:1: this is not a file of settings; `mip config pull` writes one")
-        parts = self.keys(root, KEYS, "a file of settings")
+            raise Failure(f"{self.path}:1:1: this is not a settings file; `mip config pull` writes one")
+        parts = self.keys(root, KEYS, "a settings file")
         if "model" not in parts:
-            self.wrong(Wrong(root, "'model' is missing; name the device, as `mip config pull` does"))
+            self.wrong(Wrong(root, "'model' is missing; add the name of the device, as `mip config pull` does"))
         model = str(parts["model"].value) if "model" in parts else ""
         try:
             self.profile = DEVICES[device_id(model)]
@@ -85,7 +85,7 @@ class _Reader(YamlReader):
                     self.instances(kind, selectors(kind, Place(kind.NAME).keys), {}, values, values, file)
 
     def has(self, kind: Any, node: Any, own: str) -> bool:
-        """Does the device have this setting, and in this form?"""
+        """Does the device have this setting, with this command?"""
         assert self.device is not None
         available = of(self.device)
         if kind in available:
@@ -97,7 +97,7 @@ class _Reader(YamlReader):
         return False
 
     def instances(self, kind: Any, rest: list[str], selected: dict[str, int], key: Any, node: Any, file: File) -> None:
-        """The values of a setting, below the keys that select instances of it."""
+        """Reads the values of a setting, which are below the keys that select its instances."""
         if not rest:
             self.setting(kind, selected, key, node, file)
             return
@@ -126,17 +126,17 @@ class _Reader(YamlReader):
             self.wrong(Wrong(node, f"'{kind.NAME}' cannot be sent: {error.detail}"))
             return
         if place in file.held:
-            self.wrong(Wrong(key, f"the same as at {file.at[place]}; remove one"))
+            self.wrong(Wrong(key, f"this setting is already at {file.at[place]}; remove one"))
             return
         file.held[place], file.at[place] = command, self.place(key)
 
     def members(
         self, what: str, node: Any, members: list[Parameter], required: set[str], given: dict[str, Any], set: int | None
     ) -> dict[str, Any]:
-        """The values of parameters, read in such an order that each finds those that it depends on."""
+        """Reads the values of parameters, in an order in which each finds the values that it depends on."""
         before = len(self.mistakes)
         nodes = self.keys(node, [p.name for p in members], f"'{what}'")
-        unknown = len(self.mistakes) > before  # perhaps what seems to be missing
+        unknown = len(self.mistakes) > before  # an unknown key may be a misspelled parameter
         missing = []
         for p in sorted(members, key=_depends):
             if p.name in nodes:
@@ -238,7 +238,7 @@ class _Reader(YamlReader):
             raise Wrong(node, str(failure)) from None
 
     def check(self, p: Parameter, value: Any, node: Any, set: int | None) -> None:
-        """Raises Wrong if a device cannot have this value."""
+        """Raises Wrong if the device cannot have this value."""
         if self.device is not None and p.refers == "field" and not self.sends(set, int(value)):
             raise Wrong(node, f"this device does not have the field '{node.value}'; remove it")
         known = numbers(p, set, self.profile)
@@ -251,14 +251,14 @@ class _Reader(YamlReader):
             raise Wrong(node, f"'{p.name}' must be {limits}, not {node.value}")
 
     def sends(self, set: int | None, descriptor: int) -> bool:
-        """Does the device have this field, for certain or probably? It may list shared data in one set only."""
+        """Does the device have this field, certainly or probably? It may list shared data in only one set."""
         assert self.device is not None
         fields = self.device.fields | self.profile.fields
         return set is None or descriptor >= SHARED or (set, descriptor) in fields
 
 
 def _depends(p: Parameter) -> bool:
-    """Does its form depend on another value, which may come later on the wire?"""
+    """Does its layout depend on another value, which may follow later on the wire?"""
     return bool(p.tag) or any(v.by != "device" for v in p.variants)
 
 

@@ -15,8 +15,8 @@ from ..simulator.codes import READ, SAVE, WRITE
 from ..simulator.facts import AFFECTED, COMMANDS, DATA_SETS, FUNCTIONS, PORTS, VALUES, Behavior, difference
 from ..simulator.settings import Key, home, keys
 
-#: Effects of settings in the order in which they are changed: streams come after what they show, and settings that
-#: may end the conversation come last.
+#: Effects of settings in the order in which they are changed: streams after the data that they contain, and last the
+#: settings that may cut the connection.
 STREAMS = ("format", "sentences", "switch")
 LINK = ("protocols", "communication_mode", "baud_rate")
 _ORDER = (*STREAMS, *LINK)
@@ -39,17 +39,17 @@ class Place:
 
     @property
     def selected(self) -> dict[str, int]:
-        """The values that select this instance, by the attributes that hold them."""
+        """The values that select this instance, by attribute."""
         return dict(zip(self.keys, self.key))
 
     @staticmethod
     def of(command: str, selected: Mapping[str, int]) -> Place:
-        """The instance that these values select; the others are always the same."""
+        """Returns the instance that these values select. The values that are not given are fixed."""
         kind = settings()[command]
         return Place(command, tuple(int(selected.get(name, info(kind)[name].default or 0)) for name in keys(kind)))
 
     def reading(self, beside: Command | None = None) -> Any:
-        """The command that reads this setting, in the form of another command if there are several forms."""
+        """Returns the command that reads this setting; if it has several forms, in the form of the command `beside`."""
         given = {name: v for name, v in self.selected.items() if not info(self.kind)[name].reserved}
         for p in parameters(self.kind):
             if "read" in p.required and p.attribute not in given:
@@ -67,7 +67,7 @@ def behavior(kind: type[Command]) -> Behavior:
 
 @cache
 def settings() -> dict[str, type[Command]]:
-    """The commands that can be written, read and saved, by their names.
+    """Returns the commands that can be written, read and saved, by name.
 
     A command that acts only once is not a setting, and neither is a command whose values all select an instance.
     """
@@ -80,12 +80,12 @@ def settings() -> dict[str, type[Command]]:
 
 
 def parameters(kind: type[Any]) -> list[Parameter]:
-    """The parameters of a setting, without the function, derived ones and reserved ones."""
+    """Returns the parameters of a setting, without the function selector and without derived and reserved ones."""
     return [p for p in info(kind).parameters if p.name != "function" and not p.derived and not p.reserved]
 
 
 def of(profile: Device) -> list[type[Command]]:
-    """The settings of a device, each once: of several commands for one setting, the one that keeps it."""
+    """Returns the settings of a device. Of several commands for one setting, only the one that stores it counts."""
     own = [kind for kind in settings().values() if (kind.SET, kind.DESCRIPTOR) in profile.fields]
     readable = [kind for kind in own if {"W", "R"} <= _letters(kind, profile)]
     chosen: dict[tuple[str, tuple[tuple[str, int], ...]], type[Command]] = {}
@@ -96,14 +96,14 @@ def of(profile: Device) -> list[type[Command]]:
 
 
 def saves_all(profile: Device) -> Any:
-    """The command that saves all settings of a device at once; None if it has none."""
+    """Returns the command that saves all settings of a device at once; None if the device has none."""
     commands = (kind for _, kind in registry.all_types() if issubclass(kind, Command))
     whole = (kind for kind in commands if behavior(kind).effect == "all_settings" and can(kind, profile, SAVE))
     return next((kind for kind in whole if (kind.SET, kind.DESCRIPTOR) in profile.fields), None)
 
 
 def can(kind: type[Command], profile: Device, function: int) -> bool:
-    """Does the device carry out this function of a command?"""
+    """Does the device support this function of a command?"""
     return any(FUNCTIONS[letter] == function for letter in _letters(kind, profile))
 
 
@@ -128,7 +128,7 @@ def ends_talk(place: Place) -> bool:
 
 
 def response_names(response: type[Any]) -> dict[str, str]:
-    """Parameters of a response that have another name in the command: that name -> its own."""
+    """Name in the command -> name in the response, of parameters for which they differ."""
     shown = VALUES.get(response.NAME)
     return {v.parameter: name for name, v in shown.parameters.items() if v.parameter} if shown else {}
 
@@ -137,7 +137,7 @@ def response_names(response: type[Any]) -> dict[str, str]:
 
 
 def places(kind: type[Command], profile: Device) -> Iterator[tuple[Place, bool]]:
-    """The instances to ask a device for; True for one after which there may be no more, if the device rejects it."""
+    """Yields the instances to request from a device. True means: if the device rejects this one, there are no more."""
     names = keys(kind)
     values: list[list[int]] = []
     for name in names:
@@ -151,7 +151,7 @@ def places(kind: type[Command], profile: Device) -> Iterator[tuple[Place, bool]]
 
 
 def _values(p: Parameter, kind: type[Command], profile: Device) -> list[int]:
-    """The values that select an instance of a setting on a device."""
+    """Returns the values of a parameter that select an instance of a setting on a device."""
     known = behavior(kind)
     source, everything = known.instances.get(p.name), known.all.get(p.name)
     translate = known.translate.get(p.name, {})
@@ -179,7 +179,7 @@ def _values(p: Parameter, kind: type[Command], profile: Device) -> list[int]:
 
 
 def named(p: Parameter, profile: Device) -> dict[int, str]:
-    """The values of an enumeration that exist on a device, by their numbers; empty for another type."""
+    """Returns the names of the enumeration values that a device has, by number; empty for other types."""
     kind = on(p, profile).type
     if not (isinstance(kind, type) and issubclass(kind, IntEnum)):
         return {}
@@ -188,13 +188,13 @@ def named(p: Parameter, profile: Device) -> dict[int, str]:
 
 
 def on(p: Parameter, profile: Device) -> Parameter:
-    """A parameter on a device; unchanged if the package has no such device."""
+    """Returns the parameter as a device interprets it; unchanged if the package does not know the device."""
     return p.on(profile.id) if profile.id in DEVICES else p
 
 
 def _most(limit: str | None, profile: Device) -> int:
-    """The number of instances that a device may have; if its profile does not state it, as many as any other device
-    has."""
+    """Returns the number of instances that a device may have. If its profile does not state it, it is the largest
+    number that any other device has."""
     own = profile.limits.get(limit or "")
     if own is not None:
         return int(own.value)
@@ -202,7 +202,7 @@ def _most(limit: str | None, profile: Device) -> int:
 
 
 def _affects(kind: type[Command], key: dict[str, int], profile: Device) -> Iterator[bool]:
-    """Are these the descriptors of data that the device has, in their sets?"""
+    """Yields for each descriptor in the key whether the device has this data in its set."""
     for name, source in behavior(kind).instances.items():
         if source == AFFECTED:
             number = set_of(info(kind)[name], _Record(key))
@@ -221,7 +221,7 @@ UNKNOWN = Device("", "", "", None, (), {})
 
 
 def listed(profile: Device | None, title: str, descriptors: Iterable[tuple[int, int]]) -> Device:
-    """A profile with what the device itself lists, and nothing else."""
+    """Makes a profile that has only the descriptors that the device itself lists."""
     by_set: dict[int, bytes] = {}
     for number, descriptor in descriptors:
         by_set[number] = by_set.get(number, b"") + bytes((descriptor,))

@@ -1,4 +1,4 @@
-"""The conversation with a device about its settings."""
+"""Reads, writes and saves the settings of a connected device."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from .settings import Place, can, ends_talk, in_order, listed, of, parameters, p
 if TYPE_CHECKING:
     from ..binding import DeviceAtPort
 
-#: A device that is silent for so many seconds need not be set to idle: rare data does not disturb the conversation.
+#: A device that is silent for this many seconds need not be set to idle: infrequent data does not disturb commands.
 QUIET = 0.3
-#: Seconds until a device has changed its baud rate.
+#: Seconds that a device needs to change its baud rate.
 SETTLE = 0.3
 #: The number of attempts to send a command without a reply.
 ATTEMPTS = 2
-#: The number of times that settings changed by others meanwhile are written again.
+#: How often settings are written again because writing other settings has changed them.
 ROUNDS = 3
 
-#: Settings and their values, as commands that would write them.
+#: Settings with their values: the commands that would write them.
 Held = dict[Place, Any]
 
 
@@ -33,7 +33,7 @@ class Talk:
     """Reads and writes the settings of a device."""
 
     def __init__(self, link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> None:
-        """Finds out which device it is. Raises Failure."""
+        """Identifies the device. Raises Failure."""
         self.link, self.port, self.complain = link, port, complain
         self.told = listing.identity(link, port, complain)
         self.model = device_file.model(self.told)
@@ -42,7 +42,7 @@ class Talk:
     # ----------------------------------------------------------------- reading
 
     def pull(self) -> Held:
-        """All settings."""
+        """Reads all settings."""
         held: Held = {}
         for kind in of(self.profile):
             for place, open_end in places(kind, self.profile):
@@ -54,23 +54,23 @@ class Talk:
         return held
 
     def read_all(self, wanted: Held) -> dict[Place, Any]:
-        """The values that the device has now, in the form of those that are given; None where it has no setting."""
+        """Reads the current values of these settings, in the form of the wanted ones; None if the device lacks one."""
         return {place: self.read(place, value) for place, value in wanted.items()}
 
     def read(self, place: Place, beside: Any = None) -> Any:
-        """The value of a setting as a command that would write it; None if the device does not have it."""
+        """Reads a setting. Returns the command that would write it; None if the device does not have it."""
         command = place.reading(beside)
         try:
             response = self.request(command)
         except Refused:
             return None
-        except MipError as error:  # a reply, but not one with the setting
+        except MipError as error:  # a reply without the setting
             self.complain(f"{command.NAME} is left out: {error.detail}")
             return None
         return None if response is None else written(place, response)
 
     def request(self, command: Any) -> Any:
-        """The response to a command. Raises Failure if there is no answer, and MipError for one that cannot be used."""
+        """Requests a response. Raises Failure if there is no reply, and MipError if the reply cannot be used."""
         for attempt in range(ATTEMPTS):
             try:
                 return self.link.request(command)
@@ -85,10 +85,10 @@ class Talk:
     # ----------------------------------------------------------------- writing
 
     def push(self, wanted: Held) -> Pushed:
-        """Writes these settings to the device in a safe order, except those that it has already.
+        """Writes these settings to the device in a safe order, except those that it already has.
 
-        Settings that the device rejects are tried again after others, on which they may depend; so are settings that
-        others have changed.
+        A setting that the device rejects is tried again after the others, on which it may depend. A setting that
+        another one has changed is written again.
         """
         done = Pushed()
         ordered = in_order(wanted)
@@ -101,7 +101,7 @@ class Talk:
         return done
 
     def _write(self, places: list[Place], wanted: Held, done: Pushed) -> bool:
-        """Writes those of the settings that the device does not have. Did it accept any?"""
+        """Writes the settings that the device does not have yet. Did it accept any?"""
         now = self.read_all({place: wanted[place] for place in places})
         changes = [place for place in places if differs(now[place], wanted[place])]
         return any([self._change(place, wanted[place], now[place], done) for place in changes])
@@ -124,38 +124,39 @@ class Talk:
         return True
 
     def _change_link(self, command: Any, before: Any) -> None:
-        """Changes a setting of the connection, and restores the former value if the device does not answer any more.
+        """Changes a setting of the connection, and restores the former value if the device stops answering.
 
-        An interrupt waits until this is settled. Raises Refused, Lost, and Failure if the device remains silent.
+        An interrupt waits until this is done. Raises Refused, Lost if the former value was restored, and Failure if the
+        device remains silent.
         """
         held = signals.Held()
         with signals.handled(held):
             heard = self._changed_link(command, before)
             if not heard and not self._taken_back(before):
-                said = f"{self.port} has not answered since {command.NAME} was written, nor after it was written back"
-                raise Failure(f"{said}; switch the device off and on: nothing has been saved", listing.SILENT)
+                said = f"{self.port} has not answered since {command.NAME} was written, not even after restoring it"
+                raise Failure(f"{said}; power-cycle the device: nothing has been saved", listing.SILENT)
         if held.waits:
             raise KeyboardInterrupt
         if not heard:
-            raise Lost("the device did not answer any more; the former value is back")
+            raise Lost("the device stopped answering; the former value was restored")
 
     def _changed_link(self, command: Any, before: Any) -> bool:
-        """Writes a setting of the line. Does the device still answer?"""
+        """Writes a setting of the connection. Does the device still answer?"""
         rate, old = getattr(command, "baud", None), self.link.baud
         if rate is not None and old is not None:
             return self._changed_baud(command, before, rate, old)
         try:
             self.link.request(command)
-        except NoAnswer:  # its answer may have been lost by the change
+        except NoAnswer:  # the change may have spoiled the reply
             pass
         return self.heard()
 
     def _changed_baud(self, command: Any, before: Any, rate: int, old: int) -> bool:
-        try:  # before the command is sent: does the port support this rate?
+        try:  # before the command is sent: does the host's port support this rate?
             self.link.baud = rate
             self.link.baud = old
         except (OSError, ValueError) as error:
-            raise Lost(f"{self.port} cannot have {rate} Bd: {ports.reason(error)}") from None
+            raise Lost(f"{self.port} does not support {rate} Bd: {ports.reason(error)}") from None
         try:
             self.link.change_baud(command)
             return True
@@ -167,7 +168,7 @@ class Talk:
             return False
 
     def _taken_back(self, before: Any) -> bool:
-        """Writes the former value, also if no reply arrives: the device may still receive."""
+        """Writes the former value. If no reply arrives, the device may still have received it."""
         for _ in range(ATTEMPTS):
             self.link.send(before)
             if self.heard():
@@ -188,14 +189,13 @@ class Talk:
     # ----------------------------------------------------------------- flash memory
 
     def save(self) -> tuple[int | None, dict[Place, str]]:
-        """Saves all current settings. Returns their number, None if all at once, and those that the device rejected,
-        with the reason."""
+        """Saves all current settings. Returns their number (None: all at once), and the reasons for rejected ones."""
         whole = saves_all(self.profile)
         if whole is not None:
             try:
                 self.request(whole.save())
             except Refused as error:
-                raise Failure(f"the device refused {whole.NAME}: {why(error)}", listing.REFUSED) from None
+                raise Failure(f"the device rejected {whole.NAME}: {why(error)}", listing.REFUSED) from None
             return None, {}
         refused: dict[Place, str] = {}
         saved = 0
@@ -213,7 +213,7 @@ class Talk:
     @staticmethod
     @contextmanager
     def idle(link: DeviceAtPort, port: str, complain: Callable[[str], None]) -> Iterator[None]:
-        """Sets a device that sends data to idle, and resumes it afterwards; leaves any other alone."""
+        """Sets a device that sends data to idle, and resumes it afterwards; does nothing to other devices."""
         if link.next(timeout=QUIET) is None:
             yield
             return
@@ -222,7 +222,7 @@ class Talk:
 
 
 class Lost(Exception):
-    """A change that was taken back, because the device no longer answered."""
+    """A change that was undone because the device no longer answered."""
 
 
 class Pushed:
@@ -231,18 +231,18 @@ class Pushed:
     def __init__(self) -> None:
         self.written: set[Place] = set()
         self.refused: dict[Place, str] = {}
-        self.different: dict[Place, Any] = {}  # the values read back, where they are not those written
+        self.different: dict[Place, Any] = {}  # the values read back, if they differ from the written ones
 
 
 def why(error: Refused) -> str:
-    """The reason for a NACK, in words."""
+    """Describes the reason for a NACK."""
     number = int(error.code)
     known = next((v for v in info(AckCode).values if v.value == number), None)
     return f"{known.name} ({number}): {known.text}" if known else f"code {number}"
 
 
 def written(place: Place, response: Any) -> Any:
-    """The command that would write the values of a response."""
+    """Makes the command that would write the values of a response."""
     names = response_names(type(response))
     given: dict[str, Any] = {}
     for p in parameters(place.kind):
@@ -254,5 +254,5 @@ def written(place: Place, response: Any) -> Any:
 
 
 def differs(a: Any, b: Any) -> bool:
-    """Are these two different values of a setting? They are compared as bytes on the wire."""
+    """Do two values of a setting differ? They are compared as bytes on the wire."""
     return a is None or b is None or bool(a.encode() != b.encode())

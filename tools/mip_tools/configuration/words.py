@@ -1,4 +1,4 @@
-"""Numbers that stand for sets, fields and instances, and their words in a file."""
+"""Translates the numbers of sets, fields and instances to their names in a file, and back."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ SHARED = 0xFF
 
 
 def word(p: Parameter, number: int, set: int | None, profile: Device) -> str:
-    """The word for a number: the name of a value, of a set or of a field of this set, else the number itself."""
+    """Returns the name for a number: a value, a set or a field in this set; the number itself if it has no name."""
     values = named(p, profile)
     if not values and p.refers == "set":
         return SETS[number][0] if number in SETS else f"0x{number:02X}"
@@ -22,7 +22,7 @@ def word(p: Parameter, number: int, set: int | None, profile: Device) -> str:
 
 
 def numbers(p: Parameter, set: int | None, profile: Device) -> dict[str, int]:
-    """The words that a parameter may have, with their numbers."""
+    """Returns the names that a parameter accepts, with their numbers."""
     values = named(p, profile)
     if not values and p.refers == "set":
         return {name: number for number, names in SETS.items() for name in names}
@@ -33,7 +33,7 @@ def numbers(p: Parameter, set: int | None, profile: Device) -> dict[str, int]:
 
 @cache
 def fields(set: int | None) -> dict[str, int]:
-    """The data fields of a set, and the shared ones, by their names without that of the set."""
+    """Returns the data fields of a set and the shared ones, by name without the set."""
     found: dict[str, int] = {}
     for number, kind in registry.all_types():
         if kind.ROLE == "data" and number in (SHARED, set):

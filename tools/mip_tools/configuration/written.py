@@ -1,4 +1,4 @@
-"""Settings as the text of a file, in YAML."""
+"""Writes settings as YAML text."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ HEAD = """\
 # them. A setting that is removed from the file remains as it is on the device.
 """
 
-#: Values as they are in the file: words, in mappings and lists.
+#: Values as in the file: words, in mappings and lists.
 Tree = dict[str, Any] | list[Any] | str
 
 
 def text(held: Mapping[Place, Any], profile: Device, model: str, firmware: str, date: str) -> str:
-    """The whole file: a value for each setting, which is a command or a response with the same parameters."""
+    """Composes the whole file. The value of a setting is a command, or a response with the same parameters."""
     title = f"  # {profile.title}, model number {profile.model_number}" if profile.model_number else ""
     lines = [f"model: {yaml_text.word(model)}{title}", f"firmware: {yaml_text.word(firmware)}", f"date: {date}"]
     lines.append("settings:" if held else "settings: {}")
@@ -45,7 +45,7 @@ def text(held: Mapping[Place, Any], profile: Device, model: str, firmware: str, 
 
 
 def path_of(place: Place, profile: Device) -> list[str]:
-    """The keys of the file above the values of a setting: set, command, and what selects an instance."""
+    """Returns the keys above the values of a setting in the file: set, command, and the selectors of an instance."""
     family, _, name = place.command.partition(".")
     keys = []
     for attribute in selectors(place.kind, place.keys):
@@ -55,7 +55,7 @@ def path_of(place: Place, profile: Device) -> list[str]:
 
 
 def selectors(kind: type[Any], keys: Iterable[str]) -> list[str]:
-    """The parameters that are keys in the file."""
+    """Returns the parameters that are keys in the file."""
     return [name for name in keys if not info(kind)[name].reserved]
 
 
@@ -64,7 +64,7 @@ def _set(p: Parameter, beside: Mapping[str, Any]) -> int | None:
 
 
 class Beside:
-    """Values by name, in the form in which a parameter looks up those beside it."""
+    """Values as attributes, in which a parameter looks up the values that it depends on."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         self._values = values
@@ -77,7 +77,7 @@ class Beside:
 
 
 def values(place: Place, held: Any, profile: Device) -> dict[str, Tree]:
-    """The values of a setting as they are in a file, without those that select it."""
+    """Returns the values of a setting as in the file, without those that select the instance."""
     return _members(held, [p for p in parameters(place.kind) if p.attribute not in place.selected], profile, None)
 
 
@@ -91,7 +91,7 @@ def _members(held: Any, members: list[Parameter], profile: Device, inside: int |
 
 
 def _tree(p: Parameter, value: Any, held: Any, profile: Device, inside: int | None) -> Tree:
-    """`inside`: the set of the field descriptors in a structure."""
+    """Converts a value to words. `inside`: the set of the field descriptors in a structure."""
     set = set_of(p, held) if p.fields_of else inside
     if p.kind == "switch":
         case = p.cases.get(getattr(held, p.tag))
@@ -122,7 +122,7 @@ def _word(p: Parameter, value: Any, set: int | None, profile: Device) -> Tree:
 
 
 def _lines(head: str, tree: Tree, indent: str, units: Mapping[str, str]) -> Iterator[str]:
-    """A key with its value: in one line if it fits, else in several."""
+    """Writes a key with its value, on one line if it fits, else on several."""
     whole = f"{head} {flow(tree)}"
     comment = _comment(units, head.strip(" :"))
     plain = isinstance(tree, str) or not any(isinstance(x, (dict, list)) for x in _inner(tree))
@@ -143,13 +143,14 @@ def _inner(tree: Tree) -> list[Any]:
 
 
 def _names(tree: Tree) -> set[str]:
-    """All names in a tree."""
+    """Returns all names in a tree."""
     own = set(tree) if isinstance(tree, dict) else set[str]()
     return own.union(*map(_names, _inner(tree)))
 
 
 def _comment(units: Mapping[str, str], key: str = "") -> str:
-    """
+    """Writes the comment about units.
+
     >>> _comment({"roll": "rad", "pitch": "rad", "rate": "Hz"}), _comment({"rate": "Hz"}, "rate")
     ('  # roll, pitch in rad; rate in Hz', '  # Hz')
     """
@@ -161,7 +162,7 @@ def _comment(units: Mapping[str, str], key: str = "") -> str:
 
 
 def flow(tree: Tree) -> str:
-    """A value in one line.
+    """Writes a value on one line.
 
     >>> flow({"a": "1", "b": ["x", "y"]})
     '{a: 1, b: [x, y]}'
@@ -172,7 +173,7 @@ def flow(tree: Tree) -> str:
 
 
 def _units(members: list[Parameter], held: Any = None) -> Iterator[tuple[str, str]]:
-    """The parameters that have a unit; some units depend on other values."""
+    """Yields the parameters that have a unit, with their units; some depend on other values."""
     for p in members:
         here = p if held is None else p.of(held)
         cases = [case for case in p.cases.values() if case is not None]

@@ -1,4 +1,4 @@
-"""The events of a stream, on one timeline over all descriptor sets."""
+"""The events of a stream: what happened, on one timeline for all descriptor sets."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from itertools import chain
 
 #: Cause -> its meaning, and the remedy.
 CAUSES = {
-    "line damage": "bytes were changed or lost on the way; check cable, baud rate and grounding",
-    "overload": "the device left out packets while others came; send less, or raise the baud rate: `mip bandwidth`",
+    "line damage": "bytes were changed or lost in transit; check cable, baud rate and grounding",
+    "overload": "packets are missing while others arrived; send less, or raise the baud rate: `mip bandwidth`",
     "pause": "no data arrived, and none was damaged: the device was idle, unplugged, or not recorded",
     "reset": "the device restarted; check its power supply",
-    "clock step": "the time jumped, but data did not pause; the time source was set or found",
+    "clock step": "the time jumped, but data did not pause: the clock was set, or a time source became available",
     "changed format": "the message format was changed",
 }
 
 
-#: Changes of a format that are so many bytes apart are one: its fields are not all in the same packets.
+#: Format changes within this many bytes are one change: the fields need not be in the same packets.
 _NEAR = 4096
 
 
@@ -30,7 +30,7 @@ class Event:
     begin: int
     end: int
     time: int | None  # in ns, by the clock of the report
-    seconds: float = 0.0  # that are missing
+    seconds: float = 0.0  # of missing data
     sets: set[int] = field(default_factory=set)
     details: list[str] = field(default_factory=list)
 
@@ -39,7 +39,7 @@ class Event:
         return self.begin <= other.end + slack and other.begin <= self.end + slack
 
     def absorb(self, other: Event) -> None:
-        """Becomes both."""
+        """Merges another event into this one."""
         self.begin, self.end = min(self.begin, other.begin), max(self.end, other.end)
         self.sets |= other.sets
         self.seconds = max(self.seconds, other.seconds)
@@ -48,8 +48,8 @@ class Event:
 
 
 def merged(events: Iterable[Event]) -> list[Event]:
-    """Merges events of one cause that overlap. Other events explain the gaps in which they happened."""
-    apart: dict[str, list[Event]] = {cause: [] for cause in _RANK}  # no two of a cause overlap
+    """Merges overlapping events of one cause, and drops gaps that another event explains."""
+    apart: dict[str, list[Event]] = {cause: [] for cause in _RANK}  # no two events of a cause overlap
     for event in sorted(events, key=lambda e: (_RANK[e.cause], e.begin)):
         near = (_first(apart[cause], event) for cause in _RANK if cause == event.cause or explains(cause, event.cause))
         other = next((e for e in near if e is not None), None)
@@ -65,7 +65,7 @@ def merged(events: Iterable[Event]) -> list[Event]:
 
 
 def _first(events: list[Event], event: Event) -> Event | None:
-    """The first of the events of one cause that overlaps another event."""
+    """Finds the first of the events of one cause that overlaps another event."""
     at = bisect_left(events, event.begin, key=lambda e: e.end + _slack(e.cause, event.cause))
     return events[at] if at < len(events) and events[at].overlaps(event) else None
 
@@ -79,7 +79,7 @@ _RANK = {"reset": 0, "clock step": 1, "line damage": 2, "changed format": 3, "pa
 
 
 def explains(cause: str, other: str) -> bool:
-    """Can the cause explain another one: a gap, or a change of format with a reset?"""
+    """Can this cause explain another one: any cause a gap, or a reset a changed format?"""
     if other in ("pause", "overload"):
         return _RANK[cause] < _RANK[other]
     return cause == "reset" and other in ("clock step", "changed format")

@@ -12,7 +12,7 @@ Key = tuple[int, int]
 
 @dataclass
 class Warned:
-    """A bit that is set in data, with what it is about."""
+    """A warning bit that is set in data."""
 
     field: str
     bit: str
@@ -25,16 +25,16 @@ class Warned:
 
 @dataclass
 class Examined:
-    """The results."""
+    """The results of examining a stream."""
 
     size: int = 0
     packets: int = 0
     clock: str | None = None
     events: list[Event] = field(default_factory=list)
     warned: list[Warned] = field(default_factory=list)
-    unsynchronized: dict[int, tuple[int, int]] = field(default_factory=dict)  # set -> invalid times, and all
+    unsynchronized: dict[int, tuple[int, int]] = field(default_factory=dict)  # set -> number of invalid times, of all
     untimed: list[int] = field(default_factory=list)  # sets without timestamps
-    rates: dict[Key, float] = field(default_factory=dict)  # in Hz, of the last rhythm
+    rates: dict[Key, float] = field(default_factory=dict)  # in Hz, from the last usual interval
     names: dict[Key, str] = field(default_factory=dict)
     spans: dict[int, list[tuple[int, int]]] = field(default_factory=dict)  # set -> when its packets arrived, in ns
     sentences: int = 0

@@ -14,13 +14,13 @@ from .examined import Examined
 
 #: The number of events of a cause that are listed.
 LISTED = 5
-#: Set in fewer of the fields, and not in the last one, a bit is not a warning: it is set while a filter starts.
+#: A bit that is set in a smaller share of the fields, and not in the last one, is ignored: filters set it at start.
 _SELDOM = 0.02
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One fault: its name, what was seen, and what to do."""
+    """One fault: its name, the symptom, and the remedy."""
 
     cause: str
     text: str
@@ -29,7 +29,7 @@ class Finding:
 
 
 def of(examined: Examined) -> list[Finding]:
-    """The findings of a stream, the gravest first."""
+    """Lists the findings about a stream, the most serious first."""
     return [
         *_nothing(examined),
         *_events(examined),
@@ -44,7 +44,7 @@ def _nothing(examined: Examined) -> Iterator[Finding]:
         if examined.sentences:
             text = f"no packet, but {counted(examined.sentences, 'NMEA sentence')}"
             yield Finding(
-                "no packets", text, "the port sends NMEA; MIP is another protocol or another port of the device"
+                "no packets", text, "the port sends NMEA; enable MIP on it, or use another port of the device"
             )
         elif examined.size:
             yield Finding("no packets", f"no packet in {counted(examined.size, 'byte')}", "is the baud rate right?")
@@ -65,7 +65,7 @@ def _events(examined: Examined) -> Iterator[Finding]:
 
 
 def line(event: Event, examined: Examined) -> str:
-    """An event in a line: when, where, what."""
+    """Formats an event in one line: when, where, what."""
     when = "" if event.time is None or examined.clock is None else f"{stamp(examined.clock, event.time, 3)}, "
     sets = ", ".join(map(show.set_name, sorted(event.sets)))
     gap = [f"{event.seconds:.3f} s missing"] if event.seconds else []
@@ -76,7 +76,7 @@ def line(event: Event, examined: Examined) -> str:
 def _synchronization(examined: Examined) -> Iterator[Finding]:
     for number, (bad, all) in sorted(examined.unsynchronized.items()):
         text = f"{show.set_name(number)}: {bad} of {counted(all, 'timestamp')} with a date are not valid"
-        yield Finding("not in time sync", text, "the receiver has no time yet, or the device gets no time and pulse")
+        yield Finding("not in time sync", text, "no time from the receiver yet, or no time and pulse at the input")
 
 
 def _warnings(examined: Examined) -> Iterator[Finding]:
@@ -90,11 +90,11 @@ def _warnings(examined: Examined) -> Iterator[Finding]:
         yield Finding(w.bit, f"set {share}", w.text, tuple(notes))
     if examined.unnamed:
         names = ", ".join(examined.unnamed)
-        yield Finding("unknown device", f"{names}: flags depend on the device", "name it with --device")
+        yield Finding("unknown device", f"{names}: flags depend on the device", "name the device with --device")
 
 
 def _concerned(names: Sequence[str]) -> tuple[list[str], list[str]]:
-    """The data fields and the commands among these names."""
+    """Separates names into data fields and commands."""
     fields: list[str] = []
     commands: list[str] = []
     for name in names:
@@ -108,12 +108,12 @@ def _concerned(names: Sequence[str]) -> tuple[list[str], list[str]]:
 
 def _untimed(examined: Examined) -> Iterator[Finding]:
     for number in examined.untimed:
-        text = f"{show.set_name(number)} has no timestamps, so gaps in it cannot be seen"
+        text = f"{show.set_name(number)} has no timestamps, so its gaps cannot be found"
         yield Finding("no timestamps", text, "add a timestamp to its message format")
 
 
 def duration(examined: Examined) -> float:
-    """Seconds from the first packet to the last, by the clock of the report."""
+    """Returns the seconds from the first packet to the last, by the clock of the report."""
     times = [t for spans in examined.spans.values() for span in spans for t in span]
     return (max(times) - min(times)) / SECOND if times else 0.0
 

@@ -23,13 +23,13 @@ class Flags:
         self.unnamed: list[str] = []
 
     def watch(self, key: Key, kind: Any) -> None:
-        """Starts to count the warning bits of a type of field, if it has any."""
+        """Starts counting the warning bits of a type of field, if it has any."""
         places = [] if kind is None else list(self._places(kind))
         if places:
             self._watched[key] = _Watched(kind, places)
 
     def _places(self, kind: Any) -> Iterator[tuple[str, list[Any]]]:
-        """The parameters with such bits."""
+        """Yields the parameters with warning bits."""
         for p in info(kind).parameters:
             if p.variants and self._device is None and any("type" in v.changes for v in p.variants):
                 self.unnamed += [kind.NAME] if kind.NAME not in self.unnamed else []
@@ -54,7 +54,7 @@ class Flags:
                         one.counts[attribute, bit.name] = count + int(there.sum()), bool(there[-1])
 
     def warned(self, names: Mapping[Key, str]) -> Iterator[Warned]:
-        """The bits that were set."""
+        """Yields the bits that were set."""
         for key, one in self._watched.items():
             for attribute, bits in one.places:
                 for bit in bits:
@@ -64,17 +64,17 @@ class Flags:
 
 
 class _Watched:
-    """A type of field."""
+    """The counts of one type of field."""
 
     def __init__(self, kind: Any, places: list[tuple[str, list[Any]]]) -> None:
         self.kind = kind
-        self.places = places  # attribute, and its bits
+        self.places = places  # attributes with their warning bits
         self.total = 0
         self.counts: dict[tuple[str, str], tuple[int, bool]] = {}  # how often, and whether in the last field
 
 
 def _set(values: Array, mask: int) -> Array:
-    """The rows in which a bit is set; bitfields of many bytes have one for each."""
+    """Finds the rows in which a bit is set; bitfields in bytes have a column for each byte."""
     filled: Any = np.ma.filled  # not typed in all versions
     whole: Array = filled(values, 0)
     if whole.ndim == 1:

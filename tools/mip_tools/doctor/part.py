@@ -1,4 +1,4 @@
-"""A part of a log, prepared for its examination."""
+"""A part of a log, prepared for examination."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from .examined import Key
 
 
 class Part:
-    """The packets of a part of a log, numbered from 0, and the fields of data in them."""
+    """The packets of a part of a log, numbered from 0, and the data fields in them."""
 
     def __init__(self, log: Log, known: Collection[Key]) -> None:
-        """`known` are the fields that came before."""
+        """`known` are the fields of earlier parts."""
         self.log = log
         #: All other fields, each with its first occurrence.
         self.new: dict[Key, Found] = {}
-        #: The place of each in a packet, which determines the order of the fields.
+        #: The position of each field in its packet, by which fields are sorted.
         self.order: dict[Key, int] = {}
         self._known = known
         self._places: list[tuple[Array, Array, Array]] = []
         self._packets: dict[Key, list[Array]] = {}
 
     def add(self, piece: Piece) -> None:
-        """Adds the next piece of it."""
+        """Adds the next piece of the part."""
         self._places.append((piece.begin + piece.at, piece.begin + piece.end, piece.sets()))
         fields: dict[Key, list[walk.Run]] = {}
         for run in piece.runs or ():
@@ -45,36 +45,36 @@ class Part:
     def complete(self) -> None:
         """Computes the attributes below, once all pieces are added."""
         nothing = (np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, np.uint8))
-        #: The places where the packets begin and end in the file.
+        #: The offsets in the file at which the packets begin and end.
         self.at, self.end, sets = (np.concatenate(parts) for parts in zip(nothing, *self._places))
         numbers = {n: np.flatnonzero(sets == n) for n in np.flatnonzero(np.bincount(sets, minlength=256)).tolist()}
-        #: Set of data -> its packets, in the order of the first ones.
+        #: Data set -> its packets; sets are sorted by their first packets.
         self.sets = dict(sorted(((n, p) for n, p in numbers.items() if n >= 0x80), key=lambda one: int(one[1][0])))
         #: Field -> the packets that have it.
         self.packets = {key: np.concatenate(packets) for key, packets in self._packets.items()}
         self.new = dict(sorted(self.new.items(), key=lambda one: (self.packets[one[0]][0], self.order[one[0]])))
 
     def times(self, number: int, clock: str) -> times.Stamps:
-        """The timestamps of a set."""
+        """Returns the timestamps of a set."""
         return times.read(self.log, number, clock)
 
     def valid(self, number: int, clock: str) -> tuple[Array, Array]:
-        """The packets of a set with valid timestamps, and their times."""
+        """Returns the packets of a set with valid timestamps, and their times."""
         stamps = times.read(self.log, number, clock)
         right = stamps.value != times.NONE
         return stamps.packet[right], stamps.value[right]
 
     def before(self, number: int, packet: int) -> int:
-        """The number of packets of a set before a packet."""
+        """Counts the packets of a set before a packet."""
         return int(np.searchsorted(self.sets[number], packet))
 
 
 class Line:
-    """The times of a part by one clock, over all sets."""
+    """The times of a part by one clock, of all sets together."""
 
     def __init__(self, known: list[tuple[Array, Array]], before: int | None) -> None:
-        """`known`: for each set, the places of its packets in the file, and their times. `before`: the last time before
-        this part."""
+        """`known`: for each set, the file offsets of its packets, and their times. `before`: the last time before this
+        part."""
         at, time = (np.concatenate(parts) for parts in zip((np.zeros(0, np.int64),) * 2, *known))
         order = np.argsort(at, kind="stable")
         self._at, self._time = at[order], time[order]
@@ -86,7 +86,7 @@ class Line:
         return int(self._time[-1]) if len(self._time) else self._before
 
     def at(self, offset: int) -> int | None:
-        """The last time of the packets up to a place in the file."""
+        """Returns the last time of the packets up to an offset in the file."""
         count = int(np.searchsorted(self._at, offset, side="right"))
         return int(self._time[count - 1]) if count else self._before
 

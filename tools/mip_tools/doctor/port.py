@@ -1,4 +1,4 @@
-"""Finds out why there is no connection to a device, or less data than wanted."""
+"""Finds out why there is no connection to a device, or why data arrive at a lower rate than requested."""
 
 from __future__ import annotations
 
@@ -27,27 +27,27 @@ from ..occurrence import Occurrence
 from .examined import Examined
 from .findings import Finding
 
-#: Bits on a serial line for a byte.
+#: Bits on a serial line per byte.
 _BITS = 10
-#: The used share of a line above which it is full.
+#: The share of the baud rate above which a line counts as full.
 FULL = 0.9
-#: The share of a rate from which on it is reached.
+#: The share of a requested rate that counts as reaching it.
 _REACHED = 0.95
 
 
 class Patient:
-    """A device at a port, and what it sends while it is watched."""
+    """A device at a port, and the data that it sends while it is watched."""
 
     def __init__(self, name: str, options: argparse.Namespace) -> None:
         self.name = name
         self.findings: list[Finding] = []
         self.model: str | None = None
         self.data = b""
-        self.bases: dict[int, float] = {}  # set -> base rate, of the sets with wanted rates
+        self.bases: dict[int, float] = {}  # set -> base rate, for the sets with requested rates
         self._baud: int | None = options.baud
 
     def watch(self, seconds: float, rates: Mapping[Occurrence, float]) -> None:
-        """Opens the port, asks the device for its identity and its base rates, and collects what it sends."""
+        """Opens the port, reads the identity and the base rates of the device, and collects the data that it sends."""
         came: list[bytes] = []
         try:
             device = open_port(self.name, self._baud, capacity=1, on_bytes=lambda data: came.append(bytes(data)))
@@ -62,12 +62,12 @@ class Patient:
             self.data = b"".join(came)
             lost = device.closed
         if lost:
-            self._find("port lost", "the port was closed meanwhile", "check the plug and the power of the device")
+            self._find("port lost", "the port was closed meanwhile", "check the connector and the power supply")
         parser = Parser()
         self._connection(answers, bool(parser.feed(self.data) or parser.flush()), seconds)
 
     def _ask(self, device: Any, rates: Mapping[Occurrence, float]) -> bool:
-        """Does the device answer?"""
+        """Queries the identity and the base rates. Does the device answer?"""
         commands = session()
         if commands is None:
             return False
@@ -97,11 +97,9 @@ class Patient:
             remedy = f"`mip send {self.name} {resume_command()}`, or start data: `mip stream {self.name} NAME@HZ`"
             self._find("idle", f"the device answers, but sends no data in {seconds:g} s", remedy)
         elif not answers and packets:
-            self._find("no answers", "data arrive, but commands are not answered", "check the line to the device")
+            self._find("no answers", "data arrive, but commands are not answered", "check the line from host to device")
         elif not answers and self.data:
-            remedy = (
-                f"`mip doctor {self.name} --baud auto` finds the rate" if serial else "is it a port of a MIP device?"
-            )
+            remedy = f"`mip doctor {self.name} --baud auto` finds the rate" if serial else "check the host and the port"
             at = f" at {self._baud} Bd" if serial else ""
             self._find("wrong baud rate" if serial else "wrong port", f"bytes arrive{at}, but no packets", remedy)
         elif not answers:
@@ -109,7 +107,7 @@ class Patient:
             self._find("no device", "nothing arrives and nothing answers", f"wrong port, or no power{more}")
 
     def line(self, seconds: float) -> None:
-        """Is the line full?"""
+        """Adds a finding if the line is full."""
         if self._baud is None or not self.data:
             return
         used = len(self.data) * _BITS / (self._baud * seconds)
@@ -118,7 +116,7 @@ class Patient:
             self._find("line is full", text, "raise the baud rate, or send less: `mip bandwidth`")
 
     def rates(self, wanted: Mapping[Occurrence, float], examined: Examined) -> None:
-        """Are these rates reached, and if not, why?"""
+        """Adds a finding for each rate that is not reached, with the reason."""
         for one, rate in wanted.items():
             real = examined.rates.get((one.set, one.kind.DESCRIPTOR), 0.0)
             if real >= _REACHED * rate:
@@ -126,7 +124,7 @@ class Patient:
             base = self.bases.get(one.set)
             remedy = f"`mip stream {self.name} {one.name}@{rate:g}` starts it"
             if base and rate > base:
-                remedy = f"the base rate of {show.set_name(one.set)} is {base:g} Hz, which is the highest"
+                remedy = f"the base rate of {show.set_name(one.set)} is {base:g} Hz; no higher rate is possible"
             elif base and abs(base / rate - round(base / rate)) > 1e-9:
                 near = base / max(round(base / rate), 1)
                 remedy = f"rates are {base:g} Hz divided by whole numbers; the nearest is {near:g} Hz"
@@ -138,13 +136,13 @@ class Patient:
 
 
 def why_not_open(name: str, error: BaseException) -> Finding:
-    """Why a port cannot be opened."""
+    """Explains why a port cannot be opened."""
     number = getattr(error, "errno", None)
     said = why_not(name, error)
     if isinstance(error, ImportError):
         return Finding("missing extra", said, "install the extra `serial`: pip install pyserial")
     if number == errno.EBUSY:
-        return Finding("port in use", said, "close the other program; on Linux, `fuser` names it")
+        return Finding("port in use", said, "close the program that uses it; on Linux, `fuser -v PORT` names it")
     if number == errno.EACCES:
         return Finding("no permission", said, "on Linux, join the group that owns the port: dialout or uucp")
     if number == errno.ENOENT or (os.sep in name and not os.path.exists(name)):
@@ -152,18 +150,18 @@ def why_not_open(name: str, error: BaseException) -> Finding:
     if number == errno.ECONNREFUSED:
         return Finding("wrong port", said, "nothing listens there; check host and number")
     if getattr(error, "kind", "") == "no_device":
-        return Finding("no device", said, "wrong port, no power, or the device is in another protocol")
+        return Finding("no device", said, "wrong port, no power, or another protocol on the port")
     return Finding("cannot be opened", said, "check its name")
 
 
 def _others() -> str:
-    """The existing serial ports."""
+    """Lists the existing serial ports, as a remedy."""
     try:
         listing: Any = import_module("serial.tools.list_ports")
     except ImportError:
         return "check its name"
     names = ", ".join(sorted(port.device for port in listing.comports()))
-    return f"there are {names}" if names else "there is no serial port; is the device plugged in?"
+    return f"there are {names}" if names else "there is no serial port; plug in the device"
 
 
 __all__ = ["FULL", "Patient", "why_not_open"]

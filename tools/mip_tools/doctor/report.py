@@ -1,4 +1,4 @@
-"""The report of `mip doctor` as a page of its own: findings, and a timeline over all sets as SVG."""
+"""Writes the report of `mip doctor` as a self-contained page: findings, and a timeline of all sets as SVG."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ td, th { padding: .15rem .8rem .15rem 0; text-align: left } td + td { text-align
 
 
 def page(name: str, examined: Examined, findings: Sequence[Finding]) -> str:
-    """A page in HTML that needs no other file."""
+    """Writes an HTML page that needs no other file."""
     body = "\n".join(_body(name, examined, findings))
     title = escape(f"mip doctor: {name}")
     return (

@@ -1,4 +1,4 @@
-"""The rhythm of a field: its usual interval, gaps in it, and when it changes."""
+"""Follows the rhythm of a field: its usual interval, its gaps, and when the interval changes."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ import numpy as np
 
 from ..columns.scan import Array
 
-#: The number of equal intervals that make a rhythm.
+#: The number of equal intervals after which the usual interval is known.
 STEADY = 5
-#: Intervals that differ by less are equal.
+#: Intervals whose relative difference is smaller are equal.
 EQUAL = 0.1
 #: An interval of this many times the usual one is a gap.
 GAP = 1.5
 #: The number of intervals that are compared at once.
 _WINDOW = 1024
-#: The longest interval: the difference of two of them still fits into 64 bits.
+#: The longest interval in ns: the difference of two still fits into 64 bits.
 _LONGEST = 1 << 61
 
 
 class Moment(NamedTuple):
-    """A packet of a field: its time, where it begins and ends, and the number of packets of other sets before it."""
+    """A packet with the field: its time, where it begins and ends, and the number of packets of each set before it."""
 
     time: int
     begin: int
@@ -43,7 +43,7 @@ class Change(NamedTuple):
 
 
 class Rhythm:
-    """Follows a field. A gap is known when the usual interval comes again, a change when another one repeats."""
+    """Follows a field. A gap is known when the usual interval returns, a change when another interval repeats."""
 
     def __init__(self, usual: float | None = None) -> None:
         self.usual = usual
@@ -55,7 +55,9 @@ class Rhythm:
         self._gaps: list[Gap] = []
 
     def follow(self, times: Array, moment: Callable[[int], Moment]) -> Iterator[tuple[int, Gap | Change]]:
-        """The gaps and changes that more packets reveal, each with the number of the packet. `moment` describes one."""
+        """Yields the gaps and changes that further packets reveal, each with the number of the packet that revealed it.
+
+        `moment` describes a packet by its number."""
         if not len(times):
             return
         before, self.last = self.last, moment(len(times) - 1)
@@ -75,7 +77,7 @@ class Rhythm:
                 at += 1
 
     def _as_usual(self, steps: Array) -> int:
-        """Counts the first of these intervals, as long as they equal the last one and the usual one."""
+        """Counts how many of these intervals, from the first on, equal the last interval and the usual one."""
         if self.usual is None or self._gaps or not self._count:
             return 0
         same = np.abs(steps - self._run) < EQUAL * self._run
@@ -85,7 +87,7 @@ class Rhythm:
         return count
 
     def _add(self, step: int, before: Moment, now: Moment) -> list[Gap | Change]:
-        """The gaps and changes that one more interval reveals."""
+        """Returns the gaps and changes that one more interval reveals."""
         if self._count and abs(step - self._run) < EQUAL * self._run:
             self._count += 1
         else:
@@ -103,7 +105,7 @@ class Rhythm:
 
 
 def differences(times: Array) -> Array:
-    """The time from each one to the next, limited to the longest interval."""
+    """Returns the time from each one to the next, limited to the longest interval."""
     about = np.diff(times.astype(np.float64))
     steps: Array = np.where(np.abs(about) < _LONGEST, np.diff(times), np.copysign(_LONGEST, about).astype(np.int64))
     return steps

@@ -1,4 +1,4 @@
-"""The bytes between packets: NMEA sentences and damage."""
+"""Examines the bytes between packets, which are NMEA sentences or damage."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from ..cli import show
 from ..columns.between import Gaps
 from ..columns.piece import Piece
 
-#: A sentence without its end.
+#: The beginning of a sentence whose end is missing.
 _BEGUN = re.compile(rb"[$!][ -~]*\r?\Z")
 _MOST = 1 << 16  # bytes that are kept
 
 
 class Damage(NamedTuple):
-    """Bytes between two packets that are not all sentences."""
+    """Bytes between two packets, of which some are not NMEA sentences."""
 
     begin: int
     end: int
@@ -34,10 +34,10 @@ class Skipped:
         self._begin = self._end = 0
         self._others = b""  # bytes outside sentences
         self._count = 0  # of these bytes
-        self._line = b""  # the last line, which may go on
+        self._line = b""  # the last line, which may continue
 
     def add(self, piece: Piece) -> Iterator[Damage]:
-        """The damage that a following packet completes."""
+        """Yields the damage before each packet of the next piece."""
         for gap in self._gaps.of(piece):
             if not gap.goes_on:
                 yield from self._complete(False)
@@ -54,11 +54,11 @@ class Skipped:
             yield from self._complete(False)
 
     def end(self) -> Iterator[Damage]:
-        """The damage at the end of the log."""
+        """Yields the damage at the end of the log."""
         yield from self._complete(True)
 
     def _lines(self, text: bytes) -> None:
-        """Examines whole lines. Sentences are those with a correct checksum, as for all commands."""
+        """Examines whole lines. As in all commands, a sentence is a line with a correct checksum."""
         others = []
         for line in text.split(b"\n")[:-1]:
             found = sentences.last(line)
@@ -78,7 +78,7 @@ class Skipped:
         self._others, self._line, self._count = b"", b"", 0
         reason = show.damage(rest)
         cut_off = at_end and ((SYNC.startswith(rest[:2]) and len(rest) < 4) or "missing" in reason)
-        if rest and self._begin and not cut_off:  # a recording begins and ends anywhere
+        if rest and self._begin and not cut_off:  # a recording may begin and end within a packet
             yield Damage(self._begin, self._end, f"{count} bytes are not packets{': ' * bool(reason)}{reason}")
 
 

@@ -1,4 +1,4 @@
-"""Examines a log, or what has arrived from a device, in one pass and in bounded memory."""
+"""Examines a log, or data received from a device, in one pass and in bounded memory."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from .part import Line, Part
 from .rhythm import Change, Gap, Moment, Rhythm, differences
 from .skipped import Damage, Skipped
 
-#: Bytes of the log that are examined together.
+#: Bytes of the log that are examined at once.
 PART = 1 << 23
-#: A field has stopped, or was started, if it is this many intervals and seconds away from the end or the beginning.
+#: A field has stopped, or was started, if this many intervals and seconds separate it from the end or the beginning.
 _AWAY, _AWAY_SECONDS = 5, 1.0
 #: The times of two clocks may drift apart by this much between two packets.
 _STEP = SECOND // 20
@@ -35,7 +35,7 @@ MOST = 5000
 
 
 def examine(log: Log, device: str | None = None) -> Examined:
-    """Examines a log, which is read once."""
+    """Examines a log, reading it once."""
     examination, progress = Examination(log.size, device), inputs.Progress(log.size)
     for part in log.parts(PART):
         examination.add(part, progress)
@@ -45,9 +45,9 @@ def examine(log: Log, device: str | None = None) -> Examined:
 
 @dataclass
 class _Set:
-    """The state of a descriptor set up to some packet."""
+    """What is known of a descriptor set so far."""
 
-    first: int  # where its first packet begins
+    first: int  # offset of its first packet
     count: int = 0
     end: int | None = None  # of its last packet
     base: str = ""  # the clock by which its rhythm is followed
@@ -57,7 +57,7 @@ class _Set:
 
 
 class _Noted(NamedTuple):
-    """An event, and where it is detected: the packet, and the place in it."""
+    """An event, and where it was detected: the packet, and the position in it."""
 
     at: int
     order: int
@@ -75,8 +75,8 @@ class Examination:
         self._flags = Flags(device)
         self._sets: dict[int, _Set] = {}
         self._rhythms: dict[Key, Rhythm] = {}
-        self._origins: dict[str, tuple[int, int]] = {}  # clock -> where its first time is, and this
-        self._latest: dict[str, tuple[int, int]] = {}  # clock -> the same of the last one
+        self._origins: dict[str, tuple[int, int]] = {}  # clock -> the offset of its first time, and this time
+        self._latest: dict[str, tuple[int, int]] = {}  # clock -> the offset of its last time, and this time
         self._reset = False
         self._time: int | None = None
 
@@ -128,7 +128,7 @@ class Examination:
             self._noted.append(_Noted(begin, 0, Event("line damage", begin, end, None, details=[text])))
 
     def _note(self, line: Line) -> None:
-        """Keeps the detected events with their times, in the order in which they were detected."""
+        """Stores the detected events with their times, in the order in which they were detected."""
         for noted in sorted(self._noted, key=lambda noted: noted[:2]):
             noted.event.time = line.at(noted.at)
             self._keep(noted.event)
@@ -145,7 +145,7 @@ class Examination:
     # ------------------------------------------------------------------ clocks
 
     def _choose(self, part: Part) -> None:
-        """The clock of the report is the best one that the log has up to here."""
+        """Chooses the clock of the report: the best one that the log has so far."""
         for clock in CLOCKS:
             if clock == self.result.clock:
                 return
@@ -157,7 +157,7 @@ class Examination:
                 return
 
     def _clocks(self, part: Part, number: int) -> Array:
-        """Compares the clocks of a set; returns the packets with which that of its rhythm begins anew."""
+        """Compares the clocks of a set. Returns the packets at which the clock that times its rhythm restarts."""
         one, sets = self._sets[number], part.sets[number]
         known = {clock: part.times(number, clock) for clock in CLOCKS}
         for clock, stamps in known.items():
@@ -168,7 +168,7 @@ class Examination:
         if not len(packets):
             return np.asarray(packets)
         value = {clock: times.exact(stamps, packets) for clock, stamps in known.items()}
-        # The clock that has no date runs on when the date is set.
+        # The clock without a date continues when the date is set.
         one.base = one.base or next(c for c in reversed(list(CLOCKS)) if value[c][0] != times.NONE)
         value = {clock: np.append(one.last.get(clock, times.NONE), value[clock]) for clock in CLOCKS}
         there = {clock: value[clock] != times.NONE for clock in CLOCKS}
@@ -200,7 +200,7 @@ class Examination:
         return np.asarray(packets[back])
 
     def _spans(self, part: Part, number: int) -> None:
-        """Packets that follow each other within a quarter of a second, or 1.5 usual intervals, are one span."""
+        """Collects the spans of a set: packets within a quarter of a second, or 1.5 usual intervals, are one span."""
         if self.result.clock is None:
             return
         spans = self.result.spans.setdefault(number, [])
@@ -245,7 +245,7 @@ class Examination:
         number = key[0]
         cuts = np.searchsorted(packets, restarts)
         for i, (some, when) in enumerate(zip(np.split(packets, cuts), np.split(beats, cuts))):
-            if i:  # the clock begins anew; the usual interval remains
+            if i:  # the clock restarts; the usual interval remains
                 self._rhythms[key] = Rhythm(self._rhythms[key].usual)
             for row, change in self._rhythms[key].follow(when, partial(self._moment, part, number, some, when)):
                 at = int(part.at[some[row]])
@@ -253,22 +253,22 @@ class Examination:
                 self._noted.append(_Noted(at, part.order[key], event))
 
     def _moment(self, part: Part, number: int, packets: Array, beats: Array, row: int) -> Moment:
-        """One of the packets of a field."""
+        """Describes one of the packets of a field."""
         packet = int(packets[row])
         same = self._sets[number].count + part.before(number, packet)
         others = self.result.packets + packet - same
         return Moment(int(beats[row]), int(part.at[packet]), int(part.end[packet]), others)
 
     def _gap(self, number: int, gap: Gap, known: int) -> Event:
-        """The event of a gap, which is detected when a packet arrives on time again, at offset `known`."""
+        """Makes the event of a gap, which was detected when packets arrived on time again, at offset `known`."""
         seconds = (gap.after.time - gap.before.time - gap.usual) / SECOND
-        # When all pause, each other set may still have a packet at the begin and one at the end.
+        # Even if all sets pause, each other set may have a packet at the beginning of the gap and one at its end.
         sets = sum(one.first < known for one in self._sets.values())
         went_on = gap.after.others - gap.before.others > 2 * (sets - 1)
         cause = "overload" if went_on or seconds < _SHORT else "pause"
         event = Event(cause, gap.before.end, gap.after.begin, None, seconds, {number})
         if cause == "pause" and dated(self._sets[number].base):
-            event.details.append("or the time was set: there is no clock without a date to compare it with")
+            event.details.append("or the time was set: no clock without a date allows a comparison")
         return event
 
     def _changed(self, key: Key, change: Change) -> Event:

@@ -23,7 +23,7 @@ class Kind:
 #: The targets of faults. A rate is the probability for each of these.
 CHANCES = {
     "packet": "packet that the device sends",
-    "data": "packet of data, before its checksum is computed",
+    "data": "data packet, before its checksum is computed",
     "answer": "answer to a command, before its checksum is computed",
     "response": "answer that has a response",
     "byte": "byte on the way to the device",
@@ -31,43 +31,43 @@ CHANCES = {
 }
 
 KINDS: dict[str, Kind] = {
-    "lose": Kind("packet", "bytes in one place of a packet are lost", 4, "bytes"),
+    "lose": Kind("packet", "consecutive bytes of a packet are lost", 4, "bytes"),
     "cut": Kind("packet", "the end of a packet is lost"),
     "change": Kind("packet", "bytes of a packet are changed", 4, "bytes"),
-    "double": Kind("packet", "bytes in one place of a packet arrive twice", 4, "bytes"),
+    "double": Kind("packet", "consecutive bytes of a packet arrive twice", 4, "bytes"),
     "lose_packet": Kind("packet", "a whole packet is lost"),
     "double_packet": Kind("packet", "a whole packet arrives twice"),
     "delay": Kind("packet", "the rest of a packet arrives later", 0.1, "s"),
     "delay_packet": Kind("packet", "a whole packet, and what follows it, arrives later", 0.1, "s"),
-    "noise": Kind("packet", "random bytes before a packet", 64, "bytes"),
-    "nmea": Kind("packet", "an NMEA sentence before a packet"),
-    "false_header": Kind("packet", "bytes before a packet that look like the start of one"),
-    "unknown_set": Kind("packet", "a packet of an unknown descriptor set before a packet"),
-    "unknown_field": Kind("data", "a field with an unknown descriptor in a packet of data"),
-    "longer": Kind("data", "a field of data has bytes after its known parameters", 8, "bytes"),
+    "noise": Kind("packet", "random bytes precede a packet", 64, "bytes"),
+    "nmea": Kind("packet", "an NMEA sentence precedes a packet"),
+    "false_header": Kind("packet", "bytes that look like the start of a packet precede a packet"),
+    "unknown_set": Kind("packet", "a packet with an unknown descriptor set precedes a packet"),
+    "unknown_field": Kind("data", "a data packet has an additional field with an unknown descriptor"),
+    "longer": Kind("data", "a data field has bytes after its known parameters", 8, "bytes"),
     "late_answer": Kind("answer", "an answer arrives late", 2.0, "s"),
-    "lose_answer": Kind("answer", "acknowledge and response are missing"),
-    "refuse": Kind("answer", "a command is refused, without a reason, after it was carried out"),
-    "wrong_ack": Kind("answer", "the acknowledge names another command"),
+    "lose_answer": Kind("answer", "ACK and response are missing"),
+    "refuse": Kind("answer", "the device carries out a command, but NACKs it with a random code"),
+    "wrong_ack": Kind("answer", "the ACK names another command"),
     "unknown_field_in_answer": Kind("answer", "an unknown field follows the answer"),
-    "lose_ack": Kind("response", "the response arrives without an acknowledge"),
-    "lose_response": Kind("response", "the acknowledge arrives without the response"),
+    "lose_ack": Kind("response", "the response arrives without an ACK"),
+    "lose_response": Kind("response", "the ACK arrives without the response"),
     "wrong_descriptor": Kind("response", "the response has an unknown descriptor"),
     "wrong_size": Kind("response", "the response is shorter than any layout of it"),
-    "other_response": Kind("response", "the response is that of another command"),
+    "other_response": Kind("response", "the response belongs to another command"),
     "garbage": Kind("response", "the response contains random data, in a packet with a correct checksum"),
     "longer_response": Kind("response", "bytes follow the parameters of the response", 8, "bytes"),
     "command_lose": Kind("byte", "a byte is lost on the way to the device"),
     "command_change": Kind("byte", "a byte is changed on the way to the device"),
     "command_double": Kind("byte", "a byte reaches the device twice"),
-    "reset": Kind("tick", "the device restarts, as after a loss of power"),
+    "reset": Kind("tick", "the device restarts, as after a power loss"),
     "disconnect": Kind("tick", "all connections are closed"),
 }
 
 
 @dataclass(frozen=True)
 class Plan:
-    """The frequency of a fault: with a probability, and at exact places (1 is the first chance)."""
+    """When a fault occurs: with a probability, and at exact chances, counted from 1 (`places`)."""
 
     rate: float = 0.0
     amount: float = 0.0
@@ -75,12 +75,12 @@ class Plan:
 
 
 def plan(kind: str, rate: float = 0.0, amount: float | None = None, places: Iterable[int] = ()) -> Plan:
-    """A checked plan for a kind of fault. Raises Failure."""
+    """Makes a plan for a kind of fault. Raises Failure if a value is wrong."""
     known = KINDS.get(kind)
     if known is None:
         near = difflib.get_close_matches(kind, KINDS, 1)
         hint = f"do you mean {near[0]!r}? " if near else ""
-        raise Misuse(f"fault {kind!r} is unknown; {hint}known are: {', '.join(KINDS)}")
+        raise Misuse(f"fault {kind!r} is unknown; {hint}known faults: {', '.join(KINDS)}")
     if not 0 <= rate <= 1:
         raise Misuse(f"fault {kind}: rate {rate:g} is not a probability; use 0 to 1")
     if amount is not None and not known.unit:
@@ -90,7 +90,7 @@ def plan(kind: str, rate: float = 0.0, amount: float | None = None, places: Iter
         raise Misuse(f"fault {kind}: amount {amount:g} must be {least}, and at most 1e6")
     numbers = frozenset(places)
     if any(n < 1 for n in numbers):
-        raise Misuse(f"fault {kind}: the first place is {kind}@1")
+        raise Misuse(f"fault {kind}: numbers begin with {kind}@1")
     return Plan(rate, known.amount if amount is None else amount, numbers)
 
 
@@ -131,7 +131,7 @@ def _number(text: str, part: str) -> float:
 
 
 def table() -> str:
-    """All kinds, for the help of the command line."""
+    """Lists all kinds, for the help of the command line."""
     lines = []
     for chance, text in CHANCES.items():
         lines.append(f"for each {text}:")
