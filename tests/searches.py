@@ -163,7 +163,7 @@ WORDS = {
     "GX5-45 to CV7-INS": ["compare/commands.html?devices=3dm-cv7-ins,3dm-gx5-45&differences="],
     "compare devices": ["compare/overview.html"],
     "first program": ["start.html"],
-    "whole program": ["programs.html"],
+    "complete program": ["programs.html"],
     # codes of the acknowledge
     "error 0x03": ["packets.html#protocol.acknowledge.code.ack_code.invalid_parameter"],
     "NACK 0x03": ["packets.html#protocol.acknowledge.code.ack_code.invalid_parameter"],
@@ -302,7 +302,7 @@ TASKS = {
     "what bits 2 to 15 of a flag word are": ("reserved bits", "packets.html", "the other bits of a flag word"),
     "the same, on the page of the flags": ("gps time", "fields/gnss_data/gps_time.html", "other bits"),
     "code that reads the PPS source": ("read pps source", "fields/3dm/pps_source_control.html", "Control.read()"),
-    "a complete file with it": ("whole program", "programs.html", "open_port("),
+    "a complete file with it": ("complete program", "programs.html", "open_port("),
     "what the GX5-15 has and the CV7 lacks": (
         "GX5-15 CV7", "guides/migrate_from_gx5_15_to_cv7.html", "has and the 3DM-CV7-GNSS/INS lacks"
     ),
@@ -332,7 +332,7 @@ QUESTIONS = {
     "921600 fails": ("guides/troubleshooting.html", "wait 250 ms"),
     "yaw 90 degrees off": ("guides/axes_and_signs.html", "The two differ by pi/2 - yaw"),
     "NED to ENU quaternion": ("guides/axes_and_signs.html", "(w + z, x + y, x - y, w - z) / sqrt(2)"),
-    "GX5-25 data": ("devices/3dm-gx5-25.html", "Fields that it probably supports"),
+    "GX5-25 data": ("devices/3dm-gx5-25.html", "Fields probably supported"),
     "matlab": ("guides/troubleshooting.html", "readtable"),
     "delta theta 1 Hz": ("guides/troubleshooting.html", "integrals over the period of the message"),
     "no filter data": ("guides/troubleshooting.html", "states what it waits for"),

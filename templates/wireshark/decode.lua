@@ -1,5 +1,5 @@
 -- ----------------------------------------------------------------------------------------------------------- decode
--- Reads the data of a field by its rows into nodes; nothing here knows Wireshark. A node is
+-- Reads the data of a field into nodes, as its rows describe; this part is independent of Wireshark. A node is
 --   { row, at, size, value or text, parts }     at counts from 0 in the data of the field.
 
 local function fail(kind, text)
@@ -129,7 +129,7 @@ function read.switch(b, reader, record, nodes)
   made.size = reader.at - made.at
 end
 
--- Reads parameters that are present together or not at all; true if they are present.
+-- Reads parameters that are present together or not at all; returns true if they are present.
 local function read_group(b, required, reader, record, nodes)
   local row = b.row
   local mark, least = reader.at, row.last <= required
@@ -183,7 +183,7 @@ local function decode(f, raw)
   return nodes, record, reader.stop - reader.at, not good and problem or nil
 end
 
--- Does the data contain the constants of a layout, as far as it reaches?
+-- True if the data contains the constants of a layout, as far as the data reaches.
 local function fits(f, raw)
   for _, constant in ipairs(f.constants or {}) do
     local found = raw:sub(constant.at + 1, constant.at + #constant.value)
@@ -194,7 +194,7 @@ local function fits(f, raw)
   return true
 end
 
--- Chooses the layout of data: among those whose constants match, the longest that the data can hold, else the shortest.
+-- Chooses a layout for data: of those whose constants match, the longest that fits into the data, else the shortest.
 local function choose(candidates, raw)
   if not candidates or #candidates < 2 then
     return candidates and candidates[1]

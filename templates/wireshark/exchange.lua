@@ -1,9 +1,9 @@
 -- --------------------------------------------------------------------------------------------------------- exchange
--- Matches answers with commands. Wireshark passes packets in order once; what was found then is used again whenever it
--- shows a packet again.
+-- Matches replies to commands. Wireshark passes packets in order once; the matches found then are used again whenever
+-- it shows a packet again.
 
-local WAIT = 2.0 -- seconds; an answer after this time is matched with a later command, if there is one
-local WAITING_AT_MOST = 16 -- commands of a descriptor in a conversation
+local WAIT = 2.0 -- seconds; a reply after this time is matched to a later command, if there is one
+local WAITING_AT_MOST = 16 -- waiting commands of a descriptor in a conversation
 
 local exchanges -- conversation and descriptor -> commands that wait for an answer, in the order in which they were sent
 local known -- field of a packet -> the exchange of which it is a part
@@ -12,7 +12,7 @@ local function forget_exchanges()
   exchanges, known = {}, {}
 end
 
--- Does the device answer this command?
+-- True if the device answers this command.
 local function answered(f, record)
   if f.silent and f.silent[record["function"]] then
     return false
@@ -45,7 +45,7 @@ local function command_sent(key, conversation, number, descriptor, f, record, fr
   return known[key]
 end
 
--- Matches an acknowledge with the oldest command of this descriptor that may still wait, else with the newest.
+-- Matches an acknowledge to the oldest command of this descriptor that may still wait, else to the newest.
 local function answer_came(key, conversation, number, descriptor, frame, time)
   if not known[key] then
     local queue, found = waiting(conversation, number, descriptor), nil

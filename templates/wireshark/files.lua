@@ -1,8 +1,8 @@
 -- ------------------------------------------------------------------------------------------------------------ files
--- Opens a log of raw bytes as a capture: a frame for each packet, and one for the bytes between two packets.
+-- Opens a log of raw bytes as a capture: one frame for each packet, and one for the bytes between two packets.
 
 local LONGEST = 255 + AROUND -- bytes of a packet
-local PROBE = 65536 -- bytes at the start of a log, in which a packet must be
+local PROBE = 65536 -- bytes at the start of a log that must contain a packet
 local LUMP = 4096 -- the most bytes in a frame between packets
 
 -- The tags in front of an exported PDU: the name of its dissector, and the end of the tags.

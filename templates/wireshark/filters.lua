@@ -23,21 +23,21 @@ local own = {
   checksum = filter(ProtoField.uint16(PREFIX .. ".checksum", "Checksum", base.HEX)),
   expected = filter(ProtoField.uint16(PREFIX .. ".checksum.expected", "Right checksum", base.HEX)),
   status = filter(ProtoField.uint8(PREFIX .. ".checksum.status", "Checksum status", base.DEC, STATUS)),
-  skipped = filter(ProtoField.bytes(PREFIX .. ".skipped", "Skipped", base.SPACE, "Bytes that belong to no packet.")),
+  skipped = filter(ProtoField.bytes(PREFIX .. ".skipped", "Skipped", base.SPACE, "Bytes outside of packets.")),
   reason = filter(ProtoField.uint8(PREFIX .. ".skipped.reason", "Reason", base.DEC, REASONS)),
   field_length = filter(ProtoField.uint8(PREFIX .. ".field.length", "Length", base.DEC, nil, nil,
-    "Bytes of the field, with the length and the descriptor.")),
+    "Bytes of the field, including the length and the descriptor.")),
   field_descriptor = filter(ProtoField.uint8(PREFIX .. ".field.descriptor", "Descriptor", base.HEX)),
   field_name = filter(ProtoField.string(PREFIX .. ".field.name", "Name", base.ASCII, "Name of the field: set.field.")),
   field_role = filter(ProtoField.string(PREFIX .. ".field.role", "Role", base.ASCII, "command, response or data.")),
   field_data = filter(ProtoField.bytes(PREFIX .. ".field.data", "Data", base.SPACE,
     "Data of a field that cannot be decoded.")),
   trailing = filter(ProtoField.bytes(PREFIX .. ".field.trailing", "Left over", base.SPACE,
-    "Bytes behind the last parameter that is known.")),
+    "Bytes after the last known parameter.")),
   answer_in = filter(ProtoField.framenum(PREFIX .. ".answer_in", "Answer in", base.NONE, frametype.RESPONSE)),
   request_in = filter(ProtoField.framenum(PREFIX .. ".request_in", "Request in", base.NONE, frametype.REQUEST)),
   answer_time = filter(ProtoField.relative_time(PREFIX .. ".answer_time", "Time to answer",
-    "From the request to its answer.")),
+    "Time from the request to the reply.")),
 }
 
 do
@@ -54,12 +54,12 @@ end
 
 local experts = {
   checksum = finding("checksum", "Wrong checksum", "CHECKSUM", "ERROR"),
-  skipped = finding("skipped", "Bytes that belong to no packet", "UNDECODED", "NOTE"),
+  skipped = finding("skipped", "Bytes outside of packets", "UNDECODED", "NOTE"),
   field_length = finding("field_length", "Malformed field length", "MALFORMED", "ERROR"),
   truncated = finding("truncated", "Field is too short", "MALFORMED", "ERROR"),
   count = finding("count", "Count exceeds the data", "MALFORMED", "ERROR"),
-  constant = finding("constant", "Constant has another value", "MALFORMED", "ERROR"),
-  trailing = finding("trailing", "Bytes behind the last known parameter", "UNDECODED", "NOTE"),
+  constant = finding("constant", "Constant has a wrong value", "MALFORMED", "ERROR"),
+  trailing = finding("trailing", "Bytes after the last known parameter", "UNDECODED", "NOTE"),
   refused = finding("refused", "Command refused", "RESPONSE_CODE", "WARN"),
   unknown_set = finding("unknown_set", "Unknown descriptor set", "UNDECODED", "NOTE"),
   unknown_descriptor = finding("unknown_descriptor", "Unknown descriptor", "UNDECODED", "NOTE"),
@@ -106,7 +106,7 @@ end
 
 local bind_rows
 
--- Adds the filters of its place to a row: a structure has different ones in each field that contains it.
+-- Binds a row to its filters: a structure has different filters in each field that contains it.
 local bind = {}
 
 local function bound(row, path)
@@ -140,7 +140,7 @@ function bind.struct(row, path)
   return { row = row, filter = filter(ProtoField.none(at, row.name, row.doc)), body = bind_rows(row.record, at) }
 end
 
--- Elements of a vector have filters of their own, those of other arrays share one.
+-- Each element of a vector has its own filter; the elements of other arrays share one.
 function bind.array(row, path)
   local at, item = inner(path, row.name), row.item
   if row.elements then

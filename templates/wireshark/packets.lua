@@ -1,5 +1,5 @@
 -- ---------------------------------------------------------------------------------------------------------- packets
--- Finds packets in bytes, and shows one.
+-- Finds packets in bytes, and shows them.
 
 local HEADER, AROUND = 4, 6 -- bytes of the header; of the header and the checksum
 
@@ -12,7 +12,7 @@ local function checksum(raw, at, size)
   return a % 256 * 256 + b % 256
 end
 
--- The bytes of the packet whose sync is at `at`, with its checksum; nil if the header is not all there.
+-- The size of the packet whose sync is at `at`, with its checksum; nil if the header is incomplete.
 local function packet_size(raw, at)
   return #raw >= at + HEADER and raw:byte(at + 4) + AROUND or nil
 end
@@ -26,9 +26,9 @@ local function is_set(number)
   return number ~= 0 and number ~= SHARED
 end
 
--- Finds packets, at most `limit`: returns the start and size of each, and where a packet begins that may continue in
--- later bytes; with `final`, no bytes follow. After a header without a packet, the search continues one byte after its
--- sync.
+-- Finds packets, at most `limit`. Returns the start and size of each, and the start of a packet that may continue in
+-- later bytes; `final` means that no bytes follow. After a header without a packet, the search continues one byte after
+-- its sync.
 local function scan(raw, final, limit)
   local found, at = {}, 0
   while at < #raw and #found ~= limit do
@@ -56,7 +56,7 @@ local function scan(raw, final, limit)
   return found
 end
 
--- Do the fields fill the payload, in a set that is known?
+-- True if the fields fill the payload exactly and the set is known.
 local function plausible(raw, at, size)
   local field, stop = at + HEADER, at + size - 2
   while field < stop do
@@ -69,7 +69,7 @@ local function plausible(raw, at, size)
   return SETS[raw:byte(at + 3)] ~= nil
 end
 
--- Is one of the packets in these bytes plausible? The first may be of an unknown set, or right by chance.
+-- True if one of the packets in these bytes is plausible. The first may be of an unknown set, or a chance match.
 local function recognized(raw)
   for _, found in ipairs((scan(raw, true))) do
     if plausible(raw, found.at, found.size) then
@@ -135,7 +135,7 @@ local function command_title(number, descriptor)
   return set and set.named[descriptor] or string.format("0x%02X", descriptor)
 end
 
-local show = {} -- by role: shows more of a field than its values; returns its text for the info column
+local show = {} -- role -> function that shows more of a field than its values, and returns its text for the info column
 
 function show.command(f, packet, item, record, key)
   if packet.good then
@@ -212,7 +212,7 @@ local function show_field(packet, at, size, index, tree)
   end
   item:append_text(text ~= "" and ": " .. text or "")
   local said = show[f.role](f, packet, item, record, key)
-  packet.exchange = nil -- only the field behind an acknowledge is its response
+  packet.exchange = nil -- only the field after an acknowledge is its response
   return said, f
 end
 

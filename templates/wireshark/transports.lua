@@ -60,7 +60,7 @@ local function show_sides(pinfo, direction)
   end
 end
 
--- A datagram, or other bytes that are complete.
+-- Dissects a datagram, or other bytes that are complete.
 local function dissect_whole(tvb, pinfo, tree)
   local raw = tvb:raw()
   local texts, direction = show_bytes(tvb, raw, scan(raw, true), 0, #raw, pinfo, tree)
@@ -69,11 +69,11 @@ local function dissect_whole(tvb, pinfo, tree)
   return tvb:len()
 end
 
--- A chunk of a TCP stream or a serial line. Wireshark passes chunks in order once. The bytes held back before each are
--- kept, so that it is shown in the same way whenever Wireshark returns to it. Wireshark's own reassembly is for packets
--- of known length: it shows packets twice if a header turns out to be none when more bytes have arrived.
-local held -- line -> bytes held back behind its latest chunk
-local before -- line -> chunk -> bytes held back before it
+-- Dissects a chunk of a TCP stream or a serial line. Wireshark passes chunks in order once. The bytes held back before
+-- each chunk are kept, so that it looks the same whenever Wireshark returns to it. Wireshark's own reassembly is for
+-- packets of known length: it shows packets twice if a supposed header turns out not to be one when more bytes arrive.
+local held -- line -> bytes held back after its latest chunk
+local before -- line -> chunk -> bytes held back before the chunk
 
 -- The bytes held back before a chunk, and whether the chunk is new.
 local function held_before(line, chunk)
@@ -101,7 +101,7 @@ local function dissect_chunk(tvb, pinfo, tree)
     local item = tree:add(stream, data:range(from, #raw - from))
     local size = #raw - from
     local noun = size == 1 and "byte" or "bytes"
-    item:set_text(string.format("MIP, %d %s of a packet that goes on in a later frame", size, noun))
+    item:set_text(string.format("MIP, %d %s of a packet that continues in a later frame", size, noun))
   end
   show_columns(pinfo, #texts > 0 and texts or { rest and "part of a packet" or "no packet" })
   show_sides(pinfo, direction)
@@ -126,7 +126,7 @@ end
 
 -- ------------------------------------------------------------------------- heuristics
 
--- Is this MIP? A whole packet of a known set with the right checksum, or the start of one.
+-- True if this is MIP: a whole packet of a known set with the right checksum, or the start of one.
 local function looks_like(raw)
   if recognized(raw) then
     return true
@@ -152,9 +152,9 @@ end
 -- ------------------------------------------------------------------------- preferences
 
 preferences.tcp_ports =
-  Pref.range("TCP ports", "", "Ports whose streams are MIP. Others are recognized by a packet.", 65535)
+  Pref.range("TCP ports", "", "Ports whose streams are MIP. Other streams are recognized by their packets.", 65535)
 preferences.udp_ports =
-  Pref.range("UDP ports", "", "Ports whose datagrams are MIP. Others are recognized by a packet.", 65535)
+  Pref.range("UDP ports", "", "Ports whose datagrams are MIP. Other datagrams are recognized by their packets.", 65535)
 preferences.user_dlts =
   Pref.range("User DLTs", "147", "Link types of serial captures: 147 (USER0) to 162 (USER15).", 162)
 
@@ -164,7 +164,7 @@ do
     devices[i + 1] = { i + 1, device.title, i }
   end
   preferences.device =
-    Pref.enum("Device", 0, "Names values and bits that differ by device as this one does.", devices, false)
+    Pref.enum("Device", 0, "Device whose names are shown for values and bits that differ.", devices, false)
 end
 preferences.version = Pref.statictext("Version " .. VERSION, "")
 

@@ -1,5 +1,5 @@
 -- ------------------------------------------------------------------------------------------------------------- tree
--- Adds the nodes of a field to the tree of Wireshark.
+-- Adds the nodes of a field to Wireshark's tree.
 
 local preferences = mip.prefs
 
@@ -8,7 +8,7 @@ local function unit(row)
   return found ~= "" and " " .. found or ""
 end
 
--- The text of a number in the line of its vector or field.
+-- The text of a number, for the line of its vector or field.
 local function written(made, range)
   local row = made.row
   if row.type == "float" then
@@ -23,7 +23,7 @@ local function written(made, range)
   return tostring(range:uint64())
 end
 
--- The reading of a plain number: by a sibling, or by the device of the preferences.
+-- The reading of a plain number, selected by a sibling parameter or by the device in the preferences.
 local function reading(readings, record, member)
   for _, r in ipairs(readings or {}) do
     if r.member == member then

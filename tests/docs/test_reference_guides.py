@@ -73,7 +73,7 @@ def test_the_first_screen_has_the_packets(manual: Manual) -> None:
         rows = next(tables(part))
         assert [row["Step"] for row in rows] == [str(i + 1) for i in range(len(sequence.steps))]
         for row, step in zip(rows, sequence.steps, strict=True):
-            sent, answer = words(row["Send"]), words(row["Answer"])
+            sent, answer = words(row["Send"]), words(row["Reply"])
             assert sent in (spaced(step.packet), f"{len(step.packet)} bytes, see the step")
             assert answer in (spaced(step.answer), f"{len(step.answer)} bytes, see the step", "none")
             assert words(row["Command"]).startswith(step.command.title)

@@ -83,7 +83,7 @@ def test_get_started(start: Start, device: str, tmp_path: Path) -> None:
         whole_program(start.name, name, said, folder, environment, device)
 
 
-#: How a program of "whole programs" is built and run beside the first one.
+#: How a program of "complete programs" is built and run beside the first one.
 WHOLE = {
     "python": ("whole.py", "", f"{sys.executable} -u whole.py"),
     "c": ("whole.c", "cc -std=c99 -Wall -Wextra -Werror -Imip/src -Imip/ports -c whole.c", ""),

@@ -100,7 +100,7 @@ def test_each_feature_has_an_oldest_compiler() -> None:
     assert table["none"] == OLDEST == manifest("invented")["rust_version"]
     for feature, version in table.items():
         if feature in OTHERS:
-            assert version == f"{DEPENDENCIES[feature]}, that of `{OTHERS[feature]}` {pinned(OTHERS[feature])}"
+            assert version == f"{DEPENDENCIES[feature]}, required by `{OTHERS[feature]}` {pinned(OTHERS[feature])}"
         else:
             assert re.fullmatch(r"1\.\d+", version) and version == DEPENDENCIES.get(feature, version)
             text = manifest_text.partition(f"\n{feature} = ")[0].rpartition("\n")[2]  # the comment before it

@@ -170,7 +170,7 @@ def test_serial_chunks_of_any_size(size: int, tmp_path: Path) -> None:
 def test_a_chunk_says_that_its_packet_goes_on(tmp_path: Path) -> None:
     first, second = trees(tmp_path, captures.serial([accel(0.5) + accel(1.0)[:9], accel(1.0)[9:]]))
     texts = [proto.get("showname") for proto in first if proto.get("name") == "mip_stream"]
-    assert texts == ["MIP, 9 bytes of a packet that goes on in a later frame"]
+    assert texts == ["MIP, 9 bytes of a packet that continues in a later frame"]
     assert found([first, second]) == checksums(accel(0.5) + accel(1.0))
 
 

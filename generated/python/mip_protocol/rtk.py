@@ -688,7 +688,7 @@ GetActivationCodeResponse.COMMANDS = (GetActivationCode,)
 GetModemFirmwareVersionResponse.COMMANDS = (GetModemFirmwareVersion,)
 ServiceStatusResponse.COMMANDS = (ServiceStatus,)
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (GetStatusFlags,),
     0x02: (GetImei,),

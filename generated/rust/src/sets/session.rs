@@ -1,6 +1,6 @@
-//! The first minutes with a device: finds its baud rate, and starts its data at rates in Hz.
+//! First steps with a device: finding its baud rate, and starting its data at rates in Hz.
 //!
-//! `open` finds a device at a port of a computer, [`Device::connect`] at any port, and
+//! `open` finds a device on a port of the computer, [`Device::connect`] on any port, and
 //! [`Device::stream`] starts its data.
 
 use core::fmt;
@@ -11,7 +11,7 @@ use crate::error::EncodeError;
 use crate::types;
 use crate::{Command, CommandError, Field};
 
-/// The baud rates of all known devices, the usual one first, then in descending order.
+/// The baud rates of all known devices: the usual one first, the others in descending order.
 #[rustfmt::skip]
 pub const BAUD_RATES: [u32; 10] = [
     115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800,
@@ -19,24 +19,24 @@ pub const BAUD_RATES: [u32; 10] = [
 
 /// The time in milliseconds in which a ping must be answered.
 const LISTEN: u32 = 150;
-/// The time in milliseconds from the acknowledge until a device has changed its baud rate.
+/// The time in milliseconds that a device takes to change its baud rate after the acknowledge.
 const CHANGE: u32 = 250;
 /// The number of attempts for a command that is not answered, or answered incorrectly.
 const ATTEMPTS: u8 = 3;
 
 /// Opens a port, finds the device there, and sets it to idle: its streams are then off until
-/// [`Device::stream`] starts one, or it is told to resume.
+/// [`Device::stream`] starts one, or the resume command is sent.
 ///
-/// The place is one of these:
+/// `place` is one of these:
 ///
-/// - `serial:/dev/ttyACM0`, `serial:COM3:460800`: a serial port. [`BAUD_RATES`] are tried until the
-///   device answers, which takes about a third of a second each; one that is given is tried first.
+/// - `serial:/dev/ttyACM0`, `serial:COM3:460800`: a serial port. The [`BAUD_RATES`] are tried until
+///   the device answers, which takes about a third of a second each; a given rate is tried first.
 /// - `tcp:192.168.1.20:9000`: a host and a port.
-/// - `file:log.bin`: what was recorded, which [`Device::next_packet`] returns.
+/// - `file:log.bin`: a recorded log, whose packets [`Device::next_packet`] returns.
 ///
 /// # Errors
 ///
-/// The port cannot be opened, or no device answers: [`DeviceError::Port`], with what to do.
+/// [`DeviceError::Port`], with a remedy, if the port cannot be opened or no device answers.
 #[cfg(feature = "open")]
 pub fn open(place: &str) -> Result<Device<crate::device::Line>, DeviceError<std::io::Error>> {
     let line = crate::device::Line::open(place).map_err(DeviceError::Port)?;
@@ -84,19 +84,19 @@ pub struct Rate {
 }
 
 impl Rate {
-    /// A field at a rate in Hz; 0: as often as the device can.
+    /// A field at a rate in Hz; 0: the highest rate of the device.
     #[must_use]
     pub const fn of<T: Field>(hz: f32) -> Self {
         Self { descriptor: T::DESCRIPTOR, hz, sets: T::SETS, name: T::NAME }
     }
 
-    /// The same for a field whose type is not known.
+    /// The same for a field of which only the descriptor is known.
     #[must_use]
     pub const fn of_descriptor(descriptor: u8, hz: f32) -> Self {
         Self { descriptor, hz, sets: &[], name: "" }
     }
 
-    /// The decimation whose rate is nearest.
+    /// Returns the decimation whose rate is nearest to `hz`.
     fn decimation(&self, base: u16) -> u16 {
         let (base, wanted) = (f32::from(base), self.hz);
         if wanted == 0.0 || wanted >= base || wanted.is_nan() {
@@ -123,16 +123,16 @@ impl Rate {
 pub enum StreamError<E> {
     /// A command failed.
     Device(DeviceError<E>),
-    /// The device does not have this rate: it divides its base rate by whole numbers. No setting was
-    /// changed.
+    /// The device does not support this rate: it divides its base rate by whole numbers. No setting
+    /// was changed.
     NoSuchRate {
         /// The field.
         descriptor: u8,
-        /// Its name; empty if only its descriptor was given.
+        /// The field's name; empty if only its descriptor was given.
         name: &'static str,
-        /// The rate that was wanted, in Hz.
+        /// The requested rate, in Hz.
         wanted: f32,
-        /// The nearest rate that the device has, in Hz.
+        /// The nearest rate of the device, in Hz.
         nearest: f32,
         /// The base rate of the descriptor set, in Hz.
         base: u16,
@@ -192,7 +192,7 @@ fn is_refused<T, E>(result: &Result<T, DeviceError<E>>) -> bool {
     matches!(result, Err(DeviceError::Command(CommandError::Refused(_))))
 }
 
-/// Repeats a command if noise may have been the cause of an error.
+/// Repeats a command if its error may have been caused by noise.
 fn repeated<T, E>(
     mut call: impl FnMut() -> Result<T, DeviceError<E>>,
 ) -> Result<T, DeviceError<E>> {
@@ -211,12 +211,12 @@ fn repeated<T, E>(
 }
 
 impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
-    /// Finds the device: tries each of these baud rates, such as [`BAUD_RATES`], until anything
-    /// answers a ping, or sends data; then sets the device to idle. Data that arrived is discarded.
+    /// Finds the device: tries each of these baud rates, such as [`BAUD_RATES`], until a device
+    /// answers a ping or sends data; then sets the device to idle. Data that arrived is discarded.
     ///
-    /// Returns the rate; `None` if the port has none of them ([`Port::set_baud`]), as that of a TCP
-    /// connection. Commands that are not answered are repeated. A rate at which no device answers
-    /// takes about a third of a second.
+    /// Returns the rate; `None` if the port supports none of them ([`Port::set_baud`]), for example
+    /// a TCP connection. Commands that are not answered are repeated. A rate at which no device
+    /// answers takes about a third of a second.
     ///
     /// # Errors
     ///
@@ -244,8 +244,8 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
 
     /// Starts the data of a descriptor set: reads its base rate, writes which fields are sent and
     /// how often, in this order, switches the stream on, and ends the idle state. Returns the base
-    /// rate in Hz, at which fields are sent whose rate is 0; a base rate of 0 means that data is
-    /// sent as it arrives.
+    /// rate in Hz: fields with a rate of 0 are sent at it. A base rate of 0 means that data is sent
+    /// as it arrives.
     ///
     /// Fields that all sets share, such as time stamps, come first. If the device rejects the first
     /// command, the older commands of the set take its place. Commands that are not answered are
@@ -273,7 +273,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
             0x82 => Some(repeated(|| self.request(&crate::mip_3dm::GetFilterBaseRate::new())).map(|x| x.rate)),
             _ => None,
         };
-        // If it rejects this one as well, it does not have the set.
+        // A device that rejects this command as well does not have the set.
         let base = older_rate.filter(|rate| !is_refused(rate)).unwrap_or(current)?;
         for rate in rates {
             let nearest = f32::from(base) / f32::from(rate.decimation(base));
@@ -312,8 +312,8 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// Sends a command that changes the baud rate, changes the rate of the port, and waits until the
     /// device answers there. Set the device to idle first.
     ///
-    /// Returns the rate at which it answers: the old one if the command is for another port of the
-    /// device.
+    /// Returns the rate at which the device answers: the old one if the command is for another port
+    /// of the device.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-"""Guides: their packets, the answers, the data that follows, and the programs that do the same."""
+"""Guides: their packets, the replies, the data that follows, and the programs that do the same."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def heading(guide: Guide) -> str:
 
 
 def named(page: Page, guide: Guide | Question) -> list[str]:
-    """Links to the related guides and fields."""
+    """Returns links to the related guides and fields."""
     guides = {g.name: g for g in page.model.guides}
     fields = [page.model.field(name) for name in guide.see if name not in guides]
     return [page.link(guides[name]) for name in guide.see if name in guides] + [page.link(f) for f in fields if f]
@@ -48,12 +48,12 @@ def with_field(page: Page, f: m.Field) -> list[Guide]:
 
 
 def overview(page: Page, steps: Steps) -> str:
-    """All packets of a sequence, ready to be sent, and their answers."""
+    """Lists all packets of a sequence, ready to be sent, and their replies."""
     rows = [
         [str(i), f"{page.link(s.command)}{_function(s)}", _bytes(s.packet), _bytes(s.answer) or "none"]
         for i, s in enumerate(steps.steps, 1)
     ]
-    return table(rows, ["Step", "Command", "Send", "Answer"])
+    return table(rows, ["Step", "Command", "Send", "Reply"])
 
 
 def _function(step: Step) -> str:
@@ -106,9 +106,9 @@ def surely(step: Step) -> str:
     given = {p.name for p in step.response.field.parameters if not p.derived}
     sure = [code(name) for name in step.response.stated if name in given]
     if len(sure) == len(given):
-        return "After these steps, the device answers with these values."
+        return "After these steps, the device replies with these values."
     if not sure:
-        return "The values are an example."
+        return "These are example values; other values will differ."
     return f"Only {' and '.join(sure)} {'is' if len(sure) == 1 else 'are'} fixed; other values will differ."
 
 
@@ -127,7 +127,7 @@ def streamed(page: Page, stream: Stream) -> str:
 
 
 def read(steps: Steps) -> list[m.Field]:
-    """The data fields that follow, whose pages have programs that read them."""
+    """The data fields that the sequence starts; their pages have programs that read them."""
     return list({x.field.full_name: x.field for s in steps.streams for x in s.fields}.values())
 
 
@@ -160,7 +160,7 @@ def bandwidth(steps: Steps) -> str:
 
 
 def _fitting(d: m.Device, bits: float) -> tuple[str, int] | None:
-    """The first port with baud rates, and the lowest of them that is enough."""
+    """The first port with baud rates, and its lowest baud rate that is high enough."""
     port = next((p for p in d.ports if p.baud_rates), None)
     rate = min((r for r in port.baud_rates if r >= bits), default=None) if port else None
     return (port.name, rate) if port and rate else None
@@ -174,7 +174,8 @@ def doubts(page: Page, steps: Steps) -> list[str]:
     """States why a device is only believed to support the fields of the sequence."""
     used = steps.used
     return [
-        f"The {page.link(d)} probably has {page.link(s.field)}. {page.say(describe.evidence(s.evidence, page.model))}"
+        f"The {page.link(d)} probably supports {page.link(s.field)}. "
+        f"{page.say(describe.evidence(s.evidence, page.model))}"
         for d in steps.devices
         for s in d.supports
         if not s.certain and s.field.full_name in used
@@ -204,7 +205,7 @@ def _call(step: Step) -> m.Call:
 
 
 def fact_table(page: Page, name: str) -> str:
-    """Facts of all devices: `guided.TABLES` has the names."""
+    """A table of one fact for all devices; `guides.TABLES` has the names of the facts."""
     return {"base_rates": _base_rates, "baud_rates": _baud_rates}[name](page)
 
 
@@ -263,7 +264,7 @@ def _both(page: Page, guide: Guide) -> list[m.Field]:
 
 
 def refused(page: Page, guide: Guide) -> str:
-    """The commands of both devices, of which the new one accepts fewer functions."""
+    """The commands of both devices for which the new device accepts fewer functions."""
     move = guide.migration
     assert move is not None
     taken = [{s.field.full_name: s.functions for s in d.supports} for d in (move.before, move.after)]
@@ -277,7 +278,7 @@ def refused(page: Page, guide: Guide) -> str:
 
 
 def _reading(page: Page, v: m.DeviceVariant | None, other: m.DeviceVariant) -> str:
-    """The meaning of a parameter on a device; on one that does not differ, the usual one."""
+    """The meaning of a parameter on a device: the usual one unless the device differs."""
     if v is None:
         return page.say(describe.usual(other.variant, other.parameter, other.field, page.model))
     return page.say(describe.difference(v.variant, v.parameter, v.field, page.model))

@@ -12,7 +12,7 @@ SETS: dict[int, tuple[str, ...]] = {
     0xFF: ("shared", "Shared"),
 }
 
-#: Names of sets -> the family, with which the names of their fields begin, if it has another name.
+#: Names of sets -> the family, which is the prefix of their fields' names, if its name differs.
 FAMILIES: dict[str, str] = {"more": "measurements", "copy": "measurements"}
 
 #: Full names of fields -> module, class, role, title, other names.

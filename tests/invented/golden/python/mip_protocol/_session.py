@@ -4,5 +4,5 @@ from __future__ import annotations
 
 
 def session() -> None:
-    """Imports the modules of these commands. None if the specification names none."""
+    """Imports the modules of these commands and returns the commands; None if the specification names none."""
     return None

@@ -552,7 +552,7 @@ class Breeze(Shared, Data):
         self.turn = codec.vector(turn, types.Quatf)
 
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
     0x02: (Numbers,),

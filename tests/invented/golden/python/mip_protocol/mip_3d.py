@@ -54,5 +54,5 @@ class Default(Command[None]):
         self.present = present
 
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {0x10: (Default,)}

@@ -1477,7 +1477,7 @@ StatusOld.COMMANDS = (Status,)
 StatusFull.COMMANDS = (Status,)
 BiasVector.COMMANDS = (Bias, CaptureBias)
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
     0x02: (Settings,),

@@ -82,7 +82,7 @@ class StateFlags(IntFlag):
         return int((self >> 4) & 0x7)
 
     def with_level(self, value: int) -> StateFlags:
-        """A copy with bits 4 to 6 set to a number."""
+        """Returns a copy with bits 4 to 6 set to a number."""
         value = codec.fits("level", value, 3)
         return StateFlags(int(self) & ~0x70 | value << 4)
 
@@ -92,7 +92,7 @@ class StateFlags(IntFlag):
         return Mode((self >> 8) & 0x3)
 
     def with_mode(self, value: int) -> StateFlags:
-        """A copy with bits 8 to 9 set to a number."""
+        """Returns a copy with bits 8 to 9 set to a number."""
         value = codec.fits("mode", value, 2)
         return StateFlags(int(self) & ~0x300 | value << 8)
 
@@ -120,7 +120,7 @@ class Health(IntFlag):
         return int((self >> 4) & 0x7)
 
     def with_level(self, value: int) -> Health:
-        """A copy with bits 4 to 6 set to a number."""
+        """Returns a copy with bits 4 to 6 set to a number."""
         value = codec.fits("level", value, 3)
         return Health(int(self) & ~0x70 | value << 4)
 
@@ -130,7 +130,7 @@ class Health(IntFlag):
         return int((self >> 30) & 0xF)
 
     def with_count(self, value: int) -> Health:
-        """A copy with bits 30 to 33 set to a number."""
+        """Returns a copy with bits 30 to 33 set to a number."""
         value = codec.fits("count", value, 4)
         return Health(int(self) & ~0x3C0000000 | value << 30)
 

@@ -9,7 +9,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/3d.h and mip/constants.h are not of one version"
+#error "mip/3d.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -51,16 +51,16 @@ struct mip_3d_default {
 /** Its name in the specification. */
 #define MIP_3D_DEFAULT_NAME "3d.default"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3d_default_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3d_default_decode(struct mip_3d_default *value,
                                               const struct mip_field *field) {
     return mip_decode_only(&mip_3d_default_codec, 0x10, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3d_default_encode(const struct mip_3d_default *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_3d_default_codec, value, builder);

@@ -11,7 +11,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/measurements.h and mip/constants.h are not of one version"
+#error "mip/measurements.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -65,16 +65,16 @@ struct mip_measurements_accel {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_ACCEL_NAME "measurements.accel"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_accel_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_accel_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_accel_encode(
     const struct mip_measurements_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_accel_codec, value, builder);
@@ -123,16 +123,16 @@ struct mip_measurements_numbers {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_NUMBERS_NAME "measurements.numbers"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_numbers_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_numbers_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_numbers_encode(
     const struct mip_measurements_numbers *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_numbers_codec, value, builder);
@@ -168,16 +168,16 @@ struct mip_measurements_strings {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_STRINGS_NAME "measurements.strings"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_strings_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_strings_codec, 0x03, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_strings_encode(
     const struct mip_measurements_strings *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_strings_codec, value, builder);
@@ -207,16 +207,16 @@ struct mip_measurements_health {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_HEALTH_NAME "measurements.health"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_health_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_health_decode(struct mip_measurements_health *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_health_codec, 0x04, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_health_encode(
     const struct mip_measurements_health *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_health_codec, value, builder);
@@ -253,16 +253,16 @@ struct mip_measurements_arrays {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_ARRAYS_NAME "measurements.arrays"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_arrays_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_arrays_codec, 0x05, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_arrays_encode(
     const struct mip_measurements_arrays *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_arrays_codec, value, builder);
@@ -302,16 +302,16 @@ struct mip_measurements_growing {
 /** The value of `present` if third is the last parameter that is present. */
 #define MIP_MEASUREMENTS_GROWING_WITH_THIRD 3
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_growing_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_growing_codec, 0x06, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_growing_encode(
     const struct mip_measurements_growing *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_growing_codec, value, builder);
@@ -351,16 +351,16 @@ struct mip_measurements_radio {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_RADIO_NAME "measurements.radio"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_radio_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_radio_codec, 0x07, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_radio_encode(
     const struct mip_measurements_radio *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_radio_codec, value, builder);
@@ -387,16 +387,16 @@ struct mip_measurements_own {
 /** Its name in the specification. */
 #define MIP_MEASUREMENTS_OWN_NAME "more.own"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_own_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_own_decode(struct mip_measurements_own *value,
                                                     const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_own_codec, 0x07, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_measurements_own_encode(const struct mip_measurements_own *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_own_codec, value, builder);
@@ -427,16 +427,16 @@ struct mip_measurements_cloud {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_CLOUD_NAME "measurements.cloud"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_cloud_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_cloud_codec, 0x08, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_cloud_encode(
     const struct mip_measurements_cloud *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_cloud_codec, value, builder);
@@ -480,16 +480,16 @@ struct mip_measurements_gust {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_GUST_NAME "measurements.gust"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_gust_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_gust_decode(struct mip_measurements_gust *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_gust_codec, 0x09, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_gust_encode(
     const struct mip_measurements_gust *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_gust_codec, value, builder);
@@ -523,16 +523,16 @@ struct mip_measurements_breeze {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_MEASUREMENTS_BREEZE_NAME "measurements.breeze"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_measurements_breeze_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_measurements_breeze_decode(struct mip_measurements_breeze *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_measurements_breeze_codec, 0x0A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_measurements_breeze_encode(
     const struct mip_measurements_breeze *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_breeze_codec, value, builder);

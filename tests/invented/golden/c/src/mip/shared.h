@@ -9,7 +9,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/shared.h and mip/constants.h are not of one version"
+#error "mip/shared.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -45,16 +45,16 @@ struct mip_shared_timestamp {
 /** Its name in the specification. */
 #define MIP_SHARED_TIMESTAMP_NAME "shared.timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_timestamp_decode(struct mip_shared_timestamp *value,
                                                     const struct mip_field *field) {
     return mip_decode_only(&mip_shared_timestamp_codec, 0xD3, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_shared_timestamp_encode(const struct mip_shared_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_timestamp_codec, value, builder);

@@ -11,7 +11,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/tools.h and mip/constants.h are not of one version"
+#error "mip/tools.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -38,7 +38,7 @@ enum mip_tools_shape MIP_ENUM_8 {
     MIP_TOOLS_SHAPE_LABEL = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_shape_name(uint8_t value);
 
 /** How a circle is filled. */
@@ -51,7 +51,7 @@ enum mip_tools_fill MIP_ENUM_8 {
     MIP_TOOLS_FILL_STRIPED = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_fill_name(uint8_t value);
 
 /** Two numbers. Full name: stripes. */
@@ -100,7 +100,7 @@ enum mip_tools_drive MIP_ENUM_8 {
     MIP_TOOLS_DRIVE_SERIAL = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_drive_name(uint8_t value);
 
 /** Of a pulse. Full name: pulse_use. */
@@ -111,7 +111,7 @@ enum mip_tools_pulse MIP_ENUM_8 {
     MIP_TOOLS_PULSE_OUTPUT = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_pulse_name(uint8_t value);
 
 /** Of a serial line. */
@@ -122,7 +122,7 @@ enum mip_tools_serial_use MIP_ENUM_8 {
     MIP_TOOLS_SERIAL_USE_TRANSMIT = 33
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_serial_use_name(uint8_t value);
 
 /** One of a list; what it is depends on what was asked for. */
@@ -173,16 +173,16 @@ struct mip_tools_ping {
 /** Its name in the specification. */
 #define MIP_TOOLS_PING_NAME "tools.ping"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_ping_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_ping_decode(struct mip_tools_ping *value,
                                               const struct mip_field *field) {
     return mip_decode_only(&mip_tools_ping_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_ping_codec, value, builder);
@@ -238,16 +238,16 @@ struct mip_tools_settings {
 /** The value of `present` if reserved is the last parameter that is present. */
 #define MIP_TOOLS_SETTINGS_WITH_RESERVED 5
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_settings_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_settings_decode(struct mip_tools_settings *value,
                                                   const struct mip_field *field) {
     return mip_decode_only(&mip_tools_settings_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_tools_settings_encode(const struct mip_tools_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_codec, value, builder);
@@ -382,16 +382,16 @@ struct mip_tools_settings_response {
 /** Its name in the specification. */
 #define MIP_TOOLS_SETTINGS_RESPONSE_NAME "tools.settings_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_settings_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_settings_response_decode(
     struct mip_tools_settings_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_tools_settings_response_codec, 0x82, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_settings_response_encode(
     const struct mip_tools_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_response_codec, value, builder);
@@ -430,16 +430,16 @@ struct mip_tools_set_time {
 /** Its name in the specification. */
 #define MIP_TOOLS_SET_TIME_NAME "tools.set_time"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_set_time_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_set_time_decode(struct mip_tools_set_time *value,
                                                   const struct mip_field *field) {
     return mip_decode_only(&mip_tools_set_time_codec, 0x03, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_tools_set_time_encode(const struct mip_tools_set_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_codec, value, builder);
@@ -508,17 +508,17 @@ struct mip_tools_set_time_fast_response {
 /** Its name in the specification. */
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE_NAME "tools.set_time_fast_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_set_time_fast_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_set_time_fast_response_decode(
     struct mip_tools_set_time_fast_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_tools_set_time_fast_response_codec, 0x83, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_set_time_fast_response_encode(
     const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_fast_response_codec, value, builder);
@@ -543,17 +543,17 @@ struct mip_tools_set_time_slow_response {
 /** Its name in the specification. */
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_NAME "tools.set_time_slow_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_set_time_slow_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_set_time_slow_response_decode(
     struct mip_tools_set_time_slow_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_tools_set_time_slow_response_codec, 0x84, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode(
     const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_slow_response_codec, value, builder);
@@ -585,16 +585,16 @@ struct mip_tools_status {
 /** Its name in the specification. */
 #define MIP_TOOLS_STATUS_NAME "tools.status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_decode(struct mip_tools_status *value,
                                                 const struct mip_field *field) {
     return mip_decode_only(&mip_tools_status_codec, 0x04, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_status_encode(const struct mip_tools_status *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_codec, value, builder);
@@ -643,16 +643,16 @@ struct mip_tools_status_paged {
 /** Its name in the specification. */
 #define MIP_TOOLS_STATUS_PAGED_NAME "tools.status_paged"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_status_paged_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_paged_decode(struct mip_tools_status_paged *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_tools_status_paged_codec, 0x90, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_status_paged_encode(
     const struct mip_tools_status_paged *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_paged_codec, value, builder);
@@ -687,16 +687,16 @@ struct mip_tools_status_short {
 /** Its name in the specification. */
 #define MIP_TOOLS_STATUS_SHORT_NAME "tools.status_short"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_status_short_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_short_decode(struct mip_tools_status_short *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_tools_status_short_codec, 0x90, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_status_short_encode(
     const struct mip_tools_status_short *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_short_codec, value, builder);
@@ -734,16 +734,16 @@ struct mip_tools_status_long {
 /** Its name in the specification. */
 #define MIP_TOOLS_STATUS_LONG_NAME "tools.status_long"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_status_long_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_tools_status_long_codec, 0x90, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_status_long_encode(
     const struct mip_tools_status_long *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_long_codec, value, builder);
@@ -778,16 +778,16 @@ struct mip_tools_status_old {
 /** Its name in the specification. */
 #define MIP_TOOLS_STATUS_OLD_NAME "tools.status_old"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_status_old_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_status_old_decode(struct mip_tools_status_old *value,
                                                     const struct mip_field *field) {
     return mip_decode_only(&mip_tools_status_old_codec, 0x90, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_tools_status_old_encode(const struct mip_tools_status_old *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_old_codec, value, builder);
@@ -826,16 +826,16 @@ struct mip_tools_full {
 /** Its name in the specification. */
 #define MIP_TOOLS_FULL_NAME "tools.status_full"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_full_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_full_decode(struct mip_tools_full *value,
                                               const struct mip_field *field) {
     return mip_decode_only(&mip_tools_full_codec, 0x90, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_full_codec, value, builder);
@@ -872,16 +872,16 @@ struct mip_tools_bias {
 /** Its name in the specification. */
 #define MIP_TOOLS_BIAS_NAME "tools.bias"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_bias_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_bias_decode(struct mip_tools_bias *value,
                                               const struct mip_field *field) {
     return mip_decode_only(&mip_tools_bias_codec, 0x05, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_codec, value, builder);
@@ -948,16 +948,16 @@ struct mip_tools_bias_vector {
 /** Its name in the specification. */
 #define MIP_TOOLS_BIAS_VECTOR_NAME "tools.bias_vector"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_bias_vector_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vector *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_tools_bias_vector_codec, 0x9B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_bias_vector_encode(
     const struct mip_tools_bias_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_vector_codec, value, builder);
@@ -986,16 +986,16 @@ struct mip_tools_capture_bias {
 /** Its name in the specification. */
 #define MIP_TOOLS_CAPTURE_BIAS_NAME "tools.capture_bias"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_capture_bias_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_bias *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_tools_capture_bias_codec, 0x06, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_capture_bias_encode(
     const struct mip_tools_capture_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_capture_bias_codec, value, builder);
@@ -1040,16 +1040,16 @@ struct mip_tools_formats {
 /** Its name in the specification. */
 #define MIP_TOOLS_FORMATS_NAME "tools.formats"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_formats_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_formats_decode(struct mip_tools_formats *value,
                                                  const struct mip_field *field) {
     return mip_decode_only(&mip_tools_formats_codec, 0x07, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_tools_formats_codec, value, builder);
@@ -1121,16 +1121,16 @@ struct mip_tools_choice {
 /** Its name in the specification. */
 #define MIP_TOOLS_CHOICE_NAME "tools.choice"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_choice_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_choice_decode(struct mip_tools_choice *value,
                                                 const struct mip_field *field) {
     return mip_decode_only(&mip_tools_choice_codec, 0x08, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_codec, value, builder);
@@ -1205,16 +1205,16 @@ struct mip_tools_choice_response {
 /** Its name in the specification. */
 #define MIP_TOOLS_CHOICE_RESPONSE_NAME "tools.choice_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_choice_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_choice_response_decode(struct mip_tools_choice_response *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_tools_choice_response_codec, 0x88, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_choice_response_encode(
     const struct mip_tools_choice_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_response_codec, value, builder);
@@ -1251,16 +1251,16 @@ struct mip_tools_list {
 /** Its name in the specification. */
 #define MIP_TOOLS_LIST_NAME "tools.list"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_list_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_list_decode(struct mip_tools_list *value,
                                               const struct mip_field *field) {
     return mip_decode_only(&mip_tools_list_codec, 0x09, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_codec, value, builder);
@@ -1317,16 +1317,16 @@ struct mip_tools_list_response {
 /** Its name in the specification. */
 #define MIP_TOOLS_LIST_RESPONSE_NAME "tools.list_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_list_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_list_response_decode(struct mip_tools_list_response *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_tools_list_response_codec, 0x89, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_list_response_encode(
     const struct mip_tools_list_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_response_codec, value, builder);
@@ -1355,16 +1355,16 @@ struct mip_tools_stock {
 /** Its name in the specification. */
 #define MIP_TOOLS_STOCK_NAME "tools.inventory"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_stock_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_stock_decode(struct mip_tools_stock *value,
                                                const struct mip_field *field) {
     return mip_decode_only(&mip_tools_stock_codec, 0x0A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_stock_encode(const struct mip_tools_stock *value,
                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_codec, value, builder);
@@ -1393,16 +1393,16 @@ struct mip_tools_stock_response {
 /** Its name in the specification. */
 #define MIP_TOOLS_STOCK_RESPONSE_NAME "tools.inventory_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_stock_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_stock_response_decode(struct mip_tools_stock_response *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_tools_stock_response_codec, 0x8A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_stock_response_encode(
     const struct mip_tools_stock_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_response_codec, value, builder);
@@ -1441,16 +1441,16 @@ struct mip_tools_pin {
 /** Its name in the specification. */
 #define MIP_TOOLS_PIN_NAME "tools.pin"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_pin_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_pin_decode(struct mip_tools_pin *value,
                                              const struct mip_field *field) {
     return mip_decode_only(&mip_tools_pin_codec, 0x0B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
                                                          struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_codec, value, builder);
@@ -1509,16 +1509,16 @@ struct mip_tools_pin_response {
 /** Its name in the specification. */
 #define MIP_TOOLS_PIN_RESPONSE_NAME "tools.pin_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_pin_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_tools_pin_response_codec, 0x8B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_pin_response_encode(
     const struct mip_tools_pin_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_response_codec, value, builder);
@@ -1555,16 +1555,16 @@ struct mip_tools_hello {
 /** The value of `present` if later is the last parameter that is present. */
 #define MIP_TOOLS_HELLO_WITH_LATER 2
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_hello_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_hello_decode(struct mip_tools_hello *value,
                                                const struct mip_field *field) {
     return mip_decode_only(&mip_tools_hello_codec, 0x0C, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *value,
                                                            struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_codec, value, builder);
@@ -1590,16 +1590,16 @@ struct mip_tools_hello_response {
 /** Its name in the specification. */
 #define MIP_TOOLS_HELLO_RESPONSE_NAME "tools.hello_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_hello_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_tools_hello_response_codec, 0x8C, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_hello_response_encode(
     const struct mip_tools_hello_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_response_codec, value, builder);
@@ -1626,16 +1626,16 @@ struct mip_tools_readings {
 /** Its name in the specification. */
 #define MIP_TOOLS_READINGS_NAME "tools.readings"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_readings_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_readings_decode(struct mip_tools_readings *value,
                                                   const struct mip_field *field) {
     return mip_decode_only(&mip_tools_readings_codec, 0x0D, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_tools_readings_encode(const struct mip_tools_readings *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_codec, value, builder);
@@ -1684,16 +1684,16 @@ struct mip_tools_readings_response {
 /** Its name in the specification. */
 #define MIP_TOOLS_READINGS_RESPONSE_NAME "tools.readings_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_readings_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_readings_response_decode(
     struct mip_tools_readings_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_tools_readings_response_codec, 0x8D, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_readings_response_encode(
     const struct mip_tools_readings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_readings_response_codec, value, builder);
@@ -1726,16 +1726,16 @@ struct mip_tools_poll {
 /** Its name in the specification. */
 #define MIP_TOOLS_POLL_NAME "tools.poll"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_tools_poll_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_tools_poll_decode(struct mip_tools_poll *value,
                                               const struct mip_field *field) {
     return mip_decode_only(&mip_tools_poll_codec, 0x0E, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_tools_poll_encode(const struct mip_tools_poll *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_tools_poll_codec, value, builder);

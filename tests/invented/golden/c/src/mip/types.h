@@ -8,7 +8,7 @@
 #include "mip/core.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/types.h and mip/constants.h are not of one version"
+#error "mip/types.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -25,7 +25,7 @@ enum mip_ack_code MIP_ENUM_8 {
     MIP_ACK_CODE_INVALID_PARAMETER = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_ack_code_name(uint8_t value);
 
 /** What the device does. Uncertain: Whether there are more. */
@@ -38,7 +38,7 @@ enum mip_mode MIP_ENUM_8 {
     MIP_MODE_SLOW = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_mode_name(uint8_t value);
 
 /** An enumeration over four bytes. */
@@ -46,7 +46,7 @@ MIP_API const char *mip_mode_name(uint8_t value);
 /** An enumeration over four bytes. */
 #define MIP_WIDE_CODE_HIGH UINT32_C(0xFFFF0000)
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_wide_code_name(uint32_t value);
 
 /** Bits of all kinds. */

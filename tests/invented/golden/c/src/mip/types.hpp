@@ -70,7 +70,7 @@ inline flag_names names_of(state_flags) {
 /** mip_health: health */
 using health = ::mip_health;
 
-/** Its bits, for mip::get and mip::has. */
+/** The bits of health, for mip::get and mip::has. */
 enum class health_bits : std::uint16_t {
     clock = MIP_HEALTH_CLOCK,
     hot = MIP_HEALTH_HOT,

@@ -2,8 +2,8 @@
 
 // The macros are in `src/macros`; `cargo doc` shows what they generate. `open_enum!` and
 // `bitfield!`: types of values; `record!`: a structure with its codec; `union!`: its alternatives;
-// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill it;
-// `field!`: its sets and descriptor; `command!` and `responses!`: the answers to it.
+// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill the
+// structure; `field!`: its sets and descriptor; `command!` and `responses!`: the replies to it.
 
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
@@ -435,7 +435,7 @@ command! {
 }
 
 responses! {
-    /// The answer to [`SetTime`].
+    /// The response to [`SetTime`].
     #[derive(Copy, Eq, Hash)]
     pub enum SetTimeResponses {
         /// The response [`SetTimeFastResponse`].
@@ -495,7 +495,7 @@ command! {
 }
 
 responses! {
-    /// The answer to [`Status`].
+    /// The response to [`Status`].
     #[derive(Copy, Eq, Hash)]
     pub enum StatusResponses {
         /// The response [`StatusPaged`].
