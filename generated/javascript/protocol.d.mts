@@ -9,7 +9,7 @@ export { AckCode } from "./types.mjs";
 export declare const BARRIER: readonly [set: number, descriptor: number];
 
 export type FunctionSelector = Flavor<number, "function_selector">;
-/** What a settings command is asked to do. */
+/** The operation that a settings command requests. */
 export declare const FunctionSelector: Enumeration<FunctionSelector> & {
     /** Apply the new setting. */
     readonly WRITE: FunctionSelector & 1;

@@ -85,7 +85,7 @@ def test_what_other_devices_may_support(manual: Manual, page: str, role: str) ->
         assert words(rows[d.id]["Generation"]) == str(d.generation or "?")
         assert FIELD.findall(rows[d.id]["Probable"]) == wanted[d.id]
         assert wanted[d.id] or rows[d.id]["Probable"] == "?"
-        assert FIELD.findall(rows[d.id].get("Refused", "")) == [
+        assert FIELD.findall(rows[d.id].get("Not supported", "")) == [
             s.field.full_name for s in d.refuses if s.field.role == role
         ]
 

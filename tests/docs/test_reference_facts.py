@@ -242,7 +242,7 @@ def wanted_rows(t: m.Type, manual: Manual) -> list[list[str]]:
             wanted.append([seen(place.value), mask, b.name, text])
         free = (1 << 8 * t.size) - 1 & ~functools.reduce(operator.or_, (b.mask for b in t.bits), 0)
         if free and t.scalar:
-            row = ["other bits", f"0x{free:0{2 * t.size}X}", "", "Reserved or not known: ignore them."]
+            row = ["other bits", f"0x{free:0{2 * t.size}X}", "", "Reserved or unknown: ignore them."]
             wanted.append(row)
     if wanted and not any(row[-1] for row in wanted):
         wanted = [row[:-1] for row in wanted]

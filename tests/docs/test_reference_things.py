@@ -311,7 +311,7 @@ def test_every_device_has_its_page(manual: Manual) -> None:
         assert properties.get("Also called", "") == ", ".join(d.also)
         assert properties.get("Generation") == (str(d.generation) if d.generation is not None else None)
         assert properties.get("Similar to") == (of.device(d.like).title if d.like else None)  # type: ignore[union-attr]
-        assert (properties["Manual"] == "none is known") == (d.manual is None)
+        assert (properties["Manual"] == "none known") == (d.manual is None)
         assert properties.get("Sources", "") == "; ".join(describe.sources(d))
         for port in d.ports:
             later = {f.protocol: f" (firmware {f.versions})" for f in port.firmware}

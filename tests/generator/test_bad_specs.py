@@ -34,9 +34,9 @@ FAULTS = {"_fault", "Fault", "_unclosed"}
 
 #: Sites that no specification can reach; each has its own test.
 UNREACHABLE = {
-    "loader: problems.add(Position(shown(folder), 1, 1), f'nothing to add to the specification: no {files}')":
+    "loader: problems.add(Position(shown(folder), 1, 1), f'this overlay contains none of these files: {files}')":
         "test_overlay.py::test_messages",
-    "loader: problems.add(Position(shown(folder), 1, 1), 'there are no witnesses here: no .yaml file')":
+    "loader: problems.add(Position(shown(folder), 1, 1), 'this folder contains no witnesses, that is, no .yaml files')":
         "test_witness.py::test_command_line",
     "checks: problems.add(model.protocol.acknowledge.position, 'no set has a field; write one, in a file of sets/')":
         "test_no_field_at_all",

@@ -76,7 +76,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "advanced": "For advanced use.",
                 "responses": "Answered by <tools.status_paged>, <tools.status_short>, <tools.status_long>, "
                 "<tools.status_old> or <tools.status_full>.",
-                "timeout": "The device may take 2.5 s to answer.",
+                "timeout": "The device may take 2.5 s to reply.",
                 "devices": BOTH,
             },
         ),
@@ -112,7 +112,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "functions": "Functions: <write> and <read>.",
                 "responses": "Answered by <tools.choice_response>.",
                 "devices": "Supported by <Model A>.",
-                "refused": "Refused by <Model C>.",
+                "refused": "Not supported by <Model C>.",
             },
         ),
         (
@@ -187,7 +187,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
                 "frame": "Frame: <sensor>.",
                 "valid": "Each element has its own valid flag. x: <valid_flags.ready>, y: <valid_flags.hot>, "
                 "z: <valid_flags.ready>.",
-                "variant": "On the <Model C>: no flag says whether it is valid.",
+                "variant": "On the <Model C>: no flag marks it as valid.",
             },
         ),
         ("measurements.accel:valid_flags", {"variant": "On the <Model C>: only <ready> and <level>."}),
@@ -196,7 +196,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             {"range": "Range: 1 to 2.", "variant": "On the <Model C>: always 2. Inferred: It has one layout."},
         ),
         ("tools.status_short:flags", {"variant": "On the <Model B>: values of <model_b_faults>."}),
-        ("tools.status_long:flags", {"variant": "On the <Model C>: the values are not known."}),
+        ("tools.status_long:flags", {"variant": "On the <Model C>: the values are unknown."}),
     ],
 )
 def test_facts(path: str, facts: dict[str, str]) -> None:
@@ -208,7 +208,7 @@ def test_facts(path: str, facts: dict[str, str]) -> None:
     [
         (0, "Documented."),
         (1, "Listed by the device (firmware 1.0.07; 2026-11-23)."),
-        (2, "Listed by others after the manual (Kit of names: Names). It names tools.hello."),
+        (2, "Transcribed from the manual by others (Kit of names: Names). It names tools.hello."),
         (3, "Rejected by the device (firmware 1.2)."),
     ],
 )
@@ -253,7 +253,7 @@ def test_what_is_the_same_on_devices_is_told_once() -> None:
                 "Also called Model See and c.",
                 "Generation 3.",
                 "Model number 4713.",
-                "Like the <Model A>, except as stated here.",
+                "Same as the <Model A>, except as stated here.",
                 "No manual is known.",
                 "Uncertain: Whether it has a model number of its own.",
             ],
@@ -348,7 +348,7 @@ def test_what_is_usual_where_a_variant_differs() -> None:
 
     assert said("tools.settings", "mode", "model-c") == "values of <mode>; deprecated"
     assert said("tools.status", "selector", "model-c") == "any value"
-    assert said("tools.settings", "limit", "fast") == "unit not known; range not known; default not known"
+    assert said("tools.settings", "limit", "fast") == "unit unknown; range unknown; default unknown"
     assert said("measurements.radio", "noise", "model-c") == "valid if <connected> is true; not deprecated"
     assert said("tools.status_long", "flags", "model-c") == "any number"
 
@@ -357,7 +357,7 @@ def test_what_is_usual_where_a_variant_differs() -> None:
     ("manual", "counts"),
     [
         ("guide", "count every byte"),
-        ("leaflet", "count only numbers and arrays of numbers; 3 leave out vectors, structures or unions"),
+        ("leaflet", "count only numbers and arrays of numbers; 3 omit vectors, structures or unions"),
         ("sheet", "not given"),
     ],
 )
@@ -391,4 +391,4 @@ def test_comments_in_code_leave_out_what_is_longer_than_all_else() -> None:
     assert left_out("tools.capture_bias") == (["Flagged by <sensor> of <model_a_faults>."], [])
     assert left_out("tools.ping") == (["Probably supported by <Old 2>."], [])
     only = next(f for f in INVENTED.fields if INVENTED.devices_of(f, False) and not INVENTED.devices_of(f))
-    assert left_out(only.full_name)[1] == ["No device is certain to support it."]
+    assert left_out(only.full_name)[1] == ["No device is known for certain to support it."]

@@ -151,7 +151,7 @@ def test_a_rate_that_is_not_known_contradicts_none(tmp_path: Path) -> None:
         ("base_rates: {measurements: 50}\n", "2:14: error: 'measurements' is already given at {own}:7:28; "),
         (
             f"ports: [{PORT.replace('[MIP]', '[MIP, NMEA]')}]\n",
-            "2:9: error: the port 'Main' is another one at {own}:8:9; correct one of them",
+            "2:9: error: the port 'Main' differs from the one at {own}:8:9; correct one",
         ),
     ],
 )
@@ -174,5 +174,5 @@ def test_a_list_says_nothing_of_readings(tmp_path: Path) -> None:
     file.write_text("extend: model-a\nevidence: [{kind: listed, fields: {measurements: [states]}}]\n", "utf-8")
     assert kinds(device(load_model(spec), "model-a"))["measurements.states"] == "listed"
     file.write_text("extend: model-a\nsupports: {measurements: [states]}\n", "utf-8")
-    with pytest.raises(SpecError, match="the device must say how it reads"):
+    with pytest.raises(SpecError, match="the meaning of 'measurements.states.state' is missing"):
         load_model(spec)

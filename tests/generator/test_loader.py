@@ -135,7 +135,7 @@ def test_files_that_are_not_of_the_specification(tmp_path: Path) -> None:
     with pytest.raises(SpecError) as caught:
         load_model(spec)
     assert [p.file.rpartition("sets/")[2] for p in caught.value.problems] == ["more.YAML", "more.yml", "old/more.yaml"]
-    assert all(p.message.startswith("this file is not read; only these are: ") for p in caught.value.problems)
+    assert all(p.message.startswith("this file is ignored; only these are read: ") for p in caught.value.problems)
 
 
 def test_no_folder_at_all(tmp_path: Path) -> None:

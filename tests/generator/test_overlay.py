@@ -137,7 +137,7 @@ MODE = "extend: tools\ntypes:\n  mode: {enum: u8, description: A., values: {a: {
         (
             "sets/a.txt",
             "",
-            ":1:1: error: nothing to add to the specification: no overlay.yaml, manuals/*.yaml, types/*.yaml",
+            ":1:1: error: this overlay contains none of these files: overlay.yaml, manuals/*.yaml, types/*.yaml",
         ),
     ],
 )

@@ -139,7 +139,7 @@ def test_a_field_of_a_device(device: m.Device) -> None:
         if f.full_name in has:
             select(REAL, selection)
             continue
-        with pytest.raises(Failure, match=f"^mipgen: error: the field '{f.full_name}' is of no selected device; "):
+        with pytest.raises(Failure, match=f"^mipgen: error: no selected device has the field '{f.full_name}'; "):
             select(REAL, selection)
 
 
@@ -208,18 +208,18 @@ NUMBERS = ", ".join(f"0x{number:02X}" for number in sorted(s.number for s in REA
             "unknown device 'RQ1', did you mean '3dm-rq1-45-lt' or '3dm-rq1-45-st' or '3dm-rq1-imu'?",
         ),
         (Selection(devices=("3DM-GXX-15",)), "unknown device '3DM-GXX-15', did you mean '3dm-gx5-15'?"),
-        (Selection(certain=True), "--certain is about devices; name one with --device"),
+        (Selection(certain=True), "--certain requires a device; add --device"),
         (Selection(sets=("0x7E",)), f"no set has the number 0x7E; known: {NUMBERS}"),
         (Selection(sets=("sensr",)), "unknown set 'sensr', did you mean 'sensor'?"),
         (Selection(fields=("base.pin",)), "unknown field 'base.pin', did you mean 'base.ping'?"),
         (
             Selection(devices=("3dm-gx5-15",), fields=("3dm.device_status_diagnostic_gq4_45_response",)),
-            "the field '3dm.device_status_diagnostic_gq4_45_response' is of no selected device; leave it out, or name "
+            "no selected device has the field '3dm.device_status_diagnostic_gq4_45_response'; remove it, or select "
             "a device that has it: 3dm-gq4-45",
         ),
         (
             Selection(devices=("3dm-gx5-15", "3dm-gx5-10"), sets=("sensor", "displacement")),
-            "the set 'displacement' is of no selected device; leave it out, or name a device that has it: demod-dc",
+            "no selected device has the set 'displacement'; remove it, or select a device that has it: demod-dc",
         ),
     ],
 )

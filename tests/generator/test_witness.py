@@ -187,7 +187,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert cli.main([*arguments, str(tmp_path / "no")]) == 1
     assert "no such folder; write --witness FOLDER" in capsys.readouterr().err
     assert cli.main([*arguments, str(tmp_path)]) == 1
-    assert "there are no witnesses here: no .yaml file" in capsys.readouterr().err
+    assert "this folder contains no witnesses, that is, no .yaml files" in capsys.readouterr().err
     (tmp_path / "book.yaml").write_text(FACTS, "utf-8")
     assert cli.main([*arguments, str(tmp_path)]) == 1
     assert "0x05,0x01: no such command; the witness has Tune: " in capsys.readouterr().out

@@ -15,7 +15,7 @@ BARRIER = (0x01, 0x01)
 
 
 class FunctionSelector(codec.OpenEnum):
-    """What a settings command is asked to do."""
+    """The operation that a settings command requests."""
 
     WRITE = 1
     """Apply the new setting."""

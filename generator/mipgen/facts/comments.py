@@ -13,7 +13,7 @@ from .describe import Fact, Ref
 
 
 class Names(Protocol):
-    """The names in a language: the module `names` of its target."""
+    """The names in a language, as the module `names` of its target defines them."""
 
     @property
     def module(self) -> Callable[[str], str]: ...
@@ -29,10 +29,10 @@ class Names(Protocol):
 
 @dataclass(frozen=True)
 class Comments:
-    """Each method returns paragraphs; an item of a list begins with a dash, on a line of its own."""
+    """Composes comments. Each method returns paragraphs; a list item begins with a dash, on a line of its own."""
 
     names: Names
-    alternative: Callable[[m.Parameter | None, m.Record], str]  # what a union holds
+    alternative: Callable[[m.Parameter | None, m.Record], str]  # the content of a union
 
     def family(self, x: m.Family, model: m.Model) -> list[str]:
         numbers, where = ", ".join(f"0x{s.number:02X}" for s in x.sets), self.names.module(x.name)
@@ -98,14 +98,14 @@ class Comments:
         return describe.say(text, lambda ref: self._named(ref, where))
 
     def _named(self, ref: Ref, where: str) -> str:
-        """The name that the module `where` uses for something in a text."""
+        """The name that the module `where` uses for a reference in a text."""
         names = self.names
         match ref.thing:
             case m.Field() | m.Enum() | m.Bitfield() | m.Struct():
                 return f"`{names.reference(ref.thing, where)}`"
             case m.EnumValue() | m.Bits():
                 assert isinstance(ref.within, (m.Enum, m.Bitfield))
-                holder, dot, _ = ref.words.rpartition(".")  # valid_flags.tow: the member that has the bit
+                holder, dot, _ = ref.words.rpartition(".")  # valid_flags.tow: the member that contains the bit
                 name = f"`{names.reference(ref.within, where)}.{names.constant(ref.thing.name)}`"
                 return f"{name} of `{names.member(holder)}`" if dot else name
             case m.Parameter() | m.Function():
@@ -115,7 +115,7 @@ class Comments:
 
 
 def descriptors(f: m.Field) -> str:
-    """Set and descriptor, "0x80,0x04"; only the descriptor of a field that occurs in several sets."""
+    """Set and descriptor, "0x80,0x04"; for a field of several sets, only the descriptor."""
     return f"0x{f.descriptor:02X}" if len(f.occurrences) > 1 else f"0x{f.set:02X},0x{f.descriptor:02X}"
 
 

@@ -1,7 +1,7 @@
 """Facts that documentation states about the parts of a model, composed once for all targets.
 
 A fact has a topic, a value ("m/s") and a sentence ("Unit: m/s."). Both are texts: words and references. This module is
-the interface for targets; the facts about each part are composed in the module of that name.
+the interface for targets; the module named after a part composes its facts.
 """
 
 from __future__ import annotations
@@ -82,21 +82,21 @@ class _Composed:
 
 
 def field(f: m.Field, model: m.Model) -> list[Fact]:
-    """The facts about a field besides its description."""
+    """Returns the facts about a field besides its description."""
     return model.derived(_Composed).field(f)
 
 
-#: Topics that need more lines than all others. The reference has them, and the metadata of a binding for programs.
+#: Topics that need more lines than all others: only the reference, and the run-time metadata of bindings, contain them.
 _LONG = ("perhaps", "refused", "affected", "flags")
 
 
 def in_code(f: m.Field, model: m.Model) -> list[Fact]:
-    """The facts in the comment of a field, besides its description."""
+    """Returns the facts for the comment of a field, besides its description."""
     unsure = model.devices_of(f, certain=False) and not model.devices_of(f)
-    said = [fact("unsure", (), "No device is certain to support it.")] if unsure else []
+    said = [fact("unsure", (), "No device is known for certain to support it.")] if unsure else []
     return said + [x for x in field(f, model) if x.topic not in _LONG]
 
 
 def parameter(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
-    """The facts about a parameter, or the parameter of a union's case, besides its description."""
+    """Returns the facts about a parameter, or the parameter of a union's case, besides its description."""
     return model.derived(_Composed).parameter(p, record)

@@ -9,7 +9,7 @@ from mipgen import model as m
 
 
 def set_of(p: m.Parameter, values: Mapping[str, Any], model: m.Model) -> int | None:
-    """The number of the set whose field descriptors a parameter holds, with these values beside it."""
+    """The number of the set to which a parameter's field descriptors belong, given the values beside it."""
     if p.fields_of in values:
         number = values[p.fields_of]
         return number if isinstance(number, int) else None
@@ -17,7 +17,7 @@ def set_of(p: m.Parameter, values: Mapping[str, Any], model: m.Model) -> int | N
 
 
 def meant(p: m.Parameter, value: int, set_number: int | None, model: m.Model) -> m.Set | m.Field | None:
-    """The data set, or the field, that a value of a parameter is the number of, if that is known."""
+    """The data set or the field whose number is the value of a parameter, if that is known."""
     if p.shown == "set":
         data_set = model.set(value)
         return data_set if data_set is not None and data_set.kind == "data" else None
@@ -27,7 +27,7 @@ def meant(p: m.Parameter, value: int, set_number: int | None, model: m.Model) ->
 
 
 def hexadecimal(p: m.Parameter, value: int) -> str:
-    """A number as people know it.
+    """A number in its usual notation, hexadecimal.
 
     >>> p = m.Parameter("a", m.SCALARS["u16"], None)
     >>> hexadecimal(p, 0x1F)

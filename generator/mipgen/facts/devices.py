@@ -8,11 +8,11 @@ from mipgen.lower.lengths import computed_length
 from .remarks import uncertain
 from .texts import Fact, Text, device_ref, fact, joined, prose, say
 
-#: Kind of evidence -> its statement; if it is about other devices, these follow.
+#: Kind of evidence -> its statement; if it is about other devices, their names follow.
 _KINDS = {
     "documented": "Documented",
     "listed": "Listed by the device",
-    "transcribed": "Listed by others after the manual",
+    "transcribed": "Transcribed from the manual by others",
     "example": "Used by the vendor's example for this model",
     "software": "Used by programs for this model",
     "family": "Supported by devices of the same generation",
@@ -22,7 +22,7 @@ _KINDS = {
 
 
 def device(d: m.Device, model: m.Model) -> list[Fact]:
-    """The facts about a device besides its description, its fields, and the differences there."""
+    """Returns the facts about a device besides its description, its fields, and its differences."""
     facts: list[Fact] = []
     if d.also:
         facts.append(fact("also", joined([(name,) for name in d.also]), "Also called {}."))
@@ -32,7 +32,7 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
         facts.append(fact("model_number", (str(d.model_number),), "Model number {}."))
     other = model.device(d.like) if d.like else None
     if other is not None:
-        facts.append(fact("like", (device_ref(other),), "Like the {}, except as stated here."))
+        facts.append(fact("like", (device_ref(other),), "Same as the {}, except as stated here."))
     manual = next((x for x in model.protocol.manuals if x.id == d.manual), None)
     known = (f"{manual.title}, {manual.document}",) if manual else ()
     facts.append(fact("manual", known, "Manual: {}." if manual else "No manual is known."))
@@ -43,7 +43,7 @@ def device(d: m.Device, model: m.Model) -> list[Fact]:
 
 
 def evidence(e: m.Evidence, model: m.Model) -> Text:
-    """The evidence that a device has a field, or does not: its kind, its source, and the place."""
+    """Words the evidence that a device supports a field, or does not: its kind, its source, and the section."""
     known = {x.id: x.title for x in model.protocol.manuals}
     devices = [(device_ref(d),) for id in e.of if (d := model.device(id)) is not None]
     of: Text = (", ", *joined(devices)) if devices else ()
@@ -56,12 +56,12 @@ def evidence(e: m.Evidence, model: m.Model) -> Text:
 
 
 def why(e: m.Evidence, model: m.Model) -> str:
-    """The same as plain text."""
+    """Words the evidence as plain text."""
     return say(evidence(e, model), lambda ref: ref.words)
 
 
 def known(d: m.Device) -> str:
-    """Summarizes in a line what is known of a device: "3dm-gq7: 69 certain, 101 probable; there may be more"."""
+    """Summarizes the knowledge about a device in one line: "3dm-gq7: 69 certain, 101 probable; there may be more"."""
     counts = [(len(d.certain), "certain"), (len(d.probable), "probable"), (len(d.refuses), "refused")]
     said = ", ".join(f"{n} {what}" for n, what in counts if n) or "nothing is known"
     return f"{d.id}: {said}{'; there may be more' if d.incomplete else ''}"
@@ -75,7 +75,7 @@ def lengths(manual: m.Manual, model: m.Model) -> Text:
         return ("count every byte",)
     printed = [f for f in model.fields for s in f.sources if s.manual == manual.id and s.length is not None]
     short = [f for f in printed if computed_length(f, "scalars") != computed_length(f, "wire") or _has_union(f)]
-    return (f"count only numbers and arrays of numbers; {len(short)} leave out vectors, structures or unions",)
+    return (f"count only numbers and arrays of numbers; {len(short)} omit vectors, structures or unions",)
 
 
 def _has_union(f: m.Field) -> bool:

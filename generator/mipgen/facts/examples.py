@@ -1,4 +1,4 @@
-"""Selects the values of an example that a reader would take for typical."""
+"""Selects the values of an example that can serve as typical values."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mipgen.lower import codec
 
 
 def plain(parameters: tuple[m.Parameter, ...], values: codec.Values) -> bool:
-    """Do all values and bits have names, can all numbers and texts be written, and does no set depend on the device?"""
+    """True if all values and bits have names, numbers and texts can be written, and no set depends on the device."""
     return all(
         _is_plain(p, values[p.name])
         and not (p.shown == "set" and any(v.by_device and v.type is not None for v in p.variants))

@@ -49,7 +49,7 @@ def _status(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _exchange(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The response that it requests, and the command that it answers."""
+    """The response that the field requests, and the command that it answers."""
     if f.functions:
         yield fact("functions", functions(f.functions), "Functions: {}.")
     if f.responses:
@@ -63,7 +63,7 @@ def _exchange(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The conditions under which it is sent, and those under which nothing acknowledges it."""
+    """The conditions under which a field is sent, and those under which a command is not acknowledged."""
     if f.when:
         command = next(c for c in model.commands(f) if c.name == f.command)
         yield fact("when", conditions(f.when, command), "Sent if {}.")
@@ -72,11 +72,11 @@ def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:
     for c in f.silenced_by:
         yield fact("silent", _setting(c, model), "Not acknowledged if {}.")
     if f.sent_by == "device":
-        yield fact("sent_by", (), "Sent by the device; the host answers.")
+        yield fact("sent_by", (), "Sent by the device; the host replies.")
 
 
 def _relations(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The fields that it changes, those that change it, and the flags that concern it."""
+    """The fields that a field changes, the fields that change it, and the flags that concern it."""
     for certain, topic, word in ((True, "affects", "Changes"), (False, "may_affect", "Probably changes")):
         things = model.affected(f, certain)
         if things:
@@ -102,13 +102,13 @@ def changed(thing: m.Field | m.Set, model: m.Model) -> Iterator[Fact]:
 
 def _limits(f: m.Field) -> Iterator[Fact]:
     if f.timeout:
-        yield fact("timeout", (f"{number(f.timeout)} s",), "The device may take {} to answer.")
+        yield fact("timeout", (f"{number(f.timeout)} s",), "The device may take {} to reply.")
     if f.max_rate:
         yield fact("max_rate", (f"{number(f.max_rate)} Hz",), "Maximum rate: {}.")
 
 
 def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The devices that have it, and the differences there."""
+    """The devices that support a field, and their differences."""
     certain, perhaps = model.devices_of(f), model.devices_of(f, certain=False)
     if certain:
         yield fact("devices", joined([(device_ref(d),) for d in certain]), "Supported by {}.")
@@ -116,7 +116,7 @@ def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
         yield fact("perhaps", joined([(device_ref(d),) for d in perhaps]), "Probably supported by {}.")
     refusing = model.refusing(f)
     if refusing:
-        yield fact("refused", joined([(device_ref(d),) for d in refusing]), "Refused by {}.")
+        yield fact("refused", joined([(device_ref(d),) for d in refusing]), "Not supported by {}.")
     if model.devices and f.role != m.RESPONSE and not certain and not perhaps:
         yield fact("devices", (), "Not listed in any device profile.")
     yield from (_deprecation(d, s.deprecated, model) for d, s in model.supports(f) if s.deprecated)
@@ -125,7 +125,7 @@ def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _evidence(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The other sources of a field that no manual describes."""
+    """The sources of a field that no manual describes."""
     names = {s.manual for s in f.sources}
     cited = [x for x in model.protocol.manuals if x.id in names]
     if cited and all(x.kind == "sdk" for x in cited):
@@ -147,7 +147,7 @@ def _deprecation(d: m.Device, instead: str, model: m.Model) -> Fact:
 
 
 def conditions(of: Sequence[m.Condition], command: m.Field) -> Text:
-    """Parameters of a command that have certain values."""
+    """Words conditions on the parameters of a command."""
     return joined([condition(c, command) for c in of])
 
 
@@ -159,7 +159,7 @@ def condition(c: m.Condition, command: m.Field) -> Text:
 
 
 def _setting(c: m.Condition, model: m.Model) -> Text:
-    """The setting of another command, which a part of a specification may lack."""
+    """A setting of another command, which a partial specification may lack."""
     command = model.field(c.command or "")
     if command is None:
         return (f"{c.parameter} of {c.command} is {c.label}",)

@@ -1,4 +1,4 @@
-"""Values as programs write them, in whatever language: with the names that enumerations and bits have."""
+"""Values as programs in any language write them: with the names of enumeration values and bits."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from .descriptors import hexadecimal
 class Decimal:
     """A floating-point number."""
 
-    text: str  # the shortest that has its bits; it has a point or an exponent
+    text: str  # the shortest decimal with these bits; it has a point or an exponent
     size: int
 
 
 @dataclass(frozen=True, slots=True)
 class Truth:
-    byte: int  # 0 or 1, or another that is true, too
+    byte: int  # 0 or 1, or another number, which also means true
 
     @property
     def value(self) -> bool:
@@ -32,7 +32,7 @@ class Truth:
 
 @dataclass(frozen=True, slots=True)
 class Whole:
-    text: str  # in the form that people know
+    text: str  # in the usual notation
     value: int
     size: int
 
@@ -52,7 +52,7 @@ class Flags:
 
     type: m.Bitfield
     number: Whole
-    names: tuple[m.Bits, ...]  # the flags that make it up; none if it has other bits, or numbers, too
+    names: tuple[m.Bits, ...]  # the flags that make it up; none if it also has other bits, or numbers
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +90,7 @@ class Alternative:
     """A union with one of its cases."""
 
     union: m.Union
-    case: m.Case | None  # None: its tag is one that the specification does not know
+    case: m.Case | None  # None: the specification does not define its tag
     value: Literal | None  # None: it is empty
 
 
@@ -98,12 +98,12 @@ Literal: TypeAlias = "Decimal | Truth | Whole | Choice | Flags | Octets | Text |
 
 
 def record(parameters: tuple[m.Parameter, ...], values: Mapping[str, Any]) -> dict[str, Literal]:
-    """The given values of some parameters, in wire order."""
+    """Converts the given values of some parameters, in wire order."""
     return {p.name: literal(p, values[p.name]) for p in parameters if p.constant is None and p.name in values}
 
 
 def literal(p: m.Parameter, value: Any) -> Literal:
-    """A value of a parameter in the form of the codec."""
+    """Converts a value of a parameter from the form of the codec."""
     if p.struct:
         return Structure(p.struct, record(p.struct.parameters, value))
     if p.union:
@@ -139,7 +139,7 @@ def _number(p: m.Parameter, value: Any) -> Literal:
 
 
 def flags(t: m.Bitfield, value: int) -> tuple[m.Bits, ...]:
-    """The flags that make up a value; none if it has other bits, or numbers, too.
+    """The flags that make up a value; none if it also has other bits, or numbers.
 
     >>> t = m.Bitfield("b", m.SCALARS["u8"], 1, (m.Bits("a", 0, 0, "", False), m.Bits("n", 1, 2, "", False)), "", None)
     >>> [b.name for b in flags(t, 1)], flags(t, 3), flags(t, 128)
@@ -150,7 +150,7 @@ def flags(t: m.Bitfield, value: int) -> tuple[m.Bits, ...]:
 
 
 def decimal(bits: str) -> str:
-    """The shortest decimal that has the bits of a finite number; it has a point or an exponent.
+    """The shortest decimal with the bits of a finite number; it has a point or an exponent.
 
     >>> decimal("0x3dcccccd"), decimal("0x42480000"), decimal("0x3ff0000000000000"), decimal("0x7149f2ca")
     ('0.1', '50.0', '1.0', '1e+30')

@@ -11,7 +11,7 @@ from .texts import Fact, Ref, Text, fact, interleaved, joined, number, prose
 
 
 def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
-    """Elements, unit, frame, range and default: of a parameter, or of a variant of it."""
+    """Elements, unit, frame, range and default of a parameter, or of a variant of it."""
     elements = of.elements if isinstance(of, m.Variant) else p.elements
     if elements:
         yield fact("elements", (", ".join(elements),), "Elements: {}.")
@@ -48,7 +48,7 @@ Bound = float | int | None
 def limits(
     low: Bound, high: Bound, above: Bound = None, below: Bound = None, text: Callable[[float | int], str] | None = None
 ) -> str:
-    """Bounds in words; a value may be `low` and `high` themselves, but neither `above` nor `below`.
+    """Words bounds; `low` and `high` are inclusive, `above` and `below` exclusive.
 
     >>> limits(1, 2.5), limits(0, None), limits(None, 10)
     ('1 to 2.5', 'at least 0', 'at most 10')
@@ -63,7 +63,7 @@ def limits(
 
 
 def numeral(p: m.Parameter, value: float | int) -> str:
-    """A number of a parameter, in the form that people know."""
+    """A number of a parameter, in its usual notation."""
     return descriptors.hexadecimal(p, int(value)) if p.shown else number(value)
 
 
@@ -83,7 +83,7 @@ def default(value: object, p: m.Parameter) -> Text:
 
 
 def validity(paths: tuple[str, ...], p: m.Parameter, record: m.Record, device: str | None = None) -> Fact:
-    """The bit that marks a value as valid, or one for each element."""
+    """The bit that marks a value as valid, or a bit for each element."""
     refs = [_bit(path, record, device) for path in dict.fromkeys(paths)]
     if len(refs) == 1:
         return fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
@@ -93,7 +93,7 @@ def validity(paths: tuple[str, ...], p: m.Parameter, record: m.Record, device: s
 
 
 def _bit(path: str, record: m.Record, device: str | None) -> Ref:
-    """A bit of a sibling, by the type that it has on a device."""
+    """A bit of a sibling parameter, by the parameter's type on a device."""
     name, _, bit = path.partition(".")
     flags = next(q for q in record.parameters if q.name == name)
     own = (v.type for v in flags.readings if v.by_device and v.key == device)

@@ -6,7 +6,7 @@ from mipgen import model as m
 
 
 def differences(e: m.Example) -> list[str]:
-    """The differences between the bytes of an example in the manual and the correct ones."""
+    """Words the differences between the bytes of an example in the manual and the correct ones."""
     right = e.packet[4:-2] if e.role == "field" else e.packet
     sentences = []
     if e.string is not None:

@@ -13,7 +13,7 @@ from .variants import variants
 
 
 def facts(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
-    """The facts about a parameter, or the parameter of a union's case, besides its description."""
+    """Composes the facts about a parameter, or the parameter of a union's case, besides its description."""
     beside = {q.name: q for q in record.parameters}
     facts: list[Fact] = []
     if p.deprecated:
@@ -39,7 +39,7 @@ def facts(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
 
 
 def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: m.Record, model: m.Model) -> str | Ref:
-    """The set whose field descriptors a parameter holds, which a part of a specification may lack."""
+    """The set to which a parameter's field descriptors belong; a partial specification may lack it."""
     if p.fields_of in beside:
         return Ref(beside[p.fields_of], p.fields_of, record)
     data_set = next((s for s in model.sets if s.name == p.fields_of), None)
@@ -47,7 +47,7 @@ def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: m.Record, mod
 
 
 def _presence(p: m.Parameter, record: m.Record) -> Iterator[Fact]:
-    """The conditions under which it may be left out."""
+    """The conditions under which a parameter may be omitted."""
     if p.optional:
         yield fact("optional", (), "Optional.")
     elif isinstance(record, m.Field) and p in record.counted and len(p.required_for) < len(record.functions):

@@ -1,4 +1,4 @@
-"""Whole records of values: the given ones, and simple values within their range for the rest."""
+"""Complete records of values: given values, and for the rest simple values within their ranges."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ TEXT = "text"
 
 @dataclass(frozen=True)
 class Filled:
-    """Values for some parameters, which do not contradict each other: the given ones, and simple ones for the rest."""
+    """Consistent values for some parameters: given values, and simple ones for the rest."""
 
     parameters: tuple[m.Parameter, ...]
     given: Mapping[str, Any]
-    made_up: list[str]  # the paths of the rest are added
+    made_up: list[str]  # receives the paths of the rest
     path: str = ""
     known: codec.Values = field(default_factory=dict)
 
@@ -100,7 +100,7 @@ def _scalar(p: m.Parameter) -> Any:
 
 
 def _element(p: m.Parameter, i: int, count: int) -> Any:
-    """The element of a vector of length 1, or of a matrix without rotation."""
+    """An element of a vector of length 1, or of the identity matrix."""
     side = math.isqrt(count)
     one = i % (side + 1) == 0 if count > 4 and side * side == count else i == 0
     return _number(p.scalar, _within(p, 1 if one else 0))
@@ -123,5 +123,5 @@ def _number(scalar: m.Scalar, value: float) -> Any:
 
 
 def lists(value: object) -> Any:
-    """A default, whose lists are tuples, in the form of the codec."""
+    """Converts a default, whose lists are tuples, to the form of the codec."""
     return [lists(v) for v in value] if isinstance(value, (list, tuple)) else value

@@ -1,8 +1,8 @@
-"""The names in texts of a specification: fields, types and other names in backticks, descriptors in quotations only.
+"""Names in the texts of a specification: fields, types and other names in backticks; descriptors only in quotations.
 
-A text names a field by its full name, `3dm.pps_source_control`, and a type of a set likewise; `describe` makes
-references of these. Other names in backticks are those of parameters, values and the like. Descriptors, as in
-(0x0C,0x28), are used by the manuals, and only quotations of a manual contain them.
+A text names a field by its full name, `3dm.pps_source_control`, and a type of a set likewise; `describe` turns
+these into references. Other names in backticks are names of parameters, values and the like. Descriptors, such as
+(0x0C,0x28), are the manuals' notation; only quotations of a manual contain them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from mipgen.base.reads import kept
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
-#: Keys with texts for readers, and those with quotations of a manual.
+#: Keys with texts for readers, and keys with quotations of a manual.
 PROSE = (
     "description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text", "question",
     "answer", "why", "before", "on_event", "positive", "origin",
@@ -34,7 +34,7 @@ _BARE = re.compile(r"(?<![\w.`])[a-z0-9]+(?:_[a-z0-9]+)+(?![\w])|(?<![\w.])\w+\.
 
 
 def check(roots: Iterable[Node], model: m.Model, problems: Problems) -> None:
-    """Reports names in another form, and those of things that do not exist."""
+    """Reports names in a wrong form, and names of things that do not exist."""
     names = _Names(model, problems.add)
     for root in roots:
         names.inside(root)
@@ -70,8 +70,8 @@ class _Names:
         plain = _CODE.sub("", node.value)
         for match in DESCRIPTOR.finditer(plain):
             known = [f"`{f.full_name}`" for f in self.fields(match)]
-            remedy = f"write {' or '.join(known)}" if known else "no field has this one, so say it in words"
-            self.problem(node.position, f"a text names a field, not its descriptor {match[0]}; {remedy}")
+            remedy = f"write {' or '.join(known)}" if known else "no field has this descriptor; describe it in words"
+            self.problem(node.position, f"a text must name a field, not quote its descriptor {match[0]}; {remedy}")
         for match in _BARE.finditer(plain):
             if "_" in match[0] or self.known(match[0]):
                 self.problem(node.position, f"'{match[0]}' is a name; put it in backticks: `{match[0]}`")
@@ -81,7 +81,7 @@ class _Names:
             self.problem(node.position, f"'{title}' is the title of a command; write {names}")
 
     def titled(self, text: str) -> Iterator[str]:
-        """Titles by which a text names commands, as "the device reset command" or "the reply to device reset"."""
+        """Titles by which a text names commands: "the device reset command" or "the reply to device reset"."""
         lower = text.lower()
         for match in _COMMAND.finditer(text) if "command" in lower else ():  # most have none; searching is slow
             words = match[1].split()
@@ -93,7 +93,7 @@ class _Names:
             yield from islice((x for x in heads if x.lower() in self.titles), 1)
 
     def quotation(self, node: Node, erratum: Node) -> None:
-        """Descriptors that do not exist may be quoted where an erratum says that they do not."""
+        """Reports descriptors that do not exist, unless the erratum claims that they do not."""
         claims = [c["reference"].value for c in erratum.get("claims") or () if "reference" in c]
         for match in DESCRIPTOR.finditer(node.value):
             subject = f"0x{match['set'].upper()},0x{match['descriptor'].upper()}"
@@ -116,12 +116,12 @@ class _Names:
         return self.model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
 
     def known(self, name: str) -> bool:
-        """Is it the name of a field or a type, or of a descriptor without a layout?"""
+        """True for the name of a field, a type, or a descriptor without a layout."""
         return self.model.field(name) is not None or self.model.type(name) is not None or name in self.full_names
 
     @kept
     def titles(self) -> dict[str, list[str]]:
-        """The titles of commands, and their names in words -> full names."""
+        """Title of a command, or its name in words -> full names of such commands."""
         names: dict[str, list[str]] = {}
         for f in self.model.fields:
             if f.role == m.COMMAND:
@@ -137,7 +137,7 @@ class _Names:
 
     @kept
     def words(self) -> set[str]:
-        """Names without a set: of parameters, values and bits, of sets, functions, frames and devices."""
+        """Names that need no set: parameters, values, bits, sets, families, types, frames and devices."""
         protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)
         records: list[m.Field | m.Struct] = [*self.model.fields, protocol.acknowledge]
         records += m.structs(types)

@@ -19,10 +19,10 @@ Doubtful = m.Field | m.Family | m.Set | m.Occurrence | m.Parameter | m.Type | m.
 
 
 def uncertain(of: Doubtful, model: m.Model) -> list[Fact]:
-    """The uncertainties, each with the known and the inferred facts."""
+    """Returns the uncertainties, each with the known and the inferred facts."""
     return [fact("uncertain", prose(text.rstrip("."), model), "Uncertain: {}.") for text in of.uncertain]
 
 
 def sources(thing: m.Field | m.Occurrence | m.Family | m.Set | m.Type | m.Device) -> list[str]:
-    """The sections of manuals that state it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
+    """Returns the manuals and sections that describe it: "3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)"."""
     return [f"{s.manual}: {s.section}" for s in thing.sources]

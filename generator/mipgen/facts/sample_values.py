@@ -26,13 +26,13 @@ class SampleValues:
     model: m.Model
 
     def values(self, f: m.Field, call: m.Call) -> codec.Values:
-        """The values that a field requires if it is sent in this way, in the form of the codec. Do not change them:
-        they are made once."""
+        """The values that a field requires in this form, in the form of the codec. They are computed only once,
+        so do not change them."""
         key = (f.full_name, call.function.value if call.function else None)
         return self._values.get(key, self._made, f, call, [])
 
     def whole(self, f: m.Field, call: m.Call) -> codec.Values:
-        """The same without the function, and with those that are optional."""
+        """The same without the function, and with the optional values."""
         sample = self.values(f, call)
         if call.optional:
             asked = tuple(p for p in (*call.required, *call.optional) if p.constant is None)
@@ -40,7 +40,7 @@ class SampleValues:
         return {name: value for name, value in sample.items() if name != "function" or not f.selector}
 
     def made_up(self, f: m.Field, call: m.Call) -> list[str]:
-        """The parameters among these, and members of their structures, whose values no source states."""
+        """The parameters, and members of structures, whose values no source states."""
         paths: list[str] = []
         self._made(f, call, paths)
         return paths
@@ -57,7 +57,7 @@ class SampleValues:
         return chosen | Filled(tuple(needed), self._stated(f), made_up).values()
 
     def _stated(self, f: m.Field) -> codec.Values:
-        """Its known values one by one, in the form of the codec; those of structures may lack members."""
+        """The known values of a field, in the form of the codec; structures may lack members."""
         by_name = {p.name: p for p in f.parameters}
         stated: codec.Values = {}
         for name, value in self._initial.get(f.full_name, ()):
@@ -103,23 +103,23 @@ class SampleValues:
             return named(p, v)
         given: Any = v.number if v.number is not None else v.text
         if v.quantity:
-            given = self._quantities.get(v.quantity)  # one that is missing is reported elsewhere
+            given = self._quantities.get(v.quantity)  # a missing quantity is reported elsewhere
         if given is None:
             return None
         return shown(p, given, v.factor)
 
     def shown(self, f: m.Field) -> list[m.Call]:
-        """The ways to send a command that show how it is used: its first one, and the first that requests values."""
+        """The forms of a command that show its use: the first one, and the first one that requests values."""
         calls = self.sent(f)
         asking = next((c for c in calls if self.replies(f, c)), calls[0])
         return [calls[0]] if asking is calls[0] else [calls[0], asking]
 
     def sent(self, f: m.Field) -> list[m.Call]:
-        """The ways to send a field that some device accepts."""
+        """The forms of a field that some device accepts."""
         return [c for c in f.calls if c.function is None or c.function in self.model.taken(f)]
 
     def replies(self, f: m.Field, call: m.Call) -> list[m.Reply]:
-        """The responses to a command that is sent in this way."""
+        """The responses to a command in this form."""
         values = self.values(f, call)
         return [
             r
@@ -132,7 +132,7 @@ class SampleValues:
         return codec.encode(f, self.values(f, call or f.calls[0]))
 
     def packet(self, f: m.Field, call: m.Call | None = None) -> bytes:
-        """A packet of this field alone; one that is valid in every data set is sent in the first of them."""
+        """A packet with only this field; a field of all data sets is sent in the first of them."""
         sets = [s.number for s in self.model.sets if s.number in f.sets]
         number = sets[0] if f.everywhere and sets else f.set
         return codec.build(self.model, number, [(f.descriptor, self.data(f, call))])
@@ -151,7 +151,7 @@ class SampleValues:
 
     @kept
     def _initial(self) -> dict[str, list[tuple[str, Any]]]:
-        """Command -> the values that a new device has."""
+        """Command -> its settings on a new device."""
         initial: dict[str, list[tuple[str, Any]]] = {}
         for b in self.model.simulation.behaviors:
             initial.setdefault(b.command.full_name, []).extend(b.initial)
@@ -159,7 +159,7 @@ class SampleValues:
 
     @kept
     def _printed(self) -> dict[str, dict[int | None, codec.Values]]:
-        """Field -> function -> the values of the first example that a reader would take for typical."""
+        """Field -> function -> the values of the first example that can serve as typical."""
         printed: dict[str, dict[int | None, codec.Values]] = {}
         for x in self.model.examples:
             for part in x.fields:
@@ -173,11 +173,11 @@ class SampleValues:
 
 @dataclass(frozen=True)
 class GivenValues(SampleValues):
-    """Has the values that one field is sent with, in place of typical ones."""
+    """Supplies given values for one field instead of typical ones."""
 
     call: m.Call
     given: codec.Values
-    host: str = ""  # what a program does after the answer
+    host: str = ""  # what a program does after the reply
 
     def values(self, f: m.Field, call: m.Call) -> codec.Values:
         return self.given

@@ -1,4 +1,4 @@
-"""Values of a simulated device: its quantities as parameters, and the flags that mark them as valid."""
+"""Values of a simulated device: its quantities as values of parameters, and the flags that mark them as valid."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from mipgen.model.simulation import Value
 
 
 def shown(p: m.Parameter, given: Any, factor: float) -> Any:
-    """A quantity as a parameter shows it, in the form of the codec. Raises ValueError if it cannot.
+    """Converts a quantity to a value of a parameter, in the form of the codec. Raises ValueError if it cannot.
 
     >>> p = m.Parameter("a", m.SCALARS["float"], None)
     >>> shown(p, 9.80665, 1 / 9.80665)
@@ -27,7 +27,7 @@ def shown(p: m.Parameter, given: Any, factor: float) -> Any:
 
 
 def _scaled(p: m.Parameter, given: Any, factor: float) -> Any:
-    """A quantity in the unit of a parameter, with as many digits as a reader would write."""
+    """Converts a quantity to the unit of a parameter, with as many digits as a reader would write."""
     scalar = p.leaf.scalar
     if not isinstance(given, (int, float)) or p.leaf.kind != "scalar" or p.leaf.named:
         return given
@@ -75,7 +75,7 @@ def place(values: codec.Values, path: str, value: Any) -> None:
 
 
 def valid_flags(parameters: tuple[m.Parameter, ...]) -> codec.Values:
-    """The flags for valid values: all that the values refer to."""
+    """The flags for valid values: all flags to which the values refer."""
     values: codec.Values = {}
     by_name = {p.name: p for p in parameters}
     for p in parameters:

@@ -1,4 +1,4 @@
-"""Short programs of documentation, in languages in which each command is a statement of its own."""
+"""Short programs for documentation, in languages in which each command is a separate statement."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from .sample_values import GivenValues, SampleValues, title_of
 
 
 class Program(Protocol):
-    """One program while it is composed, with the items that it needs of the binding."""
+    """A program while it is composed, with the items of the binding that it needs."""
 
     def sent(self, f: m.Field, samples: SampleValues, /) -> list[str]:
-        """The lines that send a command, and show a response."""
+        """Returns the lines that send a command and show its response."""
         ...
 
     def text(self, lines: Sequence[str], /) -> str:
-        """The whole program, with its imports and declarations first."""
+        """Returns the complete program, with its imports and declarations first."""
         ...
 
 
@@ -33,15 +33,15 @@ class Statements(ABC):
 
     @abstractmethod
     def program(self) -> Program:
-        """A new one."""
+        """Begins a new program."""
 
     def command(self, f: m.Field) -> str:
-        """Sends it to a device."""
+        """Composes a program that sends a command to a device."""
         program = self.program()
         return program.text(program.sent(f, self.samples))
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
-        """Sends several commands; one that is not acknowledged is an error of the language."""
+        """Composes a program that sends several commands; a NACK is an error of the language."""
         program, lines = self.program(), []
         for number, (f, given) in enumerate(steps, 1):
             lines += [f"{self.remark} {number}: {title_of(f, given)}", *program.sent(f, given)]

@@ -52,7 +52,7 @@ class Fact:
 
 
 def say(text: Iterable[str | Ref], ref: Callable[[Ref], str], words: Callable[[str], str] = str) -> str:
-    """A text in a language.
+    """Writes a text in a language.
 
     >>> say(("Default: ", Ref(m.EnumValue("off", 0, ""), "off"), "."), lambda r: f"`{r.words}`")
     'Default: `off`.'
@@ -61,7 +61,7 @@ def say(text: Iterable[str | Ref], ref: Callable[[Ref], str], words: Callable[[s
 
 
 def topics(facts: Iterable[Fact], *wanted: str) -> list[Fact]:
-    """The facts of some topics, in their order."""
+    """Returns the facts with these topics, in order."""
     return [f for f in facts if f.topic in wanted]
 
 
@@ -71,7 +71,7 @@ _CODE = re.compile(r"`([^`]*)`")
 
 
 def prose(text: str, model: m.Model) -> Text:
-    """A text of the specification. The name of a field or a type in backticks, `base.ping`, becomes a reference;
+    """Parses a text of the specification. The name of a field or a type in backticks, `base.ping`, becomes a reference;
     other text between backticks stays as it is."""
 
     def named(match: re.Match[str]) -> Ref | None:
@@ -84,7 +84,7 @@ def prose(text: str, model: m.Model) -> Text:
 
 
 def quotation(text: str, model: m.Model) -> Text:
-    """A quotation of a manual, which names fields by their descriptors, as (0x0C,0x28)."""
+    """Parses a quotation of a manual, which names fields by their descriptors, such as (0x0C,0x28)."""
 
     def described(match: re.Match[str]) -> Ref | None:
         fields = model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
@@ -94,7 +94,7 @@ def quotation(text: str, model: m.Model) -> Text:
 
 
 def _referring(text: str, pattern: re.Pattern[str], refer: Callable[[re.Match[str]], Ref | None]) -> Text:
-    """The text with references in place of the matches of a pattern."""
+    """Replaces the matches of a pattern by references."""
     parts: list[str | Ref] = []
     at = 0
     for match in pattern.finditer(text):
@@ -114,7 +114,7 @@ def number(value: object) -> str:
 
 
 def measured(number: str, unit: str | None, model: m.Model) -> str:
-    """A number, or several, with the unit, as one writes it: 3 m, week 2412, 253 bytes."""
+    """Adds the unit to a number or a list of numbers: 3 m, week 2412, 253 bytes."""
     word = next((w for w in model.protocol.units if w.symbol == unit), None)
     if word is None or word.symbol == "1":
         return number
@@ -141,7 +141,7 @@ def interleaved(items: Sequence[Text], between: str) -> Text:
 
 
 def fact(topic: str, value: Text, sentence: str) -> Fact:
-    """A fact whose sentence holds its value at `{}`."""
+    """Makes a fact whose sentence contains its value at `{}`."""
     head, mark, tail = sentence.partition("{}")
     whole = (head, *value, tail) if mark else (sentence,)
     return Fact(topic, value, tuple(part for part in whole if part))
@@ -152,7 +152,7 @@ def field_ref(f: m.Field) -> Ref:
 
 
 def thing_ref(x: m.Field | m.Set) -> Ref:
-    """A field, or a set."""
+    """A reference to a field or a set."""
     return field_ref(x) if isinstance(x, m.Field) else Ref(x, f"{x.name} (0x{x.number:02X})")
 
 

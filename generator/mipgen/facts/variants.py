@@ -1,4 +1,4 @@
-"""Facts about parameters that differ on a device, or with the value of a sibling."""
+"""Facts about parameters that differ on a device, or with the value of a sibling parameter."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .texts import Fact, Ref, Text, device_ref, interleaved, joined, prose
 
 
 def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tuple[m.Variant, ...], Fact]]:
-    """The differences on devices, or with values of a sibling: one fact for all devices that share it."""
+    """Returns the differences on devices, or with values of a sibling: one fact for all devices that share it."""
     groups: list[list[m.Variant]] = []
     for v in p.variants:
         same = next((g for g in groups if v.by_device and replace(g[0], key=v.key) == v), None)
@@ -29,13 +29,13 @@ def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tup
 
 
 def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
-    """A variant in words; it may be about a member of a structure."""
+    """Words a variant, which may be about a member of a structure."""
     within = p.element if v.member and isinstance(p.element, m.Struct) else None
     if within is not None:
         p = next(q for q in within.parameters if q.name == v.member)
     parts: list[Text] = []
     if v.unknown:
-        parts.append(("the values are not known",))
+        parts.append(("the values are unknown",))
     if v.type is not None:
         parts.append(("values of ", Ref(v.type, v.type.name)))
     if v.only:
@@ -61,7 +61,7 @@ def difference(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -
 
 
 def usual(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Text:
-    """The general case of a parameter, in words, as far as a variant of it differs."""
+    """Words the general case of a parameter, as far as a variant differs from it."""
     if v.member:
         return ("as on its page",)
     parts: list[Text] = []
@@ -74,7 +74,7 @@ def usual(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Tex
         parts.append(("any value",))
     general = {x.topic: x for x in measures(p, p, model)}
     for topic in (x.topic for x in measures(v, p, model)):
-        parts.append((f"{topic} ", *general[topic].value) if topic in general else (f"{topic} not known",))
+        parts.append((f"{topic} ", *general[topic].value) if topic in general else (f"{topic} unknown",))
     if v.valid is not None:
         parts.append(_validity(p.valid, None, p, record))
     if v.deprecated is not None:
@@ -87,7 +87,7 @@ def usual(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Tex
 def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record: m.Record) -> Text:
     """The flag that marks the value as valid, on one device or in general."""
     if not valid:
-        return ("no flag says whether it is valid",)
+        return ("no flag marks it as valid",)
     vouching = validity(valid, p, record, device)
     many = len(set(valid)) > 1
     state = "" if many else " is set" if "." in valid[0] else " is true"

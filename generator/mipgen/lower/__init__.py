@@ -1,1 +1,1 @@
-"""The needs of every codec: sizes, lengths, runs, memory, the reference codec. Knows bytes, and nothing of text."""
+"""What every codec needs: sizes, lengths, runs, memory, the reference codec. Deals with bytes, not with texts."""

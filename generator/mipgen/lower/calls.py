@@ -1,4 +1,4 @@
-"""The contents of structures and commands, the ways to make them, and the possible responses to a command."""
+"""The members of structures and commands, their constructors, and the possible responses to a command."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from mipgen import model as m
 
 
 def members(record: m.Record) -> list[m.Parameter]:
-    """The parameters that an object holds: the others follow from these."""
+    """The parameters that an object stores: the others follow from these."""
     return [p for p in record.parameters if not p.derived]
 
 

@@ -1,7 +1,7 @@
 """Encodes and decodes packets by interpreting the model's parameters.
 
 Slow and simple: the reference for examples and generated code. Values have the form of the
-conformance protocol: numbers, lists, objects, floats as the hexadecimal of their bits.
+conformance protocol: numbers, lists, objects, and floats as the hexadecimal digits of their bits.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def build(model: m.Model, set_number: int, fields: list[tuple[int, bytes]]) -> b
 
 
 def split(model: m.Model, packet: bytes) -> list[tuple[int, bytes]]:
-    """The fields of a packet: (descriptor, data). Raises on anything that is not one whole packet."""
+    """Splits a packet into its fields: (descriptor, data). Raises CodecError unless it is exactly one packet."""
     if packet[:2] != bytes(model.protocol.sync):
         begin, sync = (x.hex().upper() for x in (packet[:2], bytes(model.protocol.sync)))
         raise CodecError("sync", f"it begins with {begin}, not {sync}")
@@ -76,10 +76,10 @@ def split(model: m.Model, packet: bytes) -> list[tuple[int, bytes]]:
 
 
 def choose(candidates: tuple[m.Field, ...], data: bytes) -> m.Field | None:
-    """The layout of the data of a descriptor.
+    """Chooses the layout of a descriptor's data.
 
-    Constants decide, as far as the data reaches. Of several that remain, it is the one of this size, else the longest
-    that fits into the data, else the shortest, of which the data is only a part.
+    The constants must match, as far as the data reaches. Of several matching layouts, it is the one of the same size,
+    else the longest that fits into the data, else the shortest, of which the data is only a part.
     """
     if len(candidates) <= 1:
         return candidates[0] if candidates else None
@@ -109,7 +109,7 @@ class _Reader:
 
 
 def decode(f: m.Field, data: bytes) -> tuple[Values, int]:
-    """The values of a field, and how many bytes are left over."""
+    """Decodes a field. Returns its values, and the number of bytes left over."""
     reader, values = _Reader(data), Values()
     for p in f.always:
         _read(p, reader, values)
@@ -148,7 +148,7 @@ def _read(p: m.Parameter, reader: _Reader, values: Values) -> None:
 
 
 def _value(p: m.Parameter, reader: _Reader, values: Values) -> Any:
-    """A value; `values` are those before it in its record."""
+    """Reads a value; `values` are the earlier values of its record."""
     if p.struct:
         return _record(p.struct.parameters, reader)
     if p.union:
@@ -170,7 +170,7 @@ def _record(parameters: Iterable[m.Parameter], reader: _Reader) -> Values:
 
 
 def _chosen(union: m.Union, values: Values) -> tuple[m.Parameter, ...]:
-    """The content of the alternative that the tag selects: one parameter, or nothing."""
+    """The content of the alternative that the tag selects: one parameter or none."""
     return tuple(c.parameter for c in union.cases if c.parameter and c.tag.value == values[union.tag])
 
 
@@ -198,7 +198,7 @@ def _number(scalar: m.Scalar, raw: bytes) -> int | str:
 
 
 def encode(f: m.Field, values: Values) -> bytes:
-    """The shortest form that holds the given values."""
+    """Encodes a field in the shortest form that contains the given values."""
     out = bytearray()
     known = {p.name for p in f.parameters if p.constant is None}
     for name in values:
@@ -262,7 +262,7 @@ def _octets(p: m.Parameter, value: Any, values: Values) -> bytes:
             raise CodecError("count", f"{p.name} needs {p.size} bytes")
         return b"".join(_bytes(p.scalar, byte) for byte in value)
     if p.kind == "text":
-        value = value.ljust(p.count or 0) if isinstance(value, str) else value  # devices pad texts, too
+        value = value.ljust(p.count or 0) if isinstance(value, str) else value  # as devices pad texts
         _check_count(p, value)
         try:
             octets: bytes = value.encode("latin-1")
@@ -277,14 +277,14 @@ def _octets(p: m.Parameter, value: Any, values: Values) -> bytes:
 
 
 def put(p: m.Parameter, value: Any) -> bytes:
-    """The bytes of one value, without regard to other values of its record."""
+    """Encodes one value, independently of the other values of its record."""
     out = bytearray()
     _put(p, value, {}, out)
     return bytes(out)
 
 
 def counters(parameters: Iterable[m.Parameter], values: Values) -> Values:
-    """The counters of the arrays that are among the values."""
+    """Computes the counters of the arrays among the values."""
     return {p.name: len(values[p.counts]) for p in parameters if p.counts and p.counts in values}
 
 
@@ -309,7 +309,7 @@ def _bytes(scalar: m.Scalar, value: Any) -> bytes:
 
 
 def canonical(p: m.Parameter, value: Any, where: str) -> Any:
-    """A value as an example states it, in the form above. Raises ValueError with a remedy."""
+    """Converts a value as an example states it to the form above. Raises ValueError with a remedy."""
     if p.struct:
         return canonical_record(p.struct.parameters, value, where)
     if p.union:

@@ -1,4 +1,4 @@
-"""Sizes on the wire: the least, the greatest, and formulas where counters decide.
+"""Sizes on the wire: minimum, maximum, and formulas with counters.
 
 All sizes follow from `extents`.
 """
@@ -22,7 +22,7 @@ class Term(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Extent:
-    """A number of bytes. It may depend on counters, and on the number of an element.
+    """A number of bytes. It may depend on counters, and on the index of an element.
 
     >>> str(Extent(4) + Extent(0, (Term(3, "count"),))), str(Extent(7)), str(Extent(0, (Term(1, "n"),)))
     ('4 + 3*count', '7', 'n')
@@ -41,12 +41,12 @@ class Extent:
 
     @property
     def most(self) -> int:
-        """The number of bytes with the most elements."""
+        """The number of bytes with the maximum number of elements."""
         return self.fixed + sum(t.size * t.most for t in self.terms)
 
     @property
     def filling(self) -> bool:
-        """Does it end with the field, so that no counter decides?"""
+        """True if its length depends on the end of the field instead of a counter."""
         return any(t.counter == m.REST for t in self.terms)
 
     @property
@@ -58,7 +58,7 @@ class Extent:
 def extents(p: m.Parameter, prefix: str = "", unknown: bool = False) -> list[Extent]:
     """The possible sizes of a parameter: one for each alternative of a union, the shortest first.
 
-    `prefix` leads to the record of the parameter. `unknown`: a tag may be one that the specification does not know.
+    `prefix` is the path to the parameter's record. `unknown`: a tag may have an undefined value.
     """
     if p.struct:
         return totals(p.struct.parameters, Extent(), f"{prefix}{p.name}.", unknown)
@@ -75,7 +75,7 @@ def extents(p: m.Parameter, prefix: str = "", unknown: bool = False) -> list[Ext
 
 
 def totals(parameters: Iterable[m.Parameter], start: Extent, prefix: str = "", unknown: bool = False) -> list[Extent]:
-    """The possible total sizes of some parameters, added to `start`."""
+    """The possible total sizes of parameters, added to `start`."""
     sums = [start]
     for p in parameters:
         sums = [a + b for a in sums for b in extents(p, prefix, unknown)]
@@ -90,18 +90,18 @@ def _distinct(several: Iterable[Extent]) -> list[Extent]:
 
 
 def exact(p: m.Parameter, prefix: str = "") -> Extent | None:
-    """The bytes of a parameter, if those before it determine them."""
+    """The size of a parameter, if the parameters before it determine it."""
     several = extents(p, prefix)
     return several[0] if len(several) == 1 and not several[0].filling else None
 
 
 def shortest(parameters: Iterable[m.Parameter], prefix: str = "") -> Extent:
-    """The smallest size of parameters, given their counters."""
+    """The minimum size of parameters, given their counters."""
     return totals(parameters, Extent(), prefix, unknown=True)[0]
 
 
 def size(p: m.Parameter) -> tuple[int, int]:
-    """The fewest and the most bytes of a parameter."""
+    """The minimum and maximum size of a parameter in bytes."""
     if p.struct:
         return p.struct.min_size, p.struct.max_size
     if not p.union and not p.several:
@@ -115,10 +115,10 @@ def fewest(parameters: Iterable[m.Parameter]) -> int:
 
 
 def most(parameters: Iterable[m.Parameter]) -> int:
-    """The most bytes of parameters, which must fit into a field."""
+    """The maximum size of parameters in bytes, limited to that of a field."""
     return min(m.MAX_FIELD_DATA, sum(size(p)[1] for p in parameters))
 
 
 def element(p: m.Parameter) -> int:
-    """The bytes of one item of an array or a text."""
+    """The size of one item of an array or a text in bytes."""
     return size(p.item)[1]

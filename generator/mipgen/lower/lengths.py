@@ -10,7 +10,7 @@ from .extent import Extent, shortest
 
 
 def computed_length(f: m.Field, rule: str) -> str:
-    """The length of the full field as a manual counts it: "14", or "4 + 3*count".
+    """The length of a whole field as a manual counts it: "14", or "4 + 3*count".
 
     `wire` counts every byte. `scalars` counts scalars and arrays of them, and counted arrays in
     formulas, but neither vectors nor structures nor unions.
@@ -24,7 +24,7 @@ def _is_number(p: m.Parameter) -> bool:
 
 
 def same(printed: str, computed: str) -> bool:
-    """Does a manual state this length?
+    """True if a printed length equals the computed one.
 
     >>> same("4 + 3*N", "4 + 3*N"), same("4+3*N", "4 + 3*N"), same("0x0E", "14"), same("5 + 1*n", "5 + n")
     (True, True, True, True)

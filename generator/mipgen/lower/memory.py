@@ -1,7 +1,7 @@
-"""The layout of records in the memory of a program in C, whatever the compiler.
+"""The memory layout of records in C, with any compiler.
 
-A record has no constants, but it has counters and tags. A text ends with a NUL, an array that fills a field has its
-number of elements before it, and a field whose parameters may be absent begins with their number.
+A record contains counters and tags, but no constants. A text ends with a NUL, an array that fills a field is preceded
+by its number of elements, and a field whose parameters may be absent begins with the number of present ones.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from mipgen import model as m
 
-#: No machine that C runs on aligns numbers more than this, so no compiler leaves more bytes unused before a member.
+#: The maximum alignment of a number on any machine with C, which limits the padding before a member.
 MAX_ALIGNMENT = 8
 
 
@@ -21,47 +21,47 @@ class Room:
 
     size: int
     alignment: int = 1
-    last: int = 0  # offset of the last number, including those inside structures, but not the items of arrays
+    last: int = 0  # offset of the last number, including numbers inside structures, but not the items of arrays
 
 
-#: The bytes that may be unused before something that begins at some place, or ends there, and its alignment.
+#: Offset, alignment -> the number of padding bytes there.
 Gap = Callable[[int, int], int]
 
 
 def natural(place: int, alignment: int) -> int:
-    """Each number is aligned to its own size; elsewhere there is less padding."""
+    """The padding if each number is aligned to its own size; some machines have less."""
     return -place % alignment
 
 
 def widest(_place: int, _alignment: int) -> int:
-    """The most that any compiler may leave."""
+    """The maximum padding of any compiler."""
     return MAX_ALIGNMENT - 1
 
 
 def packed(_place: int, _alignment: int) -> int:
-    """None."""
+    """No padding."""
     return 0
 
 
 def has_gaps(of: m.Field) -> bool:
-    """May a structure have bytes before its last number that the field lacks: padding, or the NUL of a text?"""
+    """True if a structure may have bytes before its last number that the field lacks: padding, or the NUL of a text."""
     tight = record(of, packed)
     return tight.size != of.max_size or tight.last != record(of).last
 
 
 def members(record: m.Record) -> list[m.Parameter]:
-    """The parameters that have a member: no constants, and no unions without alternatives."""
+    """The parameters with a member: all except constants and unions without alternatives."""
     return [p for p in record.parameters if p.constant is None and (not p.union or p.alternatives)]
 
 
 def largest(model: m.Model) -> int:
-    """At least the size of the largest structure of a field, a multiple of the largest alignment."""
+    """An upper bound of the size of any field's structure, a multiple of the largest alignment."""
     sizes = [record(f).size for f in (model.protocol.acknowledge, *model.fields)]
     return max(size + natural(size, MAX_ALIGNMENT) for size in sizes)
 
 
 def record(of: m.Record, gap: Gap = natural) -> Room:
-    """The memory of a structure."""
+    """Computes the memory of a structure."""
     rooms = [Room(1)] if isinstance(of, m.Field) and of.optional else []
     for p in members(of):
         rooms += [Room(1)] if p.fills else []

@@ -1,4 +1,4 @@
-"""Values that the specification names, as numbers."""
+"""Conversion of named values to numbers."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from mipgen import model as m
 
 
 def in_numbers(value: object, element: m.Scalar | m.Enum | m.Bitfield | m.Vector | m.Struct | None) -> object:
-    """A checked default with the numbers of named values and bits; lists as tuples."""
+    """Converts a checked default: names of values and bits become numbers, lists become tuples."""
     if isinstance(element, m.Enum) and isinstance(value, str):
         member = element.by_name(value)
         return member.value if member else 0

@@ -1,4 +1,4 @@
-"""Numbers that follow each other at fixed places, which a codec reads and writes at once.
+"""Runs: numbers that follow each other at fixed offsets, which a codec reads and writes together.
 
 Python joins them into one `struct`, C copies them without interpreting anything.
 """
@@ -18,10 +18,10 @@ Path = tuple[str | int, ...]
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """Numbers of one kind, one after another."""
+    """Consecutive numbers of one kind."""
 
     path: Path
-    parameter: m.Parameter  # what they are
+    parameter: m.Parameter  # the numbers' parameter
     count: int | None  # None: a single number
     offset: int
 
@@ -35,14 +35,14 @@ class Run:
 
 
 def run(p: m.Parameter, path: Path = (), offset: int = 0) -> Run | None:
-    """The numbers of a parameter, if it consists of a fixed number of them, of one kind."""
+    """The run of a parameter that consists of a fixed number of numbers of one kind; else None."""
     if p.kind in ("struct", "switch") or p.open or (p.several and p.item.kind != "scalar"):
         return None
     return Run(path, p, p.size if p.kind == "bits" else p.count, offset)
 
 
 def runs(f: m.Field) -> list[Run]:
-    """The runs that make up a whole field; none if its layout varies or has constants, which need checks."""
+    """The runs that make up a field; none if its layout varies or has constants, which need checks."""
     if f.min_size != f.max_size or f.optional or not all(map(_fixed, f.parameters)):
         return []
     return [*_all(f.parameters, (), 0)]

@@ -1,4 +1,4 @@
-"""The commands that find a device and start its data, as the specification names them, with their responses."""
+"""The commands that find a device and start its data, as named in the specification, with their responses."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ class Older:
     set: int
     base_rate: Rate
     format: m.Field
-    stream: int  # its number for the stream, in place of the set
+    stream: int  # its number for the stream, instead of the set
 
 
 @dataclass(frozen=True, slots=True)
 class Session:
-    bauds: tuple[int, ...]  # of all devices: first that of a new one, then in descending order
+    bauds: tuple[int, ...]  # of all devices: first the rate of a new device, then in descending order
     model_numbers: tuple[str, ...]  # paths in the response of `identify`
     ping: m.Field
     idle: m.Field
@@ -42,12 +42,12 @@ class Session:
 
     @property
     def commands(self) -> tuple[m.Field, ...]:
-        """The commands that every device receives."""
+        """The commands that are sent to every device."""
         return (self.ping, self.idle, self.resume, self.identify, self.base_rate.command, self.format, self.stream)
 
 
 def session(model: m.Model) -> Session | None:
-    """None if the specification, or the part of it, does not have all of these commands."""
+    """Resolves the session; None if the specification, or the part of it, lacks one of the commands."""
     given = model.protocol.session
     fields = [f for name in given.commands if (f := model.field(name))] if given else []
     if given is None or len(fields) < len(given.commands):
@@ -64,7 +64,7 @@ def session(model: m.Model) -> Session | None:
 
 
 def _older(older: m.Older, model: m.Model) -> Older | None:
-    """None if a part of a specification lacks the set or one of the commands."""
+    """Resolves the commands of older devices; None if a partial specification lacks the set or a command."""
     number = next((s.number for s in model.sets if s.name == older.set), None)
     base_rate, message_format = model.field(older.base_rate), model.field(older.format)
     if number is None or base_rate is None or message_format is None:

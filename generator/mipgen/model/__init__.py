@@ -1,11 +1,11 @@
-"""The resolved model of MIP, with every reference followed and every size computed.
+"""The resolved model of MIP: all references are resolved and all sizes computed.
 
-Frozen dataclasses that describe the protocol, independent of any language and of files. `resolve` builds them,
-targets and templates read them. Names are words in lower case joined by underscores, as the specification has
-them; `emit.naming` turns them into each language's case. Languages that limit the length of identifiers take
-`short` in place of a name, where there is one.
+Frozen dataclasses describe the protocol, independently of languages and files. `resolve` builds them,
+targets and templates read them. Names are lower-case words joined by underscores, as in the specification;
+`emit.naming` converts them to each language's case. Languages that limit the length of identifiers use `short`
+instead of a name, if there is one.
 
-Guides and the simulation are read from their own modules.
+Guides and the simulation are in their own modules.
 """
 
 from mipgen.read.position import Position

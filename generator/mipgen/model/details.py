@@ -1,4 +1,4 @@
-"""Attributes that may change while a specification keeps its shape: texts, units, limits, and where things are stated.
+"""Details: attributes that may change without changing the shape of a model, such as texts, units, limits and sources.
 
 Reads of them are noted (`base.reads`), so that a changed description affects only the files that show it.
 """
@@ -15,7 +15,7 @@ from mipgen.base import reads
 
 Value = TypeVar("Value")
 
-#: An attribute with a plain value, from which `resolve` derives nothing but other such attributes, and numbers.
+#: An attribute with a plain value, from which `resolve` derives only other such attributes and numbers.
 Detail = Annotated[Value, "detail"]
 
 #: A text for readers, with names in backticks.
@@ -25,7 +25,7 @@ _DETAIL = re.compile(r"\b(Detail|Prose|Position)\b")
 
 
 def names(cls: type) -> list[str]:
-    """The details of a class of the model."""
+    """Returns the details of a class of the model."""
     return [f.name for f in fields(cls) if _DETAIL.search(str(f.type))]
 
 
@@ -34,7 +34,7 @@ CLASSES: list[type] = []
 
 
 def classes(*modules: ModuleType) -> list[type]:
-    """The classes that modules define."""
+    """Returns the classes that modules define."""
     return [
         cls
         for module in modules
@@ -45,7 +45,7 @@ def classes(*modules: ModuleType) -> list[type]:
 
 @cache
 def watch(model: type) -> None:
-    """Reads of details, and of the parts of a model, are noted from now on. Not before: it makes loading slower."""
+    """Starts to note reads of details, and of the parts of a model. Call it after loading, which it would slow down."""
     for cls in CLASSES:
         reads.watch(cls, names(cls))
     reads.watch(model, [part.name for part in fields(model)])

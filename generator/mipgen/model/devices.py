@@ -1,4 +1,4 @@
-"""Devices: the fields that each supports, and the values that have another meaning there."""
+"""Devices: the fields that each supports, and the values that have a different meaning there."""
 
 from __future__ import annotations
 
@@ -12,30 +12,30 @@ from .fields import Field, Set
 from .parameters import Parameter, Variant
 from .types import Function, Source
 
-#: Does a device have a field? Without a source, it is unknown.
+#: Whether a device supports a field; without a source, that is unknown.
 Answer = Literal["yes", "probable", "no", "unknown"]
 
 #: The kinds of evidence, strongest first, and what each states about the fields that it names.
 EVIDENCE: dict[str, Answer] = {
     "documented": "yes",  # in the manual of the device
     "listed": "yes",  # by the device itself
-    "transcribed": "probable",  # by others, after its manual
-    "example": "probable",  # of the vendor, for this very device
-    "software": "probable",  # that uses the device
+    "transcribed": "probable",  # from its manual, by others
+    "example": "probable",  # of the vendor, for exactly this device
+    "software": "probable",  # of programs that use the device
     "family": "probable",  # of devices of the same generation
-    "sister": "probable",  # a nearly equal device
+    "sister": "probable",  # of a nearly identical device
     "refused": "no",  # by the device itself
 }
 
 
 def strength(kind: str) -> int:
-    """The place of a kind of evidence: 0 is the strongest."""
+    """The rank of a kind of evidence: 0 is the strongest."""
     return list(EVIDENCE).index(kind)
 
 
 @dataclass(frozen=True, slots=True)
 class ProtocolFirmware:
-    """The versions whose port has a protocol."""
+    """The firmware versions in which a port supports a protocol."""
 
     protocol: str
     versions: str  # "> 1.0.07"
@@ -48,7 +48,7 @@ class Port:
     baud_rates: Detail[tuple[int, ...]]
     receives: Detail[tuple[str, ...]]  # protocols
     sends: Detail[tuple[str, ...]]
-    firmware: Detail[tuple[ProtocolFirmware, ...]] = ()  # of the protocols that not all versions have
+    firmware: Detail[tuple[ProtocolFirmware, ...]] = ()  # of the protocols that only some versions support
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,12 +57,12 @@ class Limit:
     value: Detail[float | int]
     unit: Detail[str | None]
     description: Prose
-    firmware: Detail[str | None] = None  # ">= 1.0.04": the versions that have it; None if all have
+    firmware: Detail[str | None] = None  # ">= 1.0.04": the versions with this limit; None if all
 
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """A note about a device that is not a rate, a port or a limit, perhaps with a table."""
+    """A note about a device besides its rates, ports and limits, perhaps with a table."""
 
     name: str
     title: Prose
@@ -72,13 +72,13 @@ class Note:
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """Why a device is believed to have some fields, or not to have them."""
+    """The reason to believe that a device supports some fields, or does not."""
 
     kind: str  # a key of EVIDENCE
     sources: tuple[Source, ...] = ()  # none: the manual of the device
-    of: tuple[str, ...] = ()  # the devices from which it is concluded
-    firmware: Detail[str | None] = None  # of the device that was asked
-    date: Detail[str | None] = None  # when it was
+    of: tuple[str, ...] = ()  # the devices from which it is inferred
+    firmware: Detail[str | None] = None  # of the device that was queried
+    date: Detail[str | None] = None  # of the query
     note: Prose = ""
     undefined: Detail[tuple[tuple[int, int], ...]] = ()  # further sets and descriptors, without a layout
 
@@ -89,15 +89,15 @@ class Evidence:
 
 @dataclass(frozen=True, slots=True)
 class Support:
-    """A command or data field in one descriptor set that a device has, or has not, and the functions that it
-    accepts."""
+    """A command or data field in one descriptor set that a device supports, or does not, and the accepted
+    functions."""
 
     field: Field
     set: int
     functions: tuple[Function, ...]
     evidence: Evidence
-    firmware: Detail[str | None] = None  # "> 1.0.07": the versions that have it; None if all have, or it is not known
-    deprecated: Prose | None = None  # what to use instead on the device
+    firmware: Detail[str | None] = None  # "> 1.0.07": the versions that support it; None: all, or unknown
+    deprecated: Prose | None = None  # the replacement on the device
 
     @property
     def name(self) -> str:
@@ -110,26 +110,26 @@ class Support:
 
     @property
     def differs(self) -> bool:
-        """Does the device accept other functions than the definition states?"""
+        """True if the device accepts other functions than the definition states."""
         return self.functions != self.field.functions
 
     @property
     def responds(self) -> bool:
-        """Does the device accept a function that has a response, or has the command no functions?"""
+        """True if the device accepts a function with a response, or the command has no functions."""
         return not self.field.functions or any(f.responds for f in self.functions)
 
 
 @dataclass(frozen=True, slots=True)
 class Rate:
-    """The rate at which a device samples the fields of a data set."""
+    """The base rate of a data set on a device."""
 
     set: Set
-    hertz: Detail[float | int]  # 0: sent as the data arrives
+    hertz: Detail[float | int]  # 0: fields are sent as their data arrives
 
 
 @dataclass(frozen=True, slots=True)
 class DeviceVariant:
-    """A parameter with another meaning on a device."""
+    """A parameter with a different meaning on a device."""
 
     field: Field
     parameter: Parameter
@@ -152,10 +152,10 @@ class Device:
     generation: int | None = None
     manual: Detail[str | None] = None
     sources: tuple[Source, ...] = ()
-    like: str | None = None  # the device that it is like
+    like: str | None = None  # the similar device
     evidence: tuple[Evidence, ...] = ()  # strongest first
-    supports: tuple[Support, ...] = ()  # the fields that it certainly or probably has, by set and descriptor
-    refuses: tuple[Support, ...] = ()  # the fields that it does not have
+    supports: tuple[Support, ...] = ()  # certainly or probably supported fields, by set and descriptor
+    refuses: tuple[Support, ...] = ()  # the fields that it does not support
     base_rates: tuple[Rate, ...] = ()
     ports: tuple[Port, ...] = ()
     limits: tuple[Limit, ...] = ()

@@ -1,4 +1,4 @@
-"""Evidence in the manuals: example packets, and the mistakes found in them."""
+"""Evidence from the manuals: example packets, and mistakes."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from .devices import Device
 
 @dataclass(frozen=True, slots=True)
 class ExampleField:
-    """A field inside an example packet; values in the form that the conformance drivers use."""
+    """A field in an example packet; values have the form of the conformance drivers."""
 
-    field: str | None  # full name, None for a descriptor that the specification does not know
+    field: str | None  # full name; None for an undefined descriptor
     descriptor: int
     data: Detail[bytes]
     values: Detail[dict[str, object] | None]
@@ -30,13 +30,13 @@ class Example:
     section: Prose
     title: Prose
     role: Literal["command", "reply", "data", "field"]
-    string: Detail[str | None]  # the copy-and-paste string of the manual, with its misprints
-    table: Detail[tuple[int | None, ...] | None]  # as in a table of the manual; None for a byte that is left open
-    packet: Detail[bytes]  # always the right bytes
+    string: Detail[str | None]  # the manual's copy-and-paste string, with its misprints
+    table: Detail[tuple[int | None, ...] | None]  # as in the manual's table; None for an unspecified byte
+    packet: Detail[bytes]  # the correct bytes
     fields: tuple[ExampleField, ...]
     note: Prose
-    device: Device | None = None  # that sends or receives it; None if its manual is for several, and it names none
-    synthetic: bool = False  # given by its parameters only, not as bytes
+    device: Device | None = None  # that sends or receives it; None if the manual is for several and none is named
+    synthetic: bool = False  # the manual states only the values, not the bytes
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -73,6 +73,6 @@ class Manual:
     title: Prose
     document: Prose
     lengths: Literal["wire", "scalars", "none"]  # how it counts field lengths
-    sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
+    sections: tuple[str, ...] = ()  # the headings that may be cited; empty: any
     #: sdk: source code of the vendor, not a text for readers; software: programs that use devices.
     kind: Literal["manual", "sdk", "software"] = "manual"

@@ -21,26 +21,26 @@ Role = Literal["command", "response", "data"]
 #: The content of a set or a family; shared data occurs in every data set.
 Kind = Literal["command", "data", "shared"]
 
-#: The sets of commands, and those of data.
+#: The numbers of command sets, and of data sets.
 COMMAND_SETS: Final = range(0x01, 0x80)
 DATA_SETS: Final = range(0x80, 0xFF)
 
-#: The number under which fields of every data set are listed; no packet has it.
+#: The number under which shared fields of all data sets are listed; no packet has it.
 SHARED_SET: Final = 0xFF
 
-#: The numbers that no packet has: those of fields of every command set, and of every data set.
+#: The numbers that no packet has: they stand for every command set, and for every data set.
 NO_SETS: Final = (0, SHARED_SET)
 
-#: The descriptors of its fields; those of other data sets are below.
+#: The descriptors of shared fields; descriptors in other data sets are lower.
 SHARED_DESCRIPTORS = range(0xD0, 0x100)
 
-#: A field is at most 255 bytes long and spends two of them on its length and its descriptor.
+#: A field has at most 255 bytes, of which two are its length and its descriptor.
 MAX_FIELD_DATA = 253
 
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """One way to send a field: by one of its functions, or the only way where there is no selector."""
+    """One form of a field: with one of its functions, or the only form if there is no selector."""
 
     function: Function | None
     required: tuple[Parameter, ...]  # must be present, in wire order; the selector is not counted
@@ -48,28 +48,28 @@ class Call:
 
     @property
     def given(self) -> tuple[Parameter, ...]:
-        """Parameters from a caller who also fills in counters and tags: neither constants nor reserved values."""
+        """The parameters without constants and reserved values, for a caller who provides counters and tags."""
         return tuple(p for p in self.required if p.constant is None and p.reserved is None)
 
     @property
     def values(self) -> tuple[Parameter, ...]:
-        """The same without counters, where an array knows its length."""
+        """The same without counters, for languages whose arrays know their length."""
         return tuple(p for p in self.given if p.counts is None)
 
     @property
     def unions(self) -> dict[str, Parameter]:
-        """Tag -> the union that it selects an alternative of: where a union knows its alternative, the tag follows."""
+        """Tag -> the union whose alternative it selects. Languages whose unions know their alternative derive it."""
         return {p.tag: p for p in self.required if p.tag}
 
     @property
     def addable(self) -> tuple[Parameter, ...]:
-        """The optional parameters that a caller may give."""
+        """The optional parameters that a caller may provide."""
         return tuple(p for p in self.optional if p.reserved is None and not p.derived)
 
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A parameter of the command has this value, or that of another command was last set to it."""
+    """A condition: a parameter of the command has this value, or another command last set its parameter to it."""
 
     parameter: str
     value: int
@@ -81,13 +81,13 @@ class Condition:
         return self.label in ("true", "false")
 
     def holds(self, value: object) -> bool:
-        """Is the condition met? For a Boolean, everything but 0 is true."""
+        """True if the condition is met. For a Boolean, everything except 0 is true."""
         return bool(value) == bool(self.value) if self.boolean and value is not None else value == self.value
 
 
 @dataclass(frozen=True, slots=True)
 class Set:
-    """A descriptor set: the third byte of a packet. Its fields and types are those of its family."""
+    """A descriptor set: the third byte of a packet. Its fields and types belong to its family."""
 
     number: int
     name: str
@@ -102,7 +102,7 @@ class Set:
 
 @dataclass(frozen=True, slots=True)
 class Occurrence:
-    """A field in one descriptor set, with its own facts there."""
+    """A field in one descriptor set, with the facts about it there."""
 
     set: int
     set_name: str
@@ -114,7 +114,7 @@ class Occurrence:
 
 @dataclass(frozen=True)
 class Field:
-    """One layout of one descriptor in one role: a type in every language, in whichever sets it occurs."""
+    """One layout of one descriptor in one role: one type in every language, whatever sets it occurs in."""
 
     family: str
     occurrences: tuple[Occurrence, ...]  # by set; one, numbered 0 or SHARED_SET, if it occurs `everywhere`
@@ -127,15 +127,15 @@ class Field:
     min_size: int
     max_size: int
     sources: tuple[Source, ...]
-    functions: tuple[Function, ...] = ()  # by value; none where there is no selector
+    functions: tuple[Function, ...] = ()  # by value; empty without a selector
     command: str | None = None  # of a response: the (first) command that owns it
-    when: tuple[Condition, ...] = ()  # of a response: what in the command selects it
-    devices: tuple[str, ...] = ()  # of a response: the devices that send this one of several layouts; see `answers`
+    when: tuple[Condition, ...] = ()  # of a response: the conditions in the command that select it
+    devices: tuple[str, ...] = ()  # of a response: the devices that send this layout; see `answers`
     responses: tuple[str, ...] = ()  # of a command: names of its responses, in the same set
-    silent_when: tuple[Condition, ...] = ()  # of a command: it is not acknowledged then
-    sent_by: Literal["host", "device"] = "host"  # of a command: who sends it
+    silent_when: tuple[Condition, ...] = ()  # of a command: conditions under which it is not acknowledged
+    sent_by: Literal["host", "device"] = "host"  # of a command: the sender
     silenced_by: tuple[Condition, ...] = ()  # likewise: settings of other commands
-    everywhere: range | None = None  # the sets of a rule: every command set, every data set
+    everywhere: range | None = None  # the sets of a field of every command set, or every data set
     affects: Detail[tuple[str, ...]] = ()  # of a command: the data fields, or whole sets, that it changes
     may_affect: Detail[tuple[str, ...]] = ()  # the same, inferred
     max_rate: Detail[float | None] = None
@@ -155,37 +155,37 @@ class Field:
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """Its full name, and its name in each of its sets."""
+        """The field's full name, and its name in each of its sets."""
         return tuple(dict.fromkeys((self.full_name, *(f"{o.set_name}.{self.name}" for o in self.occurrences))))
 
     @property
     def owner(self) -> str:
-        """Its family, which defines it as it does a type."""
+        """The field's family, which defines it, as for a type."""
         return self.family
 
     @property
     def sets(self) -> Sequence[int]:
-        """The descriptor sets in which it occurs."""
+        """The descriptor sets in which the field occurs."""
         return self.everywhere or tuple(o.set for o in self.occurrences)
 
     @property
     def set(self) -> int:
-        """The number under which it is listed: its set, the first of several, SHARED_SET, or 0 (the acknowledge)."""
+        """The number under which the field is listed: its only or first set, SHARED_SET, or 0 (the acknowledge)."""
         return self.occurrences[0].set
 
     def name_in(self, number: int) -> str:
-        """Its full name in a set: "gnss_2.dop". A field that occurs everywhere has one name."""
+        """The field's full name in a set: "gnss_2.dop". A field that occurs everywhere has one name."""
         occurrence = next((o for o in self.occurrences if o.set == number), None)
         return f"{occurrence.set_name}.{self.name}" if occurrence else self.full_name
 
     @property
     def selector(self) -> bool:
-        """Does it start with a function selector?"""
+        """True if the field starts with a function selector."""
         return bool(self.functions)
 
     @cached_property
     def calls(self) -> tuple[Call, ...]:
-        """The ways to send it: one for each function, or just one."""
+        """The forms of the field: one for each function, or just one."""
         optional = tuple(p for p in self.counted if p.optional)
         if not self.functions:
             return (Call(None, tuple(p for p in self.parameters if not p.optional), optional),)
@@ -205,22 +205,22 @@ class Field:
 
     @cached_property
     def present_with(self) -> dict[str, int]:
-        """Parameter -> the number of present parameters when it is the last one, for those that may be absent."""
+        """Parameter that may be absent -> the number of present parameters if it is the last one."""
         return {p.name: group.last for group in self.groups for p in group.parameters}
 
     @property
     def optional(self) -> bool:
-        """May parameters be absent?"""
+        """True if parameters may be absent."""
         return bool(self.groups)
 
     @property
     def counted(self) -> tuple[Parameter, ...]:
-        """The parameters that a count of present ones counts: all but the selector."""
+        """The parameters that a number of present parameters counts: all except the selector."""
         return tuple(p for p in self.parameters if not p.selector)
 
     @cached_property
     def always(self) -> tuple[Parameter, ...]:
-        """The parameters that are always present: the selector, or those before the first optional one."""
+        """The parameters that are always present: the selector, or all before the first optional one."""
         first = (i for i, p in enumerate(self.parameters) if p.optional)
         return self.parameters[: 1 if self.selector else next(first, None)]
 
@@ -231,8 +231,8 @@ class Field:
 
     @property
     def signature(self) -> tuple[tuple[int, bytes], ...]:
-        """The constants at known offsets in the data, which distinguish the layouts of a descriptor; those that share
-        them are distinguished by the size of the data."""
+        """The constants at known offsets in the data, which distinguish the layouts of a descriptor. Layouts with the
+        same constants are distinguished by the size of the data."""
         constants, offset = [], 0
         for p in self.always:
             if p.kind not in ("scalar", "constant", "counter", "bits"):
@@ -249,8 +249,8 @@ Record = Field | Struct
 
 @dataclass(frozen=True, slots=True)
 class Reply:
-    """The response of a command, in each of its layouts. It is sent if the function is one of `functions`, where the
-    command has a selector, and if all of `when` holds."""
+    """The response to a command, in each of its layouts. It is sent if all conditions in `when` are met and, if the
+    command has a selector, the function is one of `functions`."""
 
     layouts: tuple[Field, ...]
     functions: tuple[Function, ...]
@@ -287,5 +287,5 @@ class Family:
 
     @property
     def number(self) -> int:
-        """The number under which it is listed: that of its first set."""
+        """The number under which the family is listed: the number of its first set."""
         return self.sets[0].number

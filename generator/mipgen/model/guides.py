@@ -1,7 +1,7 @@
 """Guides: the part of the model that `spec/guides` defines.
 
-A guide states how to reach a purpose: the packets to send, their order and reasons, and the replies. Packets and
-answers are computed; the values in them are the author's.
+A guide states how to achieve a purpose: the packets to send, their order and reasons, and the replies. Packets and
+replies are computed from the author's values.
 """
 
 from __future__ import annotations
@@ -24,18 +24,18 @@ class Shown:
     field: Field
     values: dict[str, Any]
     data: bytes
-    stated: tuple[str, ...] = ()  # the parameters whose values are certain; those of others are examples
+    stated: tuple[str, ...] = ()  # the parameters whose values are certain; the other values are examples
 
 
 @dataclass(frozen=True, slots=True)
 class Stream:
-    """Data packets that arrive because of a step."""
+    """Data packets that a step causes."""
 
     set: Set
     fields: tuple[Shown, ...]
     packet: bytes
-    rate: float | int | None = None  # Hz; None: one packet, or one each time that something happens
-    on_event: str = ""  # the event that makes the device send one
+    rate: float | int | None = None  # Hz; None: one packet, or one at each event
+    on_event: str = ""  # the event at which the device sends one
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,14 +47,14 @@ class Step:
     values: dict[str, Any]
     packet: bytes
     answer: bytes  # acknowledge, and response
-    host: Prose = ""  # what a program does then, without a command
+    host: Prose = ""  # what a program then does besides commands
     response: Shown | None = None
     data: tuple[Stream, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Sequence:
-    """Steps in their order, for certain devices."""
+    """An ordered list of steps, for certain devices."""
 
     title: Prose
     devices: tuple[Device, ...]
@@ -67,13 +67,13 @@ class Sequence:
 
     @property
     def used(self) -> set[str]:
-        """The full names of the fields that are sent, and of those that arrive as data."""
+        """The full names of the commands sent, and of the data fields received."""
         return {f.full_name for s in self.steps for f in (s.command, *(x.field for t in s.data for x in t.fields))}
 
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """The replacement of fields of one device on another."""
+    """The replacement on another device for fields of one device."""
 
     fields: tuple[Field, ...]
     by: tuple[Field, ...]
@@ -82,7 +82,7 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class Migration:
-    """From one device to another: every field that the other lacks is in one of the changes."""
+    """A migration from one device to another: every field that the other lacks is in one of the changes."""
 
     before: Device
     after: Device
@@ -98,7 +98,7 @@ class Question:
     see: tuple[str, ...] = ()  # names of guides and full names of fields
 
     def only(self, fields: dict[str, Field]) -> Question:
-        """Without the fields that a part lacks."""
+        """Returns the question without references to fields that a partial specification lacks."""
         return replace(self, see=_seen(self.see, fields))
 
 
@@ -110,17 +110,17 @@ class Guide:
     answer: Prose
     sequences: tuple[Sequence, ...]
     lead: Prose = ""  # the question on the first page that leads to it
-    before: tuple[Prose, ...] = ()  # what must be done or known first
+    before: tuple[Prose, ...] = ()  # prerequisites
     questions: tuple[Question, ...] = ()
     notes: tuple[Prose, ...] = ()
-    tables: tuple[str, ...] = ()  # facts of all devices that it shows: see TABLES
+    tables: tuple[str, ...] = ()  # tables of facts about all devices: see TABLES
     migration: Migration | None = None
     see: tuple[str, ...] = ()  # names of guides and full names of fields
     sources: tuple[Source, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     def only(self, fields: dict[str, Field], devices: dict[str, Device]) -> Guide | None:
-        """The part that is about these fields and devices; None if nothing remains of it."""
+        """Returns the part about these fields and devices; None if nothing remains."""
         sequences = [_only(s, fields, devices) for s in self.sequences]
         kept = tuple(s for s in sequences if s is not None)
         m = self.migration
@@ -131,7 +131,7 @@ class Guide:
         return replace(self, sequences=kept, questions=questions, see=_seen(self.see, fields), migration=moved)
 
 
-#: Facts of all devices that a guide may show.
+#: The tables of facts about all devices that a guide may contain.
 TABLES = ("base_rates", "baud_rates")
 
 
@@ -140,7 +140,7 @@ def _seen(see: tuple[str, ...], fields: dict[str, Field]) -> tuple[str, ...]:
 
 
 def _only(s: Sequence, fields: dict[str, Field], devices: dict[str, Device]) -> Sequence | None:
-    """The sequence on the devices that are left, if all its fields are."""
+    """Returns the sequence for the remaining devices; None if one of its fields is missing."""
     used = [step.command for step in s.steps] + [x.field for t in s.streams for x in t.fields]
     used += [step.response.field for step in s.steps if step.response is not None]
     left = tuple(devices[d.id] for d in s.devices if d.id in devices)
@@ -152,7 +152,7 @@ def _only(s: Sequence, fields: dict[str, Field], devices: dict[str, Device]) -> 
 
 
 def _step(step: Step, fields: dict[str, Field]) -> Step:
-    """The step with the fields of the part."""
+    """Returns the step with the fields of the partial specification."""
     response = step.response and _shown(step.response, fields)
     data = tuple(replace(t, fields=tuple(_shown(x, fields) for x in t.fields)) for t in step.data)
     return replace(step, command=fields[step.command.full_name], response=response, data=data)

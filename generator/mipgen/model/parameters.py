@@ -15,7 +15,7 @@ from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, S
 #: The meaning of a number in hexadecimal: a plain number, a descriptor set, or a field descriptor.
 Shown = Literal["hex", "set", "field"]
 
-#: The way to read and write a parameter: a codec has one branch, or one word, for each.
+#: The encoding of a parameter: a codec has one branch, or one opcode, for each.
 Shape = Literal["scalar", "constant", "counter", "bits", "text", "array", "struct", "switch"]
 
 #: The length of an array or a text that fills the field.
@@ -35,7 +35,7 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Union:
-    """The alternatives of a parameter, one of which the parameter `tag` selects; nothing for an unknown value.
+    """The alternatives of a parameter; the parameter `tag` selects one, or none if its value is unknown.
 
     A union is always the last of its record, so that nothing after an unknown tag is lost.
     """
@@ -46,7 +46,7 @@ class Union:
 
 
 def alike(cases: Sequence[Case], others: Sequence[Case]) -> bool:
-    """Do two unions have the same alternatives?"""
+    """True if two unions have the same alternatives."""
     pairs = list(zip(cases, others, strict=False))
     same = all(a.parameter.alike(b.parameter) if a.parameter and b.parameter else a == b for a, b in pairs)
     return same and [c.tag for c in cases] == [c.tag for c in others]
@@ -59,7 +59,7 @@ class Variant:
     by: str  # "device", or the name of a parameter of the same record
     key: str  # a device id, or a value name of that parameter's enumeration
     value: int | None = None  # the number of that value; None if it is by device
-    member: str = ""  # of a structure: the member that differs, in place of the whole
+    member: str = ""  # of a structure: the member that differs, instead of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
     elements: tuple[str, ...] = ()  # of a vector, in its frame
     units: Detail[tuple[str, ...]] = ()
@@ -67,13 +67,13 @@ class Variant:
     minimum: Detail[float | int | None] = None
     maximum: Detail[float | int | None] = None
     default: Detail[object] = None
-    valid: Detail[tuple[str, ...] | None] = None  # as of a parameter; empty: nothing says that it is valid
+    valid: Detail[tuple[str, ...] | None] = None  # as for a parameter; empty: no flag marks it as valid
     constant: int | None = None  # it always has this value
-    only: tuple[EnumValue | Bits, ...] = ()  # the values or bits that exist, of those that its type names
+    only: tuple[EnumValue | Bits, ...] = ()  # the values or bits of its type that exist
     deprecated: bool | None = None
-    unknown: bool = False  # its values are not known
+    unknown: bool = False  # its values are unknown
     description: Prose = ""
-    inferred: Prose = ""  # what it is concluded from, if no source says so of the device
+    inferred: Prose = ""  # the reasoning, if no source states it for the device
 
     @property
     def by_device(self) -> bool:
@@ -84,8 +84,8 @@ class Variant:
 class Parameter:
     """One named value of a field or a structure, in wire order: its meaning, and how it is read and written.
 
-    `element` is what one item is; `length` says how many: None for a single value, a number for a
-    fixed array, the counter's name for a counted one, REST for one that fills the field.
+    `element` is the type of one item; `length` is None for a single value, a number for a fixed array, the
+    counter's name for a counted array, REST for an array that fills the field.
     """
 
     name: str
@@ -93,43 +93,43 @@ class Parameter:
     length: int | str | None
     description: Prose = ""
     units: Detail[tuple[str, ...]] = ()  # one for all elements, or one for each
-    any_unit: bool = False  # no unit can be named: another value decides it, or it is not known
+    any_unit: bool = False  # the unit cannot be stated: another value determines it, or it is unknown
     frame: Detail[str | None] = None
     minimum: Detail[float | int | None] = None
     maximum: Detail[float | int | None] = None
-    above: Detail[float | int | None] = None  # open bounds: the value is greater than `above`, less than `below`
+    above: Detail[float | int | None] = None  # exclusive bounds: greater than `above`, less than `below`
     below: Detail[float | int | None] = None
-    magnitude: Detail[tuple[float | int | None, float | int | None]] = (None, None)  # least and most length of a vector
-    at_rest: Detail[tuple[float | int | None, ...]] = ()  # what a level device at rest shows, for each element or one
+    magnitude: Detail[tuple[float | int | None, float | int | None]] = (None, None)  # bounds of a vector's length
+    at_rest: Detail[tuple[float | int | None, ...]] = ()  # on a level device at rest, for each element or one
     positive: Prose = ""  # what a positive value means: "nose up"
     default: Detail[object] = None
-    typical: Detail[object] = None  # what a user would send or see, in the form of the codec; of a structure, members
-    shown: Shown | None = None  # its number is usually written in hexadecimal, and may be that of a set or a field
-    fields_of: str = ""  # the set of these field descriptors: its name, or the parameter that holds its number
+    typical: Detail[object] = None  # a typical value, in the form of the codec; of a structure, members
+    shown: Shown | None = None  # usually written in hexadecimal; may be the number of a set or a field
+    fields_of: str = ""  # the set of these field descriptors: its name, or the parameter with its number
     valid: Detail[tuple[str, ...]] = ()  # the flags: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()
     constant: int | None = None
     reserved: int | float | None = None  # the value to send; any value may be received
     counts: str | None = None  # the array that this parameter counts
     union: Union | None = None
-    by_device: bool = False  # every device that supports it has a type for it
-    required_for: tuple[Function, ...] = ()  # the functions that require it; none where there is no selector
+    by_device: bool = False  # every device that supports it defines its type
+    required_for: tuple[Function, ...] = ()  # the functions that require it; empty without a selector
     optional: bool = False  # no function requires it
     selector: bool = False  # the function selector itself
     deprecated: bool = False
     notes: tuple[Prose, ...] = ()
     uncertain: tuple[Prose, ...] = ()
-    most: int = field(default=0, compare=False)  # items that a field holds, if their number varies
+    most: int = field(default=0, compare=False)  # the maximum number of items in a field, if it varies
     position: Position | None = field(default=None, compare=False)
 
     @property
     def derived(self) -> bool:
-        """Does its value follow from the rest of the record: a constant, or the number of an array's elements?"""
+        """True if its value follows from the rest of the record: a constant, or the number of an array's elements."""
         return self.constant is not None or self.counts is not None
 
     @property
     def readings(self) -> tuple[Variant, ...]:
-        """The variants that name its values or bits; those that name the ones of a member are not among them."""
+        """The variants that name its values or bits, without those that concern a member."""
         return tuple(v for v in self.variants if v.type is not None and not v.member)
 
     @property
@@ -148,7 +148,7 @@ class Parameter:
         return tuple(c.parameter for c in self.cases if c.parameter is not None)
 
     def alike(self, other: Parameter) -> bool:
-        """Do they differ at most in their places? The content of a type that both have is not read."""
+        """True if they differ only in their positions. The content of a type that both share is not read."""
         pairs = ((getattr(self, f.name), getattr(other, f.name)) for f in fields(self) if f.compare)
         return all(a is b or a == b for a, b in pairs)
 
@@ -170,12 +170,12 @@ class Parameter:
 
     @property
     def struct(self) -> Struct | None:
-        """Its structure, if it is one; that of an array is in its `item`."""
+        """Its structure, if it is one; the structure of an array's elements is in its `item`."""
         return self.element if isinstance(self.element, Struct) and self.length is None else None
 
     @property
     def vector(self) -> Vector | None:
-        """The vector, matrix or quaternion that it is; an array of vectors has it in its `item`."""
+        """Its vector, matrix or quaternion, if it is one; for an array of vectors, see its `item`."""
         return self.element if isinstance(self.element, Vector) and self.length is None else None
 
     @property
@@ -185,18 +185,18 @@ class Parameter:
 
     @property
     def named(self) -> Enum | Bitfield | None:
-        """The type that names its values or bits; of an array, see its `leaf`."""
+        """The type that names its values or bits; for an array, see its `leaf`."""
         return self.element if isinstance(self.element, (Enum, Bitfield)) and self.length is None else None
 
     @cached_property
     def scalar(self) -> Scalar:
-        """The number that it is, or that it consists of; structures and unions do not have one."""
+        """The type of its number or numbers; structures and unions have none."""
         scalar = self.element if isinstance(self.element, Scalar) else getattr(self.element, "scalar", None)
         return scalar or SCALARS["u8"]
 
     @property
     def size(self) -> int:
-        """The bytes of a single number, or of the bytes of a bitfield."""
+        """The size of a single number or a bitfield in bytes."""
         return self.element.size if isinstance(self.element, Bitfield) else self.scalar.size
 
     @property
@@ -206,29 +206,29 @@ class Parameter:
 
     @property
     def count(self) -> int | None:
-        """The number of items of an array, a vector or a text, if it is always the same."""
+        """The number of items of an array, a vector or a text, if it is fixed."""
         if self.vector:
             return len(self.vector.elements)
         return self.length if isinstance(self.length, int) else None
 
     @property
     def counter(self) -> str | None:
-        """The parameter that holds the number of items, if it is not always the same and does not fill the field."""
+        """The parameter that contains the number of items, if it is neither fixed nor fills the field."""
         return self.length if isinstance(self.length, str) and self.length != REST else None
 
     @property
     def capacity(self) -> int:
-        """The most items of an array, a vector or a text."""
+        """The maximum number of items of an array, a vector or a text."""
         return self.most if self.count is None else self.count
 
     @property
     def several(self) -> bool:
-        """Is it an array, a vector or a text?"""
+        """True for an array, a vector or a text."""
         return self.kind in ("array", "text")
 
     @property
     def open(self) -> bool:
-        """Is it an array or a text whose length varies?"""
+        """True for an array or a text of variable length."""
         return isinstance(self.length, str)
 
     @cached_property
@@ -241,24 +241,24 @@ class Parameter:
 
     @property
     def leaf(self) -> Parameter:
-        """One item of an array, of the vectors of an array, or of a vector; else, the parameter itself."""
+        """One item of an array, of an array's vectors, or of a vector; for anything else, the parameter itself."""
         return self.item.leaf if self.kind == "array" else self
 
     @property
     def fills(self) -> bool:
-        """Is it an array or a text that fills the field?"""
+        """True for an array or a text that fills the field."""
         return self.length == REST
 
     @property
     def types(self) -> tuple[Type, ...]:
-        """The types that it names: its own, those of its variants, and those of its alternatives."""
+        """The types that it uses: its own, and those of its variants and alternatives."""
         own = () if self.element is None or isinstance(self.element, Scalar) else (self.element,)
         variants = (v.type for v in self.variants if v.type is not None)
         return (*own, *variants, *(t for p in self.alternatives for t in p.types))
 
     @property
     def inside(self) -> tuple[Parameter, ...]:
-        """The parameters that it consists of."""
+        """The parameters of which it consists."""
         if self.struct:
             return self.struct.parameters
         return (self.item,) if self.several else self.alternatives
@@ -268,8 +268,8 @@ class Parameter:
 class Group:
     """Parameters of a field that are present or absent together: one, or a counter up to its array.
 
-    They are the numbers `first` to `last` (from 1, the function selector not counted). The group is required when
-    `last` <= the number that the selected function requires; otherwise it is read only if it is complete.
+    They are numbered `first` to `last` (from 1, not counting the function selector). The group is required if
+    `last` <= the number of parameters that the function requires; otherwise it is read only if it is complete.
     """
 
     first: int

@@ -11,17 +11,17 @@ from .evidence import Manual
 from .fields import Field
 from .types import Enum, Function, Source
 
-#: The package that the templates and runtimes of the targets are written for.
+#: The package for which the templates and runtimes of the targets are written.
 OWN_PACKAGE = "mip"
 
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """From a frame to one that other software uses in its place."""
+    """The conversion from a frame to the frame of other software."""
 
     name: str
     title: Prose
-    axes: tuple[str, ...]  # where x, y and z point there
+    axes: tuple[str, ...]  # the directions of x, y and z there
     values: tuple[str, ...]  # x, y and z there, by the elements of a vector in the frame: ("y", "x", "-z")
     description: Prose
 
@@ -34,38 +34,38 @@ class Word:
     title: Prose
     description: Prose
     plural: Detail[str] = ""  # of a unit that is a word: its plural
-    numbered: bool = False  # of a unit: a value is the number of one, "week 2412"
-    elements: tuple[str, ...] = ()  # of a frame: what vectors in it have, if not x, y, z
-    axes: Detail[tuple[str, ...]] = ()  # of a frame: where x, y and z point; right-handed
-    origin: Prose = ""  # of a frame: the place of its origin
-    conversions: Detail[tuple[Conversion, ...]] = ()  # of a frame: to those that other software uses
+    numbered: bool = False  # of a unit: values are ordinal, "week 2412"
+    elements: tuple[str, ...] = ()  # of a frame: the elements of its vectors, if not x, y, z
+    axes: Detail[tuple[str, ...]] = ()  # of a frame: the directions of x, y and z; right-handed
+    origin: Prose = ""  # of a frame: the location of its origin
+    conversions: Detail[tuple[Conversion, ...]] = ()  # of a frame: to the frames of other software
     sources: tuple[Source, ...] = ()  # of a frame
 
 
 @dataclass(frozen=True, slots=True)
 class Chapter:
-    """Notes on the protocol for programmers, besides its fields."""
+    """Notes on the protocol for programmers that concern no single field."""
 
     title: Prose
-    text: tuple[Prose, ...]  # sentences that belong together, each
+    text: tuple[Prose, ...]  # paragraphs
     sources: tuple[Source, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Clock:
-    """A clock whose time packets have."""
+    """A clock of timestamps."""
 
     name: str
     title: Prose
     description: Prose
-    epoch: str | None  # "1980-01-06"; without it, it starts with the device
-    timestamps: tuple[str, ...]  # full names of the data fields that hold it
+    epoch: str | None  # "1980-01-06"; None: it starts with the device
+    timestamps: tuple[str, ...]  # full names of the data fields that contain its time
     position: Position | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
 class Older:
-    """The way to start the data of one set on older devices: full names of commands."""
+    """The full names of the commands that start the data of one set on older devices."""
 
     set: str
     base_rate: str
@@ -76,9 +76,9 @@ class Older:
 
 @dataclass(frozen=True, slots=True)
 class Session:
-    """The commands that identify a device and start its data: their full names."""
+    """The full names of the commands that identify a device and start its data."""
 
-    baud: int  # the rate of a new device
+    baud: int  # the baud rate of a new device
     ping: str
     idle: str
     resume: str
@@ -97,7 +97,7 @@ class Session:
 
 @dataclass(frozen=True, slots=True)
 class Usage:
-    """The word that names use for a thing, and those that they do not use."""
+    """The word that names use for a thing, and the words to avoid."""
 
     word: str
     instead_of: tuple[str, ...]
@@ -125,6 +125,6 @@ class Protocol:
     synonyms: Detail[tuple[tuple[str, ...], ...]] = ()  # words of the same meaning
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
     session: Session | None = None
-    barrier: tuple[int, int] = (0, 0)  # set and descriptor of the command after which no answer is late; 0: none
+    barrier: tuple[int, int] = (0, 0)  # set and descriptor of the barrier's command; 0: none
     url: Prose = ""  # the public repository
     leap_seconds: Detail[tuple[tuple[str, int], ...]] = ()  # day -> seconds that clocks with an epoch are ahead of UTC

@@ -1,7 +1,7 @@
 """The knowledge and behaviour of a simulated device: the part of the model that `spec/simulation` defines.
 
-The simulated world, such as a motion, is not described here; its *quantities* are named, and each value of a data
-field or of a response shows one of them. Likewise a command has an *effect* by name.
+The simulated world, such as a motion, is not described here. Its *quantities* have names, and each value of a data
+field or a response shows one of them. Likewise, a command names its *effect*.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """Something that the simulation knows, in one unit: a number, several, a text, or a list."""
+    """A quantity of the simulation, in one unit: a number, several numbers, a text, or a list."""
 
     name: str
     unit: Detail[str | None]
     elements: int
     description: Prose
-    typical: Detail[Any] = None  # a typical value: a number, several, a text, or a list
-    noise: tuple[tuple[str, float], ...] = ()  # of the sensor that measures it: density, drift, period
+    typical: Detail[Any] = None  # a typical value: a number, several numbers, a text, or a list
+    noise: tuple[tuple[str, float], ...] = ()  # noise of the sensor that measures it: density, drift, period
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,7 @@ class Value:
     path: str  # parameter, or parameter.member of a structure
     quantity: str = ""
     factor: float = 1.0
-    names: tuple[str, ...] = ()  # of values: the first one that the enumeration has, which may depend on the device
+    names: tuple[str, ...] = ()  # of values: the first one in the enumeration, which may depend on the device
     bits: tuple[str, ...] = ()
     number: float | int | None = None
     text: str | None = None
@@ -50,7 +50,7 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """The source of the values of a data field or of a response: in all its sets that have no source of their own, or
+    """The source of the values of a data field or a response: in all its sets without a source of their own, or
     in one."""
 
     field: Field
@@ -71,15 +71,15 @@ class Behavior:
     instances: tuple[tuple[str, str], ...] = ()  # parameter -> its values: a limit, PORTS, SETS, AFFECTED
     translate: tuple[tuple[str, tuple[tuple[int, int], ...]], ...] = ()  # parameter -> number -> number of a set
     setting: str = ""  # the command whose setting it is, if not its own
-    key: tuple[tuple[str, int], ...] = ()  # which instance of that setting
+    key: tuple[tuple[str, int], ...] = ()  # the instance of that setting
     initial: tuple[tuple[str, object], ...] = ()  # values on a new device
-    once: bool = False  # a write acts at that moment: what it wrote is not a setting to be restored
-    affected: tuple[tuple[int, int], ...] = ()  # set and descriptor of the data that AFFECTED selects from
+    once: bool = False  # a write acts once: its values are not a setting to be restored
+    affected: tuple[tuple[int, int], ...] = ()  # set and descriptor of the data from which AFFECTED selects
     answers: tuple[tuple[str, tuple[str, ...]], ...] = ()  # response -> the devices that have this layout
 
 
-#: Instances that are not numbers up to a limit: the ports of the device, its data sets, and the data fields that the
-#: command is sure to affect.
+#: Instances other than numbers up to a limit: the ports of the device, its data sets, and the data fields that the
+#: command certainly affects.
 PORTS = "ports"
 SETS = "data_sets"
 AFFECTED = "affected"
@@ -93,7 +93,7 @@ class Simulation:
     behaviors: tuple[Behavior, ...] = ()
 
     def only(self, fields: dict[str, Field]) -> Simulation:
-        """The part that is about these fields, as they are given here.
+        """Returns the part about these fields.
 
         Commands whose common setting is not among them share it as before: the first one keeps it.
         """

@@ -1,1 +1,1 @@
-"""Reads specifications. Knows files, lines, schemas and overlays, words problems, and knows nothing of MIP."""
+"""Reads specifications: files, lines, schemas, overlays and the wording of problems. Independent of MIP."""

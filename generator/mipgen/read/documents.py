@@ -1,4 +1,4 @@
-"""A file of a specification, read."""
+"""A specification file that has been read."""
 
 from __future__ import annotations
 
@@ -9,6 +9,6 @@ from .nodes import Node
 
 @dataclass(frozen=True, slots=True)
 class Document:
-    kind: str  # the schema that checks it
-    path: str  # below the folder of its specification
+    kind: str  # the schema that validates it
+    path: str  # relative to the folder of its specification
     root: Node

@@ -25,7 +25,7 @@ _SUFFIX = ".schema.json"
 #: Words that other YAML parsers read as true and false.
 BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
 
-#: The files of a specification: kind of schema -> pattern below its folder.
+#: The files of a specification: kind of schema -> glob pattern relative to its folder.
 LAYOUT = {
     "protocol": "protocol.yaml",
     "manual": "manuals/*.yaml",
@@ -38,17 +38,17 @@ LAYOUT = {
     "guide": "guides/*.yaml",
 }
 
-#: Facts from other sources, which are compared with a specification and are not part of it.
+#: Facts from other sources, which are compared with the specification but are not part of it.
 WITNESSES = {"witness": "witness/*.yaml"}
 
-#: Files beside them, by their content: the differences that were judged, and rules for kinds of quantities.
+#: Other files in the same folder, recognized by a key: accepted differences, and rules for kinds of quantities.
 BESIDE = {"rules": "rules", "differences": "accepted"}
 
-#: Files with several devices or families, and the keys of these.
+#: Files that contain several devices or families, and the keys of their lists.
 DEVICES = "devices"
 PARTS = {"device": "devices", "family": "families"}
 
-#: The files of an overlay: the same, but its additions to the protocol have a file of their own.
+#: The files of an overlay: the same, except that additions to the protocol are in `overlay.yaml`.
 OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
 
 
@@ -64,13 +64,13 @@ def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Docum
         _strays(folder, OVERLAY, problems)
         if not more and not problems:
             files = ", ".join(OVERLAY.values())
-            problems.add(Position(shown(folder), 1, 1), f"nothing to add to the specification: no {files}")
+            problems.add(Position(shown(folder), 1, 1), f"this overlay contains none of these files: {files}")
         documents = overlay.lay(documents, more, problems)
     return documents
 
 
 def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Problems) -> list[Document]:
-    """The files of one folder, perhaps an overlay. Those that were found valid before are not read again."""
+    """Reads the files of a specification or overlay folder. Files that were valid before come from the cache."""
     documents, valid = [], {}
     for kind, pattern in layout.items():
         for path in _visible(folder.glob(pattern)):
@@ -99,21 +99,21 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
 
 
 def load_witnesses(folder: Path, problems: Problems) -> list[Document]:
-    """Reads the witnesses of a specification, and which differences from them were judged."""
+    """Reads the witnesses of a specification, with the rules and the accepted differences."""
     documents = _documents(folder, {kind: Path(pattern).name for kind, pattern in WITNESSES.items()}, False, problems)
     if not documents and not problems:
-        problems.add(Position(shown(folder), 1, 1), "there are no witnesses here: no .yaml file")
+        problems.add(Position(shown(folder), 1, 1), "this folder contains no witnesses, that is, no .yaml files")
     return documents
 
 
 def load_witness(path: Path, problems: Problems) -> Document | None:
-    """Reads one witness, which may lie anywhere; None if it cannot be read."""
+    """Reads a witness file, in any folder; None if it cannot be read."""
     root = read(path, shown(path), problems)
     return Document("witness", path.name, root) if root is not None and _valid("witness", root, problems) else None
 
 
 def _key(path: Path, kind: str, over: bool) -> str:
-    """A key for the nodes of a file, which name it as a user would. Empty if the file cannot be read."""
+    """Returns the cache key for the nodes of a file, whose positions contain the path as shown. Empty if unreadable."""
     try:
         return cache.key(fingerprint.program(), kind, str(over), shown(path), path.read_bytes())
     except OSError:
@@ -121,7 +121,7 @@ def _key(path: Path, kind: str, over: bool) -> str:
 
 
 def _schema(kind: str, root: Node, over: bool) -> str:
-    """The schema for a file: one that extends another, or has several devices, has its own."""
+    """Returns the kind of schema for a file; extensions, and files with several devices, have their own."""
     extension = f"{kind}_extension"
     if (over or extension in overlay.WITHIN) and "extend" in root and extension in overlay.EXTENSIONS:
         return extension
@@ -138,12 +138,12 @@ def shown(path: Path) -> str:
 
 
 def _visible(paths: Iterable[Path]) -> list[Path]:
-    """The paths in order, without hidden files of editors and systems, such as `.#tools.yaml`."""
+    """Sorts paths, without hidden files of editors and systems, such as `.#tools.yaml`."""
     return sorted(path for path in paths if path.name[0] != ".")
 
 
 def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
-    """Reports files in the wrong place, which would be ignored silently."""
+    """Reports files in the wrong folder, which would be ignored silently."""
     known = {path for pattern in (*layout.values(), *WITNESSES.values()) for path in spec.glob(pattern)}
     read_ones = ", ".join(layout.values())
     made = {path.parent for path in spec.rglob(MANIFEST)}  # output, if the specification is a whole project
@@ -152,11 +152,11 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
             continue
         if not made.isdisjoint(path.parents):
             continue
-        problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
+        problems.add(Position(shown(path), 1, 1), f"this file is ignored; only these are read: {read_ones}")
 
 
 def _matches(_: Any, pattern: str, value: Any, schema: Any) -> Iterator[Any]:
-    """JSON Schema's `$` is the end of the text; Python's is also before a line break at its end."""
+    """Matches `$` only at the end of a text, as JSON Schema does; Python also matches before a final line break."""
     import jsonschema
 
     if isinstance(value, str) and not re.search(pattern.replace("$", r"\Z"), value):
@@ -164,13 +164,13 @@ def _matches(_: Any, pattern: str, value: Any, schema: Any) -> Iterator[Any]:
 
 
 def _is_integer(_: Any, value: Any) -> bool:
-    """JSON Schema accepts 1.0 as an integer; an author who writes 1.0 means a float."""
+    """Rejects 1.0 as an integer, which JSON Schema accepts: an author who writes 1.0 means a float."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
 @functools.cache
 def _validators() -> dict[str, Any]:
-    """The validator of each kind of file. Its library is slow to import, and only needed if a file has changed."""
+    """Builds a validator for each kind of file. Their library is slow to import; it is used only for changed files."""
     import jsonschema
     import referencing
     from referencing.jsonschema import DRAFT7
@@ -181,7 +181,7 @@ def _validators() -> dict[str, Any]:
     folder = resources.root() / "spec/schema"
     files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
     for schema in files.values():
-        del schema["$schema"]  # if it were referred to, the library would use its own validator instead of this one
+        del schema["$schema"]  # with it, the library would use its own validator for references instead of this one
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (name, DRAFT7.create_resource(schema)) for name, schema in files.items()
     )
@@ -192,7 +192,7 @@ def _validators() -> dict[str, Any]:
 
 
 def _valid(kind: str, root: Node, problems: Problems) -> bool:
-    """Does a file obey its schema? If not, adds its mistakes to `problems`."""
+    """Validates a file against its schema, and adds its mistakes to `problems`; True if there are none."""
     errors = list(_validators()[kind].iter_errors(root.plain()))
     for error in errors:
         path = list(error.absolute_path)
@@ -201,11 +201,11 @@ def _valid(kind: str, root: Node, problems: Problems) -> bool:
     return not errors
 
 
-_ALONE = "; write the number alone if the name says it all"
+_ALONE = "; write only the number if the name needs no description"
 
 
 def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
-    """The errors with their corrections, in words, each with the key in question, if it is about one."""
+    """Words a schema error and its remedy; each message has the path of the key in question, if there is one."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     inside = _inside(list(error.absolute_path), root)
     if "propertyNames" in error.absolute_schema_path:
@@ -229,7 +229,7 @@ _BOUNDS = {"minimum": "at least", "exclusiveMinimum": "more than", "maximum": "a
 
 
 def _fault_of_value(error: Any) -> str:
-    """The fault of a value, as the continuation of its name."""
+    """Words the fault of a value; the text continues the name of its key."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     match error.validator:
         case "type":
@@ -254,13 +254,13 @@ def _fault_of_value(error: Any) -> str:
 
 
 def _inside(path: list[str | int], root: str) -> str:
-    """The subject of an error: a key, or the item of a list."""
+    """The subject of an error: a key, or an item of a list."""
     key = next((f"'{p}'" for p in reversed(path) if isinstance(p, str)), root)
     return f"item {path[-1] + 1} of {key}" if path and isinstance(path[-1], int) else key
 
 
 def _instead(value: Any, kinds: list[str]) -> str:
-    """The right form of a value of the wrong kind, where it is obvious.
+    """The remedy for a value of the wrong kind, if it is obvious.
 
     >>> _instead("yes", ["boolean"]), _instead(7, ["string"]), _instead("8C", ["integer"]), _instead("−3", ["integer"])
     ('; write true', '; put it in quotes', '; write 0x8C', "; '−' is a minus sign (U+2212), write '-'")
@@ -283,8 +283,8 @@ def _instead(value: Any, kinds: list[str]) -> str:
 
 
 def _form(schema: Any) -> str | None:
-    """The description of a definition states the form of a value; that of a property, which ends with a full stop,
-    states its purpose."""
+    """The form of a value: the description of its definition. A description that ends with a full stop belongs to a
+    property, and states its purpose instead."""
     words = str(schema.get("description", "."))
     return None if words.endswith(".") else words
 

@@ -1,7 +1,7 @@
-"""YAML as nodes with their places: files, lines and columns, nothing about MIP.
+"""YAML as nodes with their positions: file, line and column. Independent of MIP.
 
-YAML is read by the rules of version 1.2, but numbers are written as in JSON; duplicate keys, anchors, aliases and tags
-are rejected.
+YAML is read by the rules of version 1.2, except that numbers have the form of JSON; duplicate keys, anchors, aliases
+and tags are rejected.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .problems import Problems
 MAX_DEPTH = 50
 MAX_DIGITS = 40
 
-#: Plain scalars that are words, and not text; numbers begin with one of these characters.
+#: Plain scalars that are not text; and the characters with which numbers begin.
 _WORDS = {"": None, "~": None, "null": None, "true": True, "false": False}
 _NUMERIC = frozenset("+-.0123456789")
 
@@ -31,20 +31,20 @@ _DECIMAL = re.compile(r"-?(0|[1-9][0-9]*)")
 _HEXADECIMAL = re.compile(r"0x[0-9A-Fa-f]+")
 _FLOAT = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][-+]?[0-9]+)?")
 
-#: Kinds of characters that control devices, lines and directions instead of being seen.
+#: Categories of invisible characters: controls, formats, surrogates, separators of lines and paragraphs.
 _CONTROLS = frozenset({"Cc", "Cf", "Cs", "Zl", "Zp"})
 
 _SEPARATOR = re.compile(r"(?<=[0-9A-Fa-fxX])_(?=[0-9A-Fa-f])")
 _BARE = re.compile(r"(-?)0*((?=\.?[0-9])[0-9]*)(\.[0-9]*)?([eE][-+]?[0-9]+)?")
 
 
-@dataclass(slots=True)  # not frozen, although nothing changes it: reading would take a fifth longer
+@dataclass(slots=True)  # never changed, but not frozen: reading would take a fifth longer
 class Node:
-    """A YAML value and its place. `value` is a dict or list of nodes, or a plain scalar."""
+    """A YAML value and its position. `value` is a dict or list of nodes, or a plain scalar."""
 
     value: Any
     position: Position
-    keys: dict[str, Position] = field(default_factory=dict)  # of a mapping: the place of each key
+    keys: dict[str, Position] = field(default_factory=dict)  # of a mapping: the position of each key
 
     def __reduce__(self) -> tuple[Any, ...]:  # attribute by attribute, reading the cache would take a third longer
         return Node, (self.value, self.position, self.keys) if self.keys else (self.value, self.position)
@@ -60,7 +60,7 @@ class Node:
         return self.value.get(key) if isinstance(self.value, dict) else None
 
     def scalar(self, key: str, default: Any = None) -> Any:
-        """The plain value below `key`, or `default` where there is none."""
+        """Returns the plain value of `key`, or `default` if there is none."""
         node = self.get(key)
         return default if node is None or node.value is None else node.value
 
@@ -71,7 +71,7 @@ class Node:
         yield from self.value
 
     def plain(self) -> Any:
-        """The value without places, as in JSON."""
+        """Returns the value without positions, as in JSON."""
         if isinstance(self.value, dict):
             return {k: v.plain() for k, v in self.value.items()}
         if isinstance(self.value, list):
@@ -79,11 +79,11 @@ class Node:
         return self.value
 
     def at(self, path: list[str | int]) -> Position:
-        """The place to which `path` leads: that of the key, if there is one."""
+        """Returns the position at `path`: that of the key, if there is one."""
         return self._follow(path)[0]
 
     def value_at(self, path: list[str | int]) -> Position:
-        """The place of the plain value at `path`; of its key, if the value is not plain."""
+        """Returns the position of the plain value at `path`; of its key, if the value is not plain."""
         position, node = self._follow(path)
         return position if node.value is None or isinstance(node.value, (dict, list)) else node.position
 
@@ -125,7 +125,7 @@ def _position(name: str, mark: Any) -> Position:
 
 
 def _place(name: str, before: str) -> Position:
-    """The place after this text."""
+    """The position after this text."""
     return Position(name, before.count("\n") + 1, len(before) - before.rfind("\n"))
 
 
@@ -134,7 +134,7 @@ class _TooDeep(Exception):
 
 
 class _Reader:
-    """Builds nodes from the events of the YAML parser, which give the places of anchors and aliases."""
+    """Builds nodes from the events of the YAML parser, which contain the positions of anchors and aliases."""
 
     def __init__(self, text: str, file: str, problems: Problems) -> None:
         self.get = syntax.LOADER(text).get_event
@@ -159,7 +159,7 @@ class _Reader:
             return None
         self.next()
         if not isinstance(self.next(), yaml.StreamEndEvent):
-            self.complain("a second document begins here; one file holds one document")
+            self.complain("a second document begins here; write one document per file")
             return None
         return root
 
@@ -193,11 +193,11 @@ class _Reader:
         return node
 
     def check(self, text: str) -> None:
-        """Finds what languages reject even in comments: the only control character allowed is a line break."""
+        """Reports what some language rejects even in comments: all control characters except line breaks."""
         if not text.isprintable():
             for sign in sorted({c for c in text if c != "\n" and unicodedata.category(c) in _CONTROLS}):
                 name = unicodedata.name(sign, "a control character").lower()
-                self.complain(f"the text holds U+{ord(sign):04X}, {name}; remove it")
+                self.complain(f"the text contains U+{ord(sign):04X}, {name}; remove it")
 
     def scalar(self, text: str) -> Any:
         plain = _rewritten(text)
@@ -213,7 +213,7 @@ class _Reader:
     def mapping(self, position: Position, depth: int, item: bool) -> Node:
         mapping: dict[str, Node] = {}
         keys: dict[str, Position] = {}
-        merged = False  # with the next item, whose '- ' is missing: its other keys are duplicates, too
+        merged = False  # with the next item, whose '- ' is missing: its other keys are also duplicates
         while not isinstance(event := self.next(), yaml.MappingEndEvent):
             place = _position(self.file, event.start_mark)
             if not isinstance(event, yaml.ScalarEvent) or event.anchor is not None or event.tag is not None:
@@ -227,7 +227,7 @@ class _Reader:
                 again = item and key == next(iter(mapping))
                 remedy = "put '- ' before it to begin another item" if again else "remove one"
                 if not merged:
-                    self.problems.add(place, f"duplicate key '{key}', first in line {keys[key].line}; {remedy}")
+                    self.problems.add(place, f"duplicate key '{key}', first on line {keys[key].line}; {remedy}")
                 merged = merged or again
                 continue
             keys[key] = place
@@ -236,7 +236,7 @@ class _Reader:
 
 
 def _scalar(text: str) -> Any:
-    """A plain scalar: null, true and false as in YAML 1.2, numbers as in JSON or hexadecimal.
+    """Converts a plain scalar: null, true and false as in YAML 1.2, numbers as in JSON or hexadecimal.
 
     >>> [_scalar(t) for t in ("true", "True", "yes", "~", "null", "", "0x1F", "12:30", "-3", "1e3", "0.5")]
     [True, 'True', 'yes', None, None, None, 31, '12:30', -3, 1000.0, 0.5]
@@ -253,7 +253,7 @@ def _scalar(text: str) -> Any:
 
 
 def _rewritten(text: str) -> str | None:
-    """The right form of a number that programs read in different ways, or not as a number; None if it is clear.
+    """The right form of a number that programs read differently, or not as a number; None if it is unambiguous.
 
     >>> [_rewritten(t) for t in ("0211", "0o17", "1_000", ".5", "1.", "+7", "-007.50", "0X1F", "0b11")]
     ['211 or 0x211', '15', '1000', '0.5', '1', '7', '-7.50', '0x1F', '3']

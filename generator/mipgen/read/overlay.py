@@ -1,8 +1,8 @@
 """Overlays: folders that add sets, fields, types and devices to a specification without changing its files.
 
-An overlay has the subfolders of a specification. A set file or a device file that begins with `extend: NAME` adds
-to an existing set or device; `overlay.yaml` adds units and frames. Such a device file may also belong to the
-specification itself.
+An overlay has the same subfolders as a specification. A set or device file that begins with `extend: NAME` adds
+to an existing set or device; `overlay.yaml` adds units and frames. A device file that extends another may also belong
+to the specification itself.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from .documents import Document
 from .nodes import Node
 from .problems import Problems, nearest
 
-#: Kind of an extension -> kind of what it extends, the key that names that, and what may be added to it.
+#: Kind of extension -> the kind that it extends, the key with the name of the extended thing, and the keys it may add.
 EXTENSIONS = {
     "set_extension": ("set", "name", ("types", "parts", "fields", "named")),
     "device_extension": (
@@ -24,26 +24,26 @@ EXTENSIONS = {
     ),
 }  # fmt: skip
 
-#: Extensions that a specification itself may have: the data that a device reports is a file of its own.
+#: Extensions that a specification itself may contain: the data that a device reports is a separate file.
 WITHIN = ("device_extension",)
 
 
 def lay(documents: list[Document], over: list[Document], problems: Problems) -> list[Document]:
-    """The documents of a specification with those of one overlay."""
+    """Combines the documents of a specification with those of one overlay."""
     laid = list(documents)
     for document in over:
         if document.kind == "overlay":
             laid = [_with_words(d, document.root, problems) if d.kind == "protocol" else d for d in laid]
         elif document.kind not in EXTENSIONS:
             laid.append(document)
-    for document in over:  # after everything new: an overlay may extend its own sets
+    for document in over:  # last, since an overlay may extend its own sets
         if document.kind in EXTENSIONS:
             laid = _extended(laid, document, problems)
     return laid
 
 
 def _with_words(protocol: Document, overlay: Node, problems: Problems) -> Document:
-    """The protocol with more units and frames."""
+    """Adds units and frames to the protocol."""
     value = dict(protocol.root.value)
     for key, more in overlay.items():
         value[key] = _joined(value[key], more, problems)
@@ -76,7 +76,7 @@ def _with_parts(root: Node, extension: Node, parts: tuple[str, ...], problems: P
 
 
 def _joined(base: Node, more: Node, problems: Problems) -> Node:
-    """Lists one after the other; mappings with the keys of both, and lists below one key joined."""
+    """Joins two nodes: concatenates lists, and merges mappings, whose lists with the same key are concatenated."""
     if isinstance(base.value, list):
         return replace(base, value=[*base.value, *more.value])
     value, keys = dict(base.value), dict(base.keys)
@@ -92,14 +92,14 @@ def _joined(base: Node, more: Node, problems: Problems) -> Node:
 
 
 def _joined_rates(base: Node, more: Node, problems: Problems) -> Node:
-    """The rates of both. The same rate may be given again, and an unknown one (`~`) changes nothing."""
+    """Joins base rates. A rate may be repeated, and an unknown one (`~`) changes nothing."""
     new = {key: node for key, node in more.items() if key not in base or node.value not in (None, base[key].value)}
     kept = {key: node for key, node in base.items() if key not in new or node.value is not None}
     return _joined(replace(base, value=kept), replace(more, value=new), problems)
 
 
 def _joined_ports(base: Node, more: Node, problems: Problems) -> Node:
-    """The ports of both. The same port may be given again."""
+    """Joins ports. A port may be repeated."""
     known = {port["name"].value: port for port in base}
     new = []
     for port in more:
@@ -108,9 +108,9 @@ def _joined_ports(base: Node, more: Node, problems: Problems) -> Node:
             new.append(port)
         elif earlier.plain() != port.plain():
             name = port["name"].value
-            problems.add(port.position, f"the port '{name}' is another one at {earlier.position}; correct one of them")
+            problems.add(port.position, f"the port '{name}' differs from the one at {earlier.position}; correct one")
     return replace(base, value=[*base.value, *new])
 
 
-#: Keys that may repeat what is there: a device that is asked reports all that it knows.
+#: Keys that may repeat existing entries, because a device reports everything it knows.
 AGAIN = {"base_rates": _joined_rates, "ports": _joined_ports}

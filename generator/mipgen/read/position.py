@@ -1,4 +1,4 @@
-"""Places in the files of a specification."""
+"""Positions in the files of a specification."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Position(NamedTuple):
-    """A place in a specification file; lines and columns count from 1."""
+    """A position in a specification file; lines and columns count from 1."""
 
     file: str
     line: int

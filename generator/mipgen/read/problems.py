@@ -1,4 +1,4 @@
-"""Problems of a specification, each with its place, and remedies for unknown words."""
+"""Problems of a specification, each with its position, and remedies for unknown words."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from mipgen.base.errors import Failure
 from . import spelling
 from .position import Position
 
-#: At most this many words are listed.
+#: The maximum number of words in a list.
 MANY = 60
 
 
@@ -62,7 +62,7 @@ class SpecError(Failure):
 
 
 def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:
-    """The remedy for an unknown word: the one that was probably meant, else all that are known.
+    """The remedy for an unknown word: the word that was probably meant, else all known words.
 
     `guess`: suggest a similar word.
 
@@ -80,7 +80,7 @@ def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:
 
 
 def close(word: str, choices: Iterable[str], guess: bool = True) -> str:
-    """The one word that was probably meant, if there is one."""
+    """The word that was probably meant; empty if there is none."""
     known = _ordered(choices)
     if usual := spelling.usual(word, known):
         return f", did you mean '{usual}'?"
@@ -90,7 +90,7 @@ def close(word: str, choices: Iterable[str], guess: bool = True) -> str:
 
 
 def _ordered(choices: Iterable[str]) -> list[str]:
-    """Each once; in the order in which they are given, if they have one."""
+    """The words without duplicates, in their order; sets are sorted."""
     return sorted(choices) if isinstance(choices, (set, frozenset)) else list(dict.fromkeys(choices))
 
 
@@ -100,7 +100,7 @@ def _listed(word: str, known: list[str]) -> str:
     >>> _listed("fliter.x", many)
     '; known sets: base, filter'
     >>> _listed("base.x", ["base.one", *many[-MANY:]])
-    "; known of the set 'base': base.one"
+    "; known in the set 'base': base.one"
     """
     if not known:
         return ""
@@ -109,7 +109,7 @@ def _listed(word: str, known: list[str]) -> str:
     owners = list(dict.fromkeys(k.partition(".")[0] for k in known))
     owner = word.partition(".")[0]
     if owner in owners and len(owners) > 1:
-        return f"; known of the set '{owner}': {', '.join(k for k in known if k.partition('.')[0] == owner)}"
+        return f"; known in the set '{owner}': {', '.join(k for k in known if k.partition('.')[0] == owner)}"
     if len(owners) < len(known):
         return f"; known sets: {', '.join(owners)}"
     return f"; known: {', '.join(known[:MANY])}, … ({len(known)} in all)"

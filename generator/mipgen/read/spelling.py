@@ -1,4 +1,4 @@
-"""Other spellings of known words: type names of other languages, common units, look-alike characters."""
+"""Alternative spellings of known words: type names of other languages, common units, look-alike characters."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ SYNONYMS = {
     "count": ("length", "len", "size", "elements"),
 }
 
-#: Characters that look like others, and those others.
+#: Look-alike characters -> the characters that they resemble.
 _STRAIGHT = str.maketrans(
     {
         **dict.fromkeys("\u2010\u2011\u2012\u2013\u2014\u2015\u2212", "-"),
@@ -80,7 +80,7 @@ _USUAL = {spelling.casefold(): word for word, spellings in SYNONYMS.items() for 
 
 
 def usual(word: str, known: Collection[str]) -> str | None:
-    """The known word that means the same, if one does.
+    """The known word with the same meaning, if there is one.
 
     >>> usual("uint32_t", ["u16", "u32"]), usual("deg/sec", ["deg/s"]), usual("HZ", ["Hz"])
     ('u32', 'deg/s', 'Hz')
@@ -101,7 +101,7 @@ def straight(text: str) -> str:
 
 
 def strange(text: str, usual: str = "") -> str:
-    """Names the characters of a text that do not belong in a name or a number, except those of `usual`.
+    """Names the characters of a text that do not belong in a name or a number, except the characters in `usual`.
 
     >>> strange("4–6"), strange("4-6")
     ("; '–' is an en dash (U+2013), write '-'", '')

@@ -1,4 +1,4 @@
-"""Explains why a text is not YAML, at the place that its author must change.
+"""Explains why a text is not YAML, at the position that its author must correct.
 
 The parser stops where it cannot continue, which may be far below the mistake: an unclosed quote extends to the next
 quote.
@@ -17,25 +17,25 @@ LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 class Fault(NamedTuple):
-    """Line and column, from 0, and what is wrong there."""
+    """Line and column, from 0, and the fault there."""
 
     line: int
     column: int
     message: str
 
 
-#: Message of the parser -> remedy. {c}: the character at which it stopped, {line}: where a block begins.
+#: Message of the parser -> remedy. {c}: the character at which it stopped, {line}: the line where a block begins.
 _REMEDIES = {
     "cannot start any token": "a text cannot begin with {c}; put it in quotes",
     "did not find expected comment or line break": "a text cannot begin with | or >; put it in quotes",
     "did not find expected node content": "a value is missing before '{c}'; write it, or put text in quotes",
-    "did not find expected ',' or": "a comma is missing here, or quotes around a text that holds ',' or ': '",
+    "did not find expected ',' or": "a comma is missing here, or quotes around a text that contains ',' or ': '",
     "block sequence entries are not allowed": "a list begins on the line below its key",
     "found unknown escape character": "an unknown escape; write '\\\\' for a backslash, or use single quotes",
     "did not find expected '-' indicator":
-        "this line is neither an item nor a key of the list that begins in line {line}; check '- ' and indentation",
+        "this line is neither an item nor a key of the list that begins on line {line}; check '- ' and indentation",
     "did not find expected key":
-        "this line is not a key of the mapping that begins in line {line}; check its indentation",
+        "this line is not a key of the mapping that begins on line {line}; check its indentation",
 }  # fmt: skip
 
 _UNCLOSED_QUOTE = "the quote that opens here is not closed on this line; close it, or remove it"
@@ -43,7 +43,7 @@ _UNCLOSED_QUOTE = "the quote that opens here is not closed on this line; close i
 _OPENING = (yaml.FlowSequenceStartToken, yaml.FlowMappingStartToken)
 _CLOSING = {yaml.FlowSequenceEndToken: _OPENING[0], yaml.FlowMappingEndToken: _OPENING[1]}
 
-#: The text that may follow a quoted one: the end of its line, a comment, or the rest of a bracket.
+#: What may follow a quoted text: the end of its line, a comment, or the rest of a bracket.
 _BEHIND_QUOTE = re.compile(r"[ \t]*(?:$|[,\]}\r]|[ \t]#)", re.MULTILINE)
 _BEHIND_KEY = re.compile(r"[ \t]*:")
 
@@ -91,9 +91,9 @@ def _line(text: str, number: int) -> str:
 
 
 def _unbalanced(text: str, end: int, began: int) -> Fault | None:
-    """The first quote up to `end`, or the first bracket, that is not closed, or that closes what is not open.
+    """Finds the first quote or bracket up to `end` that is not closed, or that closes nothing.
 
-    `began`: where the mapping or list begins that the parser could not finish.
+    `began`: the beginning of the mapping or list that the parser could not finish.
     """
     opened: list[Any] = []
     try:
@@ -104,7 +104,7 @@ def _unbalanced(text: str, end: int, began: int) -> Fault | None:
                 if _BEHIND_QUOTE.match(text, behind) or (one_line and (opened or _BEHIND_KEY.match(text, behind))):
                     continue
                 if one_line:
-                    return _fault(token.end_mark, "text behind the closing quote; put all of it in the quotes")
+                    return _fault(token.end_mark, "text after the closing quote; include it in the quotes")
                 return _fault(mark, _UNCLOSED_QUOTE)
             if isinstance(token, _OPENING):
                 opened.append(token)
@@ -113,10 +113,10 @@ def _unbalanced(text: str, end: int, began: int) -> Fault | None:
                 if not opened:
                     return _fault(mark, f"'{sign}' closes nothing; remove it")
                 if not isinstance(opened[-1], _CLOSING[type(token)]):
-                    place = f"'{sign}' in line {mark.line + 1}, column {mark.column + 1}"
+                    place = f"'{sign}' on line {mark.line + 1}, column {mark.column + 1}"
                     return _unclosed(text, opened[-1], f" before the {place}")
                 opened.pop()
-    except yaml.YAMLError:  # it stopped in the middle, where other brackets may be open
+    except yaml.YAMLError:  # the scan stopped in the middle, where other brackets may be open
         opened = [bracket for bracket in opened if bracket.start_mark.index == began]
     return _unclosed(text, opened[-1]) if opened else None
 
@@ -127,9 +127,9 @@ def _unclosed(text: str, bracket: Any, where: str = "") -> Fault:
 
 
 def _misplaced_colon(text: str, mark: Any) -> Fault:
-    """A colon where no key can be: in a text, below a line without a colon, or in a line that is indented too far."""
+    """Explains a colon where no key can be: in a text, below a line without a colon, or on a line indented too far."""
     if mark.column and not re.fullmatch(_KEY, _line(text, mark.line)[: mark.column]):
-        return _fault(mark, "a text that holds ': ' must be in quotes")
+        return _fault(mark, "a text that contains ': ' must be in quotes")
     above = mark.line - 1
     while above > 0 and _line(text, above).lstrip()[:1] in ("", "#"):
         above -= 1

@@ -1,1 +1,1 @@
-"""Turns nodes into the model, and checks it. Knows the meaning of each key of a specification."""
+"""Turns nodes into the model, and checks it. Only this package knows the keys of a specification."""

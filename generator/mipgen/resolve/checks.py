@@ -1,4 +1,4 @@
-"""Checks a resolved model. Each check is one function, which reports everything it finds."""
+"""Checks a resolved model. Each check is a function that reports everything it finds."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ COMMAND_DESCRIPTORS = range(0x01, 0x80)
 DATA_DESCRIPTORS = range(0x01, 0xD0)
 
 
-#: The parameters of each command of a session: their types, and in words.
+#: Command of a session -> the types of its parameters, and the parameters in words.
 SESSION = {
     "ping": ((), "no parameters"),
     "idle": ((), "no parameters"),
@@ -27,13 +27,13 @@ SESSION = {
     "stream": (("u8", "bool"), "a descriptor set, and whether its data is sent"),
 }
 
-#: The same of commands for one set.
+#: The same for commands for one set.
 OLDER = {
     "base_rate": ((), "no parameters"),
     "format": (("u8", "[u8 u16]"), "a count, and that many descriptors with decimations"),
 }
 
-#: The parameters in the response to such a command.
+#: Command of a session -> the required content of its response.
 ANSWERS = {"identify": "the texts of `model_numbers`", "base_rate": "one parameter in Hz"}
 
 #: The units of the parameters of a timestamp.
@@ -60,19 +60,19 @@ def check_definitions(model: m.Model, problems: Problems) -> None:
 
 
 def check_evidence(model: m.Model, problems: Problems) -> None:
-    """Checks that make sense only once the definitions are right."""
+    """Runs the checks that need correct definitions."""
     for check in (package, descriptions, units, printed_lengths, printed_bytes, references):
         check(model, problems)
 
 
 def fields(model: m.Model, problems: Problems) -> None:
-    """Pages and packages begin with a field."""
+    """Requires at least one field: pages and packages begin with one."""
     if not model.fields:
         problems.add(model.protocol.acknowledge.position, "no set has a field; write one, in a file of sets/")
 
 
 def fields_of(model: m.Model, problems: Problems) -> None:
-    """The source of the descriptor set for field descriptors: a parameter beside them, or the name of a set."""
+    """Checks `fields_of`, the set to which field descriptors belong: a parameter beside them, or the name of a set."""
     records: list[m.Field | m.Struct] = [*model.fields, *m.structs(model.all_types)]
     for record in records:
         sets = {p.name for p in record.parameters if p.shown == "set"}
@@ -132,8 +132,8 @@ def _descriptor_range(s: m.Family, f: m.Field | m.Named, problems: Problems) -> 
 
 
 def _told_apart(a: m.Field, b: m.Field) -> bool:
-    """Are layouts distinguished? By a constant that differs, or that only the first has, which is tried first; or, with
-    the same constants, by their sizes. A command has one layout."""
+    """True if layouts are distinguished: by a constant that differs, or that only the first has, which is tried first;
+    or, with the same constants, by their sizes. A command has one layout."""
     if m.COMMAND in (a.role, b.role):
         return False
     mine = {(at, len(constant)): constant for at, constant in a.signature}
@@ -145,7 +145,7 @@ def _told_apart(a: m.Field, b: m.Field) -> bool:
 
 
 def named(model: m.Model, problems: Problems) -> None:
-    """A descriptor is either defined or only named."""
+    """Requires that a descriptor is either defined or only named."""
     for s in model.families:
         seen = {f.descriptor: f.name for f in s.fields}
         for x in s.named:
@@ -159,7 +159,7 @@ def named(model: m.Model, problems: Problems) -> None:
 
 
 def names(model: m.Model, problems: Problems) -> None:
-    """A type and a field of a set have different names, and so have two fields, other names included."""
+    """Requires unique names for the types and fields of a set, including their other names."""
     for s in model.families:
         fields = [(f.name, f.position) for f in s.fields]
         others = [(x.name, x.position) for x in s.named] + [(name, f.position) for f in s.fields for name in f.also]
@@ -172,9 +172,9 @@ def names(model: m.Model, problems: Problems) -> None:
 
 
 def titles(model: m.Model, problems: Problems) -> None:
-    """Two commands or data fields of a set have different titles: pages and search results show nothing else.
+    """Requires unique titles for the commands and data fields of a set: pages and search results show only titles.
 
-    Responses may share that of their command.
+    Responses may share the title of their command.
     """
     for s in model.families:
         used: dict[tuple[str, str], str] = {}
@@ -186,7 +186,7 @@ def titles(model: m.Model, problems: Problems) -> None:
 
 
 def words(model: m.Model, problems: Problems) -> None:
-    """Names use the words of the vocabulary; those of an overlay are free."""
+    """Requires the words of the vocabulary in names; names in an overlay are free."""
     vocabulary = model.protocol.vocabulary
     usual = {other: usage.word for usage in vocabulary for other in usage.instead_of}
     folders = {PurePath(usage.position.file).parent for usage in vocabulary if usage.position}
@@ -200,7 +200,7 @@ def words(model: m.Model, problems: Problems) -> None:
 
 
 def package(model: m.Model, problems: Problems) -> None:
-    """Names must not begin like those of the package `mip`, which are renamed."""
+    """Rejects names that begin with `mip` in a package with another name: they would be renamed, too."""
     own, package = m.OWN_PACKAGE, model.protocol.package
     if package == own:
         return
@@ -212,7 +212,7 @@ def package(model: m.Model, problems: Problems) -> None:
 
 
 def clocks(model: m.Model, problems: Problems) -> None:
-    """Timestamps are data fields with a time in them, of one clock each."""
+    """Requires timestamps to be data fields that contain a time, of one clock each."""
     names = {f.name_in(o.set) for f in model.fields if f.role == m.DATA for o in f.occurrences}
     seen: dict[str, str] = {}
     for clock in model.protocol.clocks:
@@ -221,7 +221,7 @@ def clocks(model: m.Model, problems: Problems) -> None:
             if f is None or f.role != m.DATA:
                 problems.add(clock.position, f"no data field '{name}'{nearest(name, names)}")
             elif name in seen:
-                problems.add(clock.position, f"'{name}' already has the time of the clock '{seen[name]}'; remove one")
+                problems.add(clock.position, f"'{name}' is already a timestamp of the clock '{seen[name]}'; remove one")
             elif not any(set(p.units) & TIME_UNITS for p in f.parameters):
                 units = ", ".join(sorted(TIME_UNITS))
                 problems.add(clock.position, f"'{name}' is not a timestamp: none of its parameters is in {units}")
@@ -229,7 +229,7 @@ def clocks(model: m.Model, problems: Problems) -> None:
 
 
 def session(model: m.Model, problems: Problems) -> None:
-    """The commands that start a device are those that programs know how to fill."""
+    """Requires session commands whose parameters and responses programs can handle."""
     session = model.protocol.session
     if session is None:
         return
@@ -246,7 +246,7 @@ def session(model: m.Model, problems: Problems) -> None:
 
 
 def _unfit(role: str, name: str, types: tuple[str, ...], words: str, model: m.Model, session: m.Session) -> str | None:
-    """Why a command cannot have a role in a session."""
+    """The reason why a command cannot have a role in a session; None if it can."""
     f = model.field(name)
     if f is None or f.role != m.COMMAND:
         names = {x.full_name for x in model.fields if x.role == m.COMMAND}
@@ -259,7 +259,7 @@ def _unfit(role: str, name: str, types: tuple[str, ...], words: str, model: m.Mo
 
 
 def _answers(role: str, responses: tuple[m.Field, ...], session: m.Session) -> bool:
-    """Does a command of a session have the response that programs read?"""
+    """True if a session command has the response that programs read."""
     if len(responses) != 1:
         return False
     (response,) = responses
@@ -270,14 +270,14 @@ def _answers(role: str, responses: tuple[m.Field, ...], session: m.Session) -> b
 
 
 def _type(p: m.Parameter) -> str:
-    """The type of a parameter, or of the members of those structures that it counts."""
+    """The type of a parameter; for an array of structures, the types of their members."""
     if p.kind == "array" and p.item.struct:
         return f"[{' '.join(_type(q) for q in p.item.struct.parameters)}]"
     return p.scalar.name if p.kind in ("scalar", "counter") else p.kind
 
 
 def _inside(f: m.Field, path: str) -> m.Parameter | None:
-    """The parameter at a path: "device_info.model_number"."""
+    """Finds the parameter at a path: "device_info.model_number"."""
     parameters, parameter = f.parameters, None
     for name in path.split("."):
         parameter = next((p for p in parameters if p.name == name), None)
@@ -356,7 +356,7 @@ def bitfields(model: m.Model, problems: Problems) -> None:
 
 
 def replies(model: m.Model, problems: Problems) -> None:
-    """A command that can be read needs a response to read it from, and the reverse."""
+    """Requires a response for each command that can be read, and a read function for each such response."""
     for f in model.fields:
         if f.role != m.COMMAND or not f.functions:
             continue
@@ -370,7 +370,7 @@ def replies(model: m.Model, problems: Problems) -> None:
 
 
 def _parameters(model: m.Model) -> Iterator[m.Parameter]:
-    """The parameters of all fields and structures, except the reserved ones."""
+    """The parameters of all fields and structures, except reserved ones."""
     for parameters in (
         model.protocol.acknowledge.parameters,
         *(f.parameters for f in model.fields),
@@ -382,21 +382,21 @@ def _parameters(model: m.Model) -> Iterator[m.Parameter]:
 def descriptions(model: m.Model, problems: Problems) -> None:
     for p in _parameters(model):
         if not p.description:
-            problems.add(p.position, f"'{p.name}' has no description; say what it is")
+            problems.add(p.position, f"'{p.name}' has no description; add one")
         for case in p.cases:
             # The type of a case describes it; a plain number or a text has no type of its own.
             if case.parameter and isinstance(case.parameter.element, m.Scalar) and not case.parameter.description:
-                problems.add(case.parameter.position, f"the case '{case.tag.name}' has no description; say what it is")
+                problems.add(case.parameter.position, f"the case '{case.tag.name}' has no description; add one")
 
 
 def units(model: m.Model, problems: Problems) -> None:
-    """A float needs a unit, even if it is "1"; otherwise a forgotten unit would go unnoticed."""
+    """Requires a unit for each float, even if it is "1"; otherwise a forgotten unit would go unnoticed."""
     for parameter in _parameters(model):
         for p in (parameter, *(case.parameter for case in parameter.cases if case.parameter)):
             scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
             varies = p.variants and all(v.units for v in p.variants)
             if isinstance(scalar, m.Scalar) and scalar.kind == "float" and not (p.units or p.any_unit or varies):
-                remedy = 'give it one ("1" for a plain number, ~ if another value decides it or nobody knows)'
+                remedy = 'add one ("1" for a plain number, ~ if another value determines it or it is unknown)'
                 problems.add(p.position, f"'{p.name}' has no unit; {remedy}")
 
 
@@ -404,13 +404,13 @@ def units(model: m.Model, problems: Problems) -> None:
 
 
 def printed_lengths(model: m.Model, problems: Problems) -> None:
-    """A length in a manual either follows from the manual's own rule or has an erratum."""
+    """Requires an erratum for each printed length that does not follow from the manual's own rule."""
     rules = {x.id: x.lengths for x in model.protocol.manuals}
     claimed_by = {(e.manual, c.subject) for e in model.errata for c in e.claims if c.kind == "length"}
     differing = set()
     for name, f, source in _printed(model):
         if rules.get(source.manual) == "none":
-            problems.add(source.position, f"{source.manual} states no lengths; remove that of '{name}'")
+            problems.add(source.position, f"{source.manual} states no lengths; remove the length of '{name}'")
             continue
         expected = computed_length(f, rules.get(source.manual, "wire"))
         if same(source.length or "", expected):
@@ -419,7 +419,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
         if (source.manual, name) not in claimed_by:
             problems.add(
                 source.position,
-                f"{source.manual} states the length {source.length} for '{name}', but its rule results in "
+                f"{source.manual} states the length {source.length} for '{name}', but its rule yields "
                 f"{expected}; correct it, or add an erratum that claims length: {name}",
             )
     every = (*model.fields, model.protocol.acknowledge)
@@ -438,7 +438,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
 
 
 def _printed(model: m.Model) -> Iterator[tuple[str, m.Field, m.Source]]:
-    """The lengths that manuals print, each with the name of the field in the set for which it is printed."""
+    """The lengths that manuals print, each with the field's name in the set for which it is printed."""
     for f in (*model.fields, model.protocol.acknowledge):
         for o in f.occurrences:
             for source in o.sources:
@@ -447,7 +447,7 @@ def _printed(model: m.Model) -> Iterator[tuple[str, m.Field, m.Source]]:
 
 
 def printed_bytes(model: m.Model, problems: Problems) -> None:
-    """Bytes in a manual that differ from the correct ones have an erratum, and the reverse."""
+    """Requires an erratum for each example whose printed bytes are wrong, and wrong bytes for each such erratum."""
     claimed = {c.subject for e in model.errata for c in e.claims if c.kind == "example"}
     by_id = {e.id: e for e in model.examples}
     differing = {e.id for e in model.examples if differences(e)}
@@ -468,7 +468,7 @@ def printed_bytes(model: m.Model, problems: Problems) -> None:
 
 
 def references(model: m.Model, problems: Problems) -> None:
-    """An erratum that calls a reference undefined must be right."""
+    """Rejects an erratum that calls a reference undefined if it is defined."""
     for e in model.errata:
         for c in e.claims:
             if c.kind == "reference":

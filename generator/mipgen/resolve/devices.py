@@ -15,12 +15,12 @@ from .types import Types
 from .variation import variant
 from .vocabulary import sentences, sources
 
-#: The keys that a profile must have unless it states that something is not known of the device.
+#: The keys that a profile must have unless it is declared incomplete.
 REQUIRED = ("supports", "base_rates", "ack_codes")
 
 
 def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Types, problems: Problems) -> m.Model:
-    """The model with its devices; each of its parameters states its differences on them."""
+    """Adds the devices to the model, and their differences to its parameters."""
     names = [name for node in nodes for name in (node["title"], *(node.get("also") or ()))]
     _unique((node["name"] for node in nodes), "two devices are called '{}'; rename one", problems)
     _unique(names, "two devices are titled '{}'; rename one", problems)
@@ -37,7 +37,7 @@ def resolve(nodes: list[Node], families: list[Node], model: m.Model, types: Type
 
 
 def _check_layouts(model: m.Model, problems: Problems) -> None:
-    """A device that sends a layout of a response supports a command that is answered with it."""
+    """Requires that a device which sends a layout of a response supports a command that is answered with it."""
     for f in (f for f in model.fields if f.devices):
         able = {d.id for c in model.commands(f) for d, s in model.supports(c) if s.responds}
         for name in f.devices:
@@ -47,13 +47,13 @@ def _check_layouts(model: m.Model, problems: Problems) -> None:
 
 
 def _by_strength(evidence: Iterable[m.Evidence]) -> tuple[m.Evidence, ...]:
-    """Each once, the strongest first."""
+    """Evidence without duplicates, the strongest first."""
     return tuple(dict.fromkeys(sorted(evidence, key=lambda e: m.strength(e.kind))))
 
 
 def _twice(name: str, a: m.Evidence, b: m.Evidence) -> str | None:
-    """The problem if two witnesses name a field. A device may list what others state, and list it again with another
-    firmware."""
+    """The problem with two statements about a field, if there is one. A device may list what others state, and list it
+    again with another firmware."""
     listed = [e.kind for e in (a, b)].count("listed")
     if listed == 1 and "refused" in (a.kind, b.kind) and a.firmware == b.firmware and a.firmware is not None:
         return f"'{name}' is listed and refused by the firmware {a.firmware}; remove one"
@@ -63,7 +63,7 @@ def _twice(name: str, a: m.Evidence, b: m.Evidence) -> str | None:
 
 
 def _number(set: str) -> int | None:
-    """The number of a set that has no name.
+    """Parses the number of a set that has no name.
 
     >>> _number("0x0F"), _number("0x00"), _number("rtk")
     (15, None, None)
@@ -83,7 +83,7 @@ def _unique(entries: Iterable[Node], message: str, problems: Problems) -> None:
 
 
 def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> Iterable[tuple[str, m.Variant]]:
-    """`varies` of a device: the path of a parameter -> its facts there."""
+    """Resolves `varies` of a device: yields the path of each parameter, and its facts on the device."""
     device, spec = node["device"].value, node.get("varies")
     for path, case in spec.items() if spec else ():
         assert spec is not None
@@ -104,7 +104,7 @@ def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> I
 
 
 def _with_variants(model: m.Model, variants: list[tuple[str, m.Variant]]) -> m.Model:
-    """The same fields, with these variants added to their parameters."""
+    """Adds variants to the parameters of fields."""
     by_path: dict[str, list[m.Variant]] = {}
     for path, v in variants:
         by_path.setdefault(path, []).append(v)
@@ -125,7 +125,7 @@ def _with_variants(model: m.Model, variants: list[tuple[str, m.Variant]]) -> m.M
 
 
 def _by_device(model: m.Model) -> dict[str, list[m.DeviceVariant]]:
-    """The parameters as they are on each device."""
+    """Device -> its variants of parameters."""
     by_device: dict[str, list[m.DeviceVariant]] = {}
     for f in (model.protocol.acknowledge, *model.fields):
         for p in f.parameters:
@@ -136,7 +136,7 @@ def _by_device(model: m.Model) -> dict[str, list[m.DeviceVariant]]:
 
 
 def _asked(model: m.Model) -> dict[int, dict[str, m.Field]]:
-    """The commands and data that a device may have, by set and name."""
+    """Set -> name -> command or data field, for everything that a device may support."""
     return {s.number: {f.name: f for f in model.fields_in(s) if f.role != m.RESPONSE} for s in model.sets}
 
 
@@ -155,7 +155,7 @@ class _Device:
         return str(self.node["device"].value)
 
     def place(self, key: str) -> m.Position:
-        """The place of an omission: the key that should have it, else the device."""
+        """The position for an omission: the key that lacks the entry, else the device."""
         return self.node.keys.get(key, self.node.position)
 
     def resolve(self) -> m.Device:
@@ -205,18 +205,18 @@ class _Device:
         )  # fmt: skip
 
     def complete(self) -> None:
-        """A profile has everything, or it states what is not known."""
+        """Requires all keys, unless the profile is declared incomplete."""
         if "description" not in self.node:
-            self.problems.add(self.node.position, "'description' is missing; say in one short sentence what it is")
+            self.problems.add(self.node.position, "'description' is missing; describe the device in one short sentence")
         for key in REQUIRED if not sentences(self.node, "incomplete") else ():
             if key not in self.node or (key != "base_rates" and not self.node[key].value):
                 place = self.node.position
-                self.problems.add(place, f"'{key}' is missing; write it, or say in incomplete what is not known")
+                self.problems.add(place, f"'{key}' is missing; add it, or state in 'incomplete' what is unknown")
 
     # ----------------------------------------------------------------------- support
 
     def listed(self) -> Iterator[tuple[Node, m.Evidence]]:
-        """The lists of fields by set, each with the evidence for it."""
+        """The lists of fields by set, each with its evidence."""
         if "supports" in self.node:
             yield self.node["supports"], m.Evidence("documented")
         for group in self.node.get("evidence") or ():
@@ -226,7 +226,7 @@ class _Device:
         kind, of = node["kind"].value, list(node.get("of") or ())
         if of and kind not in ("family", "sister"):
             self.problems.add(
-                node.keys["of"], f"'{kind}' is about the device itself; remove of, or say family or sister"
+                node.keys["of"], f"'{kind}' is about the device itself; remove 'of', or write family or sister"
             )
         known = self.types.vocabulary.devices
         for name in of:
@@ -244,13 +244,13 @@ class _Device:
         )
 
     def undefined(self, node: Node) -> Iterator[tuple[int, int]]:
-        """The fields of the device that the specification does not have."""
+        """The fields of the device that the specification does not define."""
         known = {s.name: s for s in self.model.sets}
         for name, entries in node.items():
             number = known[name].number if name in known else _number(name)
             of = next((s.name for s in self.model.sets if s.number == number), None)
             if number is None:
-                near = f"{nearest(name, known)}; of a set that is not defined, write the number, such as 0x0F"
+                near = f"{nearest(name, known)}; for a set that is not defined, write its number, such as 0x0F"
                 self.problems.add(node.keys[name], f"unknown set '{name}'{near}")
                 continue
             if of not in (name, None):
@@ -275,8 +275,8 @@ class _Device:
         return m.Port(node["name"].value, node.scalar("id"), rates, receives, sends, tuple(firmware))
 
     def known(self, said: list[tuple[Node, m.Evidence]]) -> tuple[m.Support, ...]:
-        """All statements about fields, also that the device lacks them, by set and descriptor; the strongest evidence
-        for each."""
+        """All statements about fields, including that the device lacks them, by set and descriptor; each with its
+        strongest evidence."""
         supports: dict[str, m.Support] = {}
         witnesses: dict[str, list[m.Evidence]] = {}
         functions, deprecated, firmware = self.functions(), self.node.get("deprecated"), self.node.get("firmware")
@@ -318,7 +318,7 @@ class _Device:
         known = self.model.field(field)
         if any(s.name == field for s in self.model.sets):
             place = self.node[key].keys[entry]
-            self.problems.add(place, f"the device has nothing of the set '{field}'; remove it, or add what it has")
+            self.problems.add(place, f"the device supports no field of the set '{field}'; remove it, or add the fields")
         elif known is None:
             near = nearest(field, [f.full_name for f in self.model.fields])
             self.problems.add(self.node[key].keys[entry], f"unknown field '{field}'{near}")
@@ -327,7 +327,7 @@ class _Device:
             self.problems.add(place, f"the device does not support '{field}'; add it to supports")
 
     def functions(self) -> dict[str, Node]:
-        """Full name -> letters, where the device accepts others than the definition states."""
+        """Full name -> the letters of the functions, if they differ from the definition."""
         node = self.node.get("functions")
         stated = {}
         for name, letters in node.items() if node else ():
@@ -349,9 +349,9 @@ class _Device:
     # ----------------------------------------------------------------------- what differs
 
     def check_varies(self, supports: tuple[m.Support, ...]) -> None:
-        """Variations belong to fields that the device supports; those that need one per device have it."""
+        """Requires that variations are of supported fields, and that parameters which vary by device have one."""
         fields = [f for s in supports for f in (s.field, *self.model.responses(s.field))]
-        told = {s.field.full_name for s in supports if s.evidence.kind != "listed"}  # a list does not contain readings
+        told = {s.field.full_name for s in supports if s.evidence.kind != "listed"}  # a list has no readings
         untold = {
             f.full_name
             for s in supports
@@ -374,23 +374,23 @@ class _Device:
         return next((v for v in p.variants if v.by_device and v.key == self.id), None)
 
     def check_reading(self, f: m.Field, p: m.Parameter) -> None:
-        """A parameter whose values are read by device needs a reading from each that supports it."""
+        """Requires the reading of a parameter whose values differ by device."""
         own = self.own(p)
         if not (own and (own.type or own.unknown)):
             path = f"{f.full_name}.{p.name}"
             self.problems.add(
                 self.place("varies"),
-                f"the device must say how it reads '{path}'; add {path}: {{type: ...}} to varies, or {path}: unknown",
+                f"the meaning of '{path}' is missing; add {path}: {{type: ...}} to varies, or {path}: unknown",
             )
 
     def check_valid(self, f: m.Field, p: m.Parameter) -> None:
-        """The valid flag of a value must be a bit that the flags have on this device."""
+        """Requires that the valid flag of a value is a bit that the flags have on this device."""
         own = self.own(p)
         explicit = own is not None and own.valid is not None
         path = f"{f.full_name}.{p.name}"
         if explicit:
             varies = self.node.get("varies")
-            node = varies.get(path) if varies is not None else None  # None: of the device that it is like
+            node = varies.get(path) if varies is not None else None  # None: inherited from the similar device
             if node is not None and node["valid"].value is not None:
                 meaning.valid_bits(node, p, f.parameters, self.problems.add)
         for word in dict.fromkeys((own.valid or ()) if own and explicit else p.valid):
@@ -399,12 +399,12 @@ class _Device:
             known = self.bits(flags) if dot and flags else None
             if known is not None and flags is not None and bit in meaning.bits(flags) - known:
                 remedy = (
-                    f"give the bit that says whether '{p.name}' is valid, {path}: {{valid: ...}}, or ~ if there is none"
+                    f"add the bit that marks '{p.name}' as valid, {path}: {{valid: ...}}, or ~ if there is none"
                 )
                 self.problems.add(self.place("varies"), f"'{name}' has no bit '{bit}' on the device; {remedy}")
 
     def bits(self, flags: m.Parameter) -> set[str] | None:
-        """The bits that flags have here, if they are others than elsewhere."""
+        """The bits of flags on this device, if they differ from the definition."""
         own = self.own(flags)
         if own is not None and own.only:
             return {x.name for x in own.only}
@@ -413,7 +413,7 @@ class _Device:
     # ----------------------------------------------------------------------- the rest
 
     def rates(self, supports: tuple[m.Support, ...]) -> tuple[m.Rate, ...]:
-        """The base rates that are known."""
+        """The known base rates."""
         node = self.node.get("base_rates")
         known = {s.name: s for s in self.model.sets if s.kind == "data"}
         given = dict(node.items()) if node else {}

@@ -16,7 +16,7 @@ from mipgen.read.problems import Problems, nearest
 
 from . import meaning
 
-#: Bytes as in the manual; None for a byte that it leaves open.
+#: Bytes as in the manual; None for an unspecified byte.
 Octets = tuple[int | None, ...]
 
 _CODE = re.compile(r"`([^`]+)`")
@@ -40,7 +40,7 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
 
 
 class Wrong(Exception):
-    """An example, or a step of a guide, that cannot be read: the place and the reason."""
+    """An example, or a step of a guide, that cannot be resolved: the position and the reason."""
 
     def __init__(self, place: m.Position, message: str) -> None:
         super().__init__(message)
@@ -82,7 +82,7 @@ class _Example:
         )
 
     def device(self, manual: str) -> m.Device | None:
-        """The device that the example names, else the only one of its manual."""
+        """The device that the example names, else the manual's only device."""
         named = self.node.get("device")
         if named is None:
             devices = [d for d in self.model.devices if d.manual == manual]
@@ -96,7 +96,7 @@ class _Example:
     # ----------------------------------------------------------------------- bytes
 
     def octets(self, key: str) -> Octets | None:
-        """The bytes given at a key; None for one that is left open."""
+        """The bytes at a key; None for an unspecified byte."""
         text = self.node.scalar(key)
         if text is None:
             return None
@@ -110,7 +110,7 @@ class _Example:
     def packet(self, table: Octets | None) -> bytes:
         """The correct bytes: given, from the manual, or computed from the fields."""
         keys = [k for k in ("packet", "bytes", "string", "table") if k in self.node]
-        # A string with half a byte cannot be right; `checks.differences` requires its erratum.
+        # A string with half a byte cannot be right; `checks.printed_bytes` requires an erratum for it.
         keys = [k for k in keys if k != "string" or _digits(self.node[k].value) % 2 == 0]
         if not keys and "string" in self.node and "set" not in self.node:
             raise Wrong(
@@ -135,7 +135,7 @@ class _Example:
         return packet
 
     def number(self, what: str) -> int:
-        """The descriptor set that an example without a packet names."""
+        """The descriptor set that an example without a packet must name."""
         if "set" not in self.node:
             raise Wrong(self.node["id"].position, f"{what} needs 'set', the number of its descriptor set")
         number: int = self.node["set"].value
@@ -201,7 +201,7 @@ class _Example:
         stated = list(self.node.get("fields") or ())
         if stated and len(stated) != len(split):
             there, listed = (f"{n} field{'s' if n != 1 else ''}" for n in (len(split), len(stated)))
-            raise Wrong(self.node.keys["fields"], f"{listed} listed, but the packet holds {there}")
+            raise Wrong(self.node.keys["fields"], f"{listed} listed, but the packet contains {there}")
         fields = []
         for i, (descriptor, data) in enumerate(split):
             field = codec.choose(self.model.candidates(packet[2], descriptor), data)
@@ -229,7 +229,7 @@ class _Example:
     def check_role(self, field: m.Field, place: m.Position) -> None:
         role = self.node["role"].value
         if role != "field" and role != ROLES[field.role]:
-            message = f"the role is {role}, but '{field.full_name}' comes in packets of the role {ROLES[field.role]}"
+            message = f"the role is {role}, but '{field.full_name}' occurs in packets of the role {ROLES[field.role]}"
             raise Wrong(place, message)
 
     def stated(
@@ -239,12 +239,12 @@ class _Example:
         if name is None:
             if self.raw(values) != (descriptor, data):
                 holds = bytes((len(data) + 2, descriptor)) + data
-                raise Wrong(values.position, f"the packet holds {holds.hex(' ').upper()} here")
+                raise Wrong(values.position, f"the packet contains {holds.hex(' ').upper()} here")
             return None
         named = field_named(self.model, name, node.position)
         if field is None or name not in (field.name_in(number), field.full_name):
             held = f"'{field.name_in(number)}'" if field else f"the unknown descriptor 0x{descriptor:02X}"
-            raise Wrong(node.position, f"'{name}' is listed, but the packet holds {held}")
+            raise Wrong(node.position, f"'{name}' is listed, but the packet contains {held}")
         return stated_values(named, values)
 
     def compare(self, field: m.Field, values: codec.Values, stated: codec.Values, node: Node) -> None:
@@ -257,7 +257,7 @@ class _Example:
 
 
 def said(value: object) -> str:
-    """A value for readers: floats, which are the text of their bits, also as numbers.
+    """Writes a value for readers: floats, which are the text of their bits, also as numbers.
 
     >>> said("0x41accccd"), said("0x7fc00000"), said([1, {"x": "0x41ac0000"}]), said("text")
     ("21.6 ('0x41accccd')", "'0x7fc00000'", "[1, {'x': 21.5 ('0x41ac0000')}]", "'text'")
@@ -274,7 +274,7 @@ def said(value: object) -> str:
 
 
 def field_named(model: m.Model, name: str, place: m.Position) -> m.Field:
-    """The field of this name."""
+    """Finds the field with this name; raises Wrong."""
     field = model.field(name)
     if field is None:
         known = [f.full_name for f in model.fields] + [model.protocol.acknowledge.full_name]
@@ -283,10 +283,10 @@ def field_named(model: m.Model, name: str, place: m.Position) -> m.Field:
 
 
 def stated_values(field: m.Field, node: Node) -> codec.Values:
-    """The stated values in the form of the conformance protocol."""
+    """Converts the stated values to the form of the conformance protocol."""
     values = node.plain()
     if isinstance(values, dict):
-        # Constants may be stated for readability; they are not values.
+        # Constants may be stated for readability, but they are not values.
         for p in field.parameters:
             if p.constant is not None and values.pop(p.name, p.constant) != p.constant:
                 raise Wrong(node.value_at([p.name]), f"{field.full_name}.{p.name} is always {p.constant}")
@@ -301,9 +301,9 @@ def _digits(text: str) -> int:
 
 
 def _known(octets: Octets, place: m.Position) -> bytes:
-    """The bytes, if none is open."""
+    """Returns the bytes if all are specified; else raises Wrong."""
     if None in octets:
-        raise Wrong(place, "the manual leaves bytes open; give 'packet' with all bytes except the checksum")
+        raise Wrong(place, "the manual does not specify all bytes; add 'packet' with all bytes except the checksum")
     return bytes(x or 0 for x in octets)
 
 
@@ -314,7 +314,7 @@ def _as_field(data: bytes, place: m.Position) -> tuple[int, bytes]:
 
 
 def with_counters(field: m.Field, values: codec.Values) -> codec.Values:
-    """Adds counters that the author left out."""
+    """Adds counters that the author omitted."""
     counters = codec.counters(field.parameters, values)
     return values | {name: count for name, count in counters.items() if name not in values}
 

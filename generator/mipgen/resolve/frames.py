@@ -8,15 +8,15 @@ from mipgen.read.problems import Problems
 
 from .vocabulary import Vocabulary, sources
 
-#: Directions that are parallel or perpendicular to each other: each has the number of its line, negative if it points
-#: the other way. The first three of a group are right-handed.
+#: Groups of parallel or perpendicular directions, each with the number of its line, negative for the opposite one.
+#: The first three of a group are right-handed.
 GROUPS = (
     {"forward": 1, "right": 2, "down": 3, "backward": -1, "left": -2, "up": -3},
     {"north": 1, "east": 2, "down": 3, "south": -1, "west": -2, "up": -3},
     {"prime_meridian": 1, "east_meridian": 2, "north_pole": 3},
 )
 
-#: The orders of three lines that are right-handed, if an even number of them points the other way.
+#: The right-handed orders of three lines, if an even number of directions is negative.
 EVEN = ([1, 2, 3], [2, 3, 1], [3, 1, 2])
 
 
@@ -27,7 +27,7 @@ def resolve(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.W
 def _frame(symbol: str, node: Node, vocabulary: Vocabulary, problems: Problems) -> m.Word:
     axes = _axes(node, problems) if "axes" in node else ()
     if "conversions" in node and "axes" not in node:
-        problems.add(node.keys["conversions"], f"'{symbol}' has no axes, so nothing can be converted; add 'axes'")
+        problems.add(node.keys["conversions"], f"'{symbol}' has no axes, so vectors cannot be converted; add 'axes'")
     return m.Word(
         symbol,
         node["title"].value,
@@ -44,22 +44,22 @@ def _frame(symbol: str, node: Node, vocabulary: Vocabulary, problems: Problems) 
 
 
 def _axes(node: Node, problems: Problems) -> tuple[str, ...]:
-    """Three directions that are perpendicular and right-handed."""
+    """Resolves axes: three directions that are perpendicular and right-handed."""
     given = node["axes"]
     axes = tuple(given.plain())
     lines = next(([g[a] for a in axes] for g in GROUPS if g.keys() >= {*axes}), None)
     order = [abs(line) for line in lines or ()]
     if lines is None or sorted(order) != [1, 2, 3]:
         known = "; ".join(", ".join(g) for g in GROUPS)
-        problems.add(given.position, f"axes are three perpendicular directions of one of these groups: {known}")
+        problems.add(given.position, f"axes must be three perpendicular directions from one of these groups: {known}")
         return ()
     if (order in EVEN) != (sum(line < 0 for line in lines) % 2 == 0):
-        problems.add(given.position, f"the axes {', '.join(axes)} are left-handed; turn one of them round")
+        problems.add(given.position, f"the axes {', '.join(axes)} are left-handed; reverse one of them")
     return axes
 
 
 def _conversion(name: str, node: Node, axes: tuple[str, ...], problems: Problems) -> m.Conversion:
-    """The elements of a vector there: each is one of those in the frame, perhaps with the other sign."""
+    """Resolves a conversion: each element in the other frame is one in this frame, perhaps negated."""
     own, values = _axes(node, problems), list[str]()
     group = next((g for g in GROUPS if g.keys() >= {*axes, *own}), {})
     if own and axes and not group:

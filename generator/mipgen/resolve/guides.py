@@ -1,4 +1,4 @@
-"""Guides: follows their references, and computes the packets and the answers of every step."""
+"""Resolves guides: follows their references, and computes the packets and the replies of every step."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .vocabulary import Vocabulary, sentences, sources
 
 
 def resolve(roots: Iterable[Node], model: m.Model, words: Vocabulary, problems: Problems) -> tuple[Guide, ...]:
-    """The guides in the order of their files."""
+    """Resolves the guides, in the order of their files."""
     samples, nodes, guides = SampleValues(model), list(roots), dict[str, Guide]()
     for node in nodes:
         name = node["guide"].value
@@ -92,7 +92,7 @@ class _Guide:
     # ----------------------------------------------------------------------- steps
 
     def step(self, node: Node, devices: tuple[m.Device, ...]) -> Step | None:
-        """A command, its answer and the data that follow; None if it has a mistake."""
+        """Resolves a command, its reply and the data that follow; None if it has a mistake."""
         try:
             return self.resolved(node, devices)
         except evidence.Wrong as wrong:
@@ -123,7 +123,7 @@ class _Guide:
         )
 
     def call(self, f: m.Field, values: codec.Values, place: m.Position) -> m.Call:
-        """The way in which the command is sent, with the values for it."""
+        """Finds the form of a command for these values."""
         for call in f.calls:
             if (call.function.value if call.function else None) == values.get("function"):
                 wanted = {p.name for p in call.required if p.constant is None}
@@ -131,7 +131,7 @@ class _Guide:
                 if missing:
                     raise evidence.Wrong(place, f"'{f.full_name}' needs {_listed(missing)} here")
                 if more:
-                    raise evidence.Wrong(place, f"'{f.full_name}' takes no {_listed(more)} here")
+                    raise evidence.Wrong(place, f"'{f.full_name}' accepts no {_listed(more)} here")
                 return call
         functions = " or ".join(x.name for x in f.functions)
         raise evidence.Wrong(place, f"'{f.full_name}' needs values: {{function: {functions}}}")
@@ -144,26 +144,26 @@ class _Guide:
         place: m.Position,
         number: int | None = None,
     ) -> None:
-        """The devices have the field; in the set with that number, if one is given."""
+        """Requires that the devices support the field, in the set with that number if one is given."""
         for d in devices:
             of = (s for s in d.supports if s.field.full_name == f.full_name and number in (None, s.set))
             field = next(of, None)
             if field is None:
                 name = f.full_name if number is None else f.name_in(number)
-                self.problems.add(place, f"the {d.title} does not have '{name}'")
+                self.problems.add(place, f"the {d.title} does not support '{name}'")
             elif function is not None and function not in field.functions:
-                self.problems.add(place, f"the {d.title} takes no {function.name} of '{f.full_name}'")
+                self.problems.add(place, f"the {d.title} does not accept {function.name} of '{f.full_name}'")
 
     def packet(self, number: int, fields: list[tuple[m.Field, codec.Values]], place: m.Position) -> bytes:
         try:
             return codec.build(self.model, number, [(f.descriptor, codec.encode(f, values)) for f, values in fields])
         except codec.CodecError as error:
-            raise evidence.Wrong(place, f"this makes no packet: {error}") from error
+            raise evidence.Wrong(place, f"no packet can be built from this: {error}") from error
 
     # ----------------------------------------------------------------------- answers
 
     def response(self, node: Node, f: m.Field, call: m.Call, values: codec.Values, silent: bool) -> Shown | None:
-        """The response, with the values that the step states, and typical ones for the others."""
+        """Resolves the response, with the values that the step states, and typical ones for the rest."""
         given = node.get("answer")
         possible = {
             r.full_name: r
@@ -189,7 +189,7 @@ class _Guide:
         )
 
     def shown(self, f: m.Field, stated: Node | None, example: Node | None = None) -> Shown:
-        """A field with all its values: stated ones, those of an example, else typical ones."""
+        """A field with all its values: stated values, else those of an example, else typical ones."""
         sure, seen = (
             evidence.stated_values(f, n) if n is not None and n.value is not None else {} for n in (stated, example)
         )
@@ -221,12 +221,12 @@ class _Guide:
         name, values = (node.value, None) if isinstance(node.value, str) else next(node.items())
         f = evidence.field_named(self.model, name, node.position)
         if f.role != m.DATA or s.number not in f.sets:
-            raise evidence.Wrong(node.position, f"'{name}' does not come in packets of the set '{s.name}'")
+            raise evidence.Wrong(node.position, f"'{name}' does not occur in packets of the set '{s.name}'")
         self.supported(f, None, devices, node.position, None if f.everywhere else s.number)
         return self.shown(f, None, values)
 
     def rate(self, node: Node, s: m.Set, devices: tuple[m.Device, ...]) -> None:
-        """A rate is a base rate divided by a whole number."""
+        """Requires that a rate is the base rate divided by a whole number."""
         for d in devices:
             base = next((r.hertz for r in d.base_rates if r.set.name == s.name), 0)
             if base and (Fraction(str(base)) / Fraction(str(node.value))).denominator != 1:  # exact decimals
@@ -240,7 +240,7 @@ class _Guide:
         if before is None or after is None:
             return None
         if before is after:
-            self.problems.add(node["to"].position, f"'{after.id}' is also the device in 'from'; name another one")
+            self.problems.add(node["to"].position, f"'{after.id}' is also the device in 'from'; name a different one")
         changes = tuple(
             Change(self.those(n, "fields", before), self.those(n, "by", after), n.scalar("note", ""))
             for n in node["changes"]
@@ -248,12 +248,12 @@ class _Guide:
         named = {f.full_name for c in changes for f in c.fields}
         for name in _lost(before, after):
             if name not in named:
-                message = f"the {after.title} lacks '{name}' of the {before.title}; say in 'changes' what replaces it"
+                message = f"the {after.title} lacks '{name}' of the {before.title}; state in 'changes' what replaces it"
                 self.problems.add(node.keys["changes"], message)
         return Migration(before, after, changes)
 
     def those(self, node: Node, key: str, device: m.Device) -> tuple[m.Field, ...]:
-        """The fields below a key, which the device must have."""
+        """The fields at a key, which the device must support."""
         fields = []
         for entry in node.get(key) or ():
             try:
@@ -267,7 +267,7 @@ class _Guide:
 
 
 def _silent(f: m.Field, call: m.Call, values: codec.Values) -> bool:
-    """Is there no answer to the command with these values?"""
+    """True if the device does not answer the command with these values."""
     if call.function is not None and not call.function.reply:
         return True
     return bool(f.silent_when) and all(c.holds(values.get(c.parameter)) for c in f.silent_when)
@@ -279,7 +279,7 @@ def _lost(before: m.Device, after: m.Device) -> Iterator[str]:
 
 
 def _merged(typical: codec.Values, given: codec.Values) -> codec.Values:
-    """Values in wire order; members of structures one by one."""
+    """Merges values in wire order; members of structures are merged one by one."""
     merged = {**typical, **given}
     for name, value in given.items():
         if isinstance(value, dict) and isinstance(typical.get(name), dict) and value.keys() < typical[name].keys():

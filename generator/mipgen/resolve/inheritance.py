@@ -1,6 +1,6 @@
-"""Devices that are like another one, or like a family, and what they add, lack and change.
+"""Inheritance of device profiles: devices that are like another device or a family, and how they differ.
 
-A profile is inherited as nodes, before anything in it is resolved, so that every mistake keeps its place.
+Profiles are inherited as nodes, before anything is resolved, so that every mistake keeps its position.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from mipgen import model as m
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
-#: Keys that are inherited unless they are given.
+#: Keys that are inherited as a whole, unless they are given.
 TAKEN = ("generation", "description", "ack_codes", "incomplete", "uncertain")
 #: Keys that are inherited entry by entry: by the name of a field, a parameter or a set.
 KEYED = ("functions", "deprecated", "firmware", "varies", "base_rates")
@@ -22,7 +22,7 @@ NAMED = ("ports", "limits", "notes")
 
 
 def resolve(devices: Iterable[Node], families: Iterable[Node], model: m.Model, problems: Problems) -> list[Node]:
-    """The devices, each with all that it inherits."""
+    """Returns the devices, each with all that it inherits."""
     return _Profiles(list(devices), list(families), model, problems).devices()
 
 
@@ -49,12 +49,12 @@ class _Profiles:
         return whole
 
     def whole(self, node: Node, below: tuple[str, ...]) -> Node:
-        """A profile with all that it inherits; `below` are those that inherit from it."""
+        """Returns a profile with all that it inherits; `below` names the profiles that inherit from it."""
         like = node.get("like")
         if like is None:
             for key in ("lacks", "without"):
                 if key in node:
-                    self.problems.add(node.keys[key], f"'{key}' is for a device that is like another; remove it")
+                    self.problems.add(node.keys[key], f"'{key}' requires 'like'; remove it")
             return node
         chain = (*below, _name(node).value)
         if like.value in chain:
@@ -75,8 +75,8 @@ def _name(node: Node) -> Node:
 
 
 def _orphan(node: Node) -> Node:
-    """A profile whose parent is not found, completed so that nothing else is reported as missing."""
-    reason = Node("What it inherits is not known.", node["like"].position)
+    """Completes a profile whose parent is unknown, so that nothing else is reported as missing."""
+    reason = Node("The inherited profile is unknown.", node["like"].position)
     return replace(node, value={"description": reason, **node.value, "incomplete": Node([reason], reason.position)})
 
 
@@ -90,7 +90,7 @@ class _Heir:
 
     @cached_property
     def kinds(self) -> dict[str, str]:
-        """The statement of the other profile about each field."""
+        """Field -> the kind of the other profile's statement about it."""
         return _kinds(self.parent)
 
     def node(self) -> Node:
@@ -120,7 +120,7 @@ class _Heir:
     # ----------------------------------------------------------------------- fields
 
     def lacked(self) -> set[str]:
-        """The fields that the other has and this one has not."""
+        """The fields that the other device supports but this one does not."""
         names = set()
         known = {*_fields(self.parent.get("supports")), *self.kinds}
         for full, entry in _fields(self.own.get("lacks")).items():
@@ -131,13 +131,13 @@ class _Heir:
         return names
 
     def supports(self, lacked: set[str]) -> Node:
-        """The fields that the other supports, without those that are lacked, then those that are added."""
+        """The fields of the other device without those that are lacked, then those that are added."""
         by_set: dict[str, list[Node]] = {}
         inherited = _fields(self.parent.get("supports"))
         added = _listed(self.own.get("supports"))
         for full, entry in added:
             self.check_new(full, entry, lacked, "documented")
-        own = {full for full, kind in _kinds(self.own).items() if kind != "listed"}  # if both, documented counts
+        own = {full for full, kind in _kinds(self.own).items() if kind != "listed"}  # of both, documented counts
         out = lacked | {full for full, _ in added} | own
         for full, entry in (*((f, x) for f, x in inherited.items() if f not in out), *added):
             by_set.setdefault(full.partition(".")[0], []).append(entry)
@@ -147,7 +147,7 @@ class _Heir:
         return self.mapped("supports", {name: self.listed(name, entries) for name, entries in by_set.items()}, keys)
 
     def evidence(self, lacked: set[str]) -> Node:
-        """The same for other evidence: that of the device itself replaces the inherited one."""
+        """The same for other evidence: the device's own evidence replaces inherited evidence."""
         for kind, full, entry in _evident(self.own):
             self.check_new(full, entry, lacked, kind)
         kinds = _kinds(self.own)
@@ -159,7 +159,7 @@ class _Heir:
         return self.listed("evidence", [*left, *(self.own.get("evidence") or ())])
 
     def inherited(self) -> Iterator[Node]:
-        """The evidence of the other. A field that only the other device itself lists is probable here."""
+        """The evidence of the other device. A field that only that device itself lists is probable here."""
         if "family" in self.parent:
             yield from self.parent.get("evidence") or ()
             return
@@ -182,7 +182,7 @@ class _Heir:
         return replace(group, value={**kept, "kind": kind, "of": replace(name, value=[name])})
 
     def check_new(self, full: str, entry: Node, lacked: set[str], kind: str) -> None:
-        """A statement about a field must be stronger than the inherited one, or contrary. A device itself lists all."""
+        """Requires a statement stronger than the inherited one, or contrary. A device's own list may repeat it."""
         inherited = self.kinds.get(full)
         if inherited is None or full in lacked or (inherited == "refused") != (kind == "refused") or kind == "listed":
             return
@@ -190,7 +190,7 @@ class _Heir:
             self.problems.add(entry.position, f"'{self.like}' already has '{full}' ({inherited}); remove it")
 
     def names(self, supports: Node | None, evidence: Node | None) -> set[str]:
-        """The fields that are supported, for certain or probably, with their responses; and their sets."""
+        """The fields that are certainly or probably supported, their responses, and their sets."""
         names = set()
         groups = [group for group in evidence or () if group["kind"].value != "refused"]
         for full in (*_fields(supports), *(full for group in groups for full in _fields(group["fields"]))):
@@ -201,7 +201,7 @@ class _Heir:
     # ----------------------------------------------------------------------- the rest
 
     def keyed(self, key: str, has: set[str]) -> Node:
-        """Statements about fields and sets that the device has, then those made here."""
+        """Inherited statements about fields and sets that the device supports, then its own."""
         inherited, own = self.parent.get(key), self.own.get(key)
         without = self.without(key, list(inherited.value) if inherited else [])
         nodes: dict[str, Node] = {}
@@ -214,15 +214,15 @@ class _Heir:
         return self.mapped(key, {**nodes, **(own.value if own else {})}, {**keys, **(own.keys if own else {})})
 
     def concerned(self, name: str, has: set[str]) -> bool:
-        """Does the device have this field or set? A family states it for those of its devices that do; an unknown name
-        is kept, so that it is reported."""
+        """True if the device has this field or set. A statement of a family is kept, since some of its devices have the
+        field; an unknown name is kept, so that it is reported."""
         f = self.model.field(name)
         if f is None:
             return name in has or all(name != s.name for s in self.model.sets)
         return "family" in self.own or f is self.model.protocol.acknowledge or not has.isdisjoint(f.names)
 
     def named(self, key: str) -> Node:
-        """The entries of both; an entry replaces one of the same name."""
+        """The entries of both; an own entry replaces an inherited one with the same name."""
         entries = {entry["name"].value: entry for entry in self.parent.get(key) or ()}
         for name in self.without(key, list(entries)):
             entries.pop(name, None)
@@ -232,7 +232,7 @@ class _Heir:
         return self.listed(key, [*kept, *(x for x in own if x not in kept)])
 
     def without(self, key: str, known: list[str]) -> set[str]:
-        """Names of entries that are not inherited."""
+        """Names of the entries that are not inherited."""
         lists = self.own.get("without")
         entries = list(lists[key]) if lists is not None and key in lists else []
         for entry in entries:
@@ -243,7 +243,7 @@ class _Heir:
 
 
 def _listed(node: Node | None) -> list[tuple[str, Node]]:
-    """Full name and entry of each field that is listed by set."""
+    """Full name and entry of each field in a list by set."""
     return [(f"{name}.{entry.value}", entry) for name, entries in (node.items() if node else ()) for entry in entries]
 
 
@@ -252,13 +252,13 @@ def _fields(node: Node | None) -> dict[str, Node]:
 
 
 def _evident(node: Node) -> list[tuple[str, str, Node]]:
-    """The same of the fields that other evidence names, each with its kind."""
+    """The same for the fields that other evidence names, each with the kind of evidence."""
     groups = node.get("evidence") or ()
     return [(group["kind"].value, full, x) for group in groups for full, x in _listed(group["fields"])]
 
 
 def _kinds(node: Node) -> dict[str, str]:
-    """Full name of each field that a profile names -> kind of the strongest evidence."""
+    """Full name of each field in a profile -> kind of the strongest evidence."""
     weakest_first = sorted(_evident(node), key=lambda said: m.strength(said[0]), reverse=True)
     return {
         **{full: kind for kind, full, _ in weakest_first},
@@ -267,7 +267,7 @@ def _kinds(node: Node) -> dict[str, str]:
 
 
 def _left(group: Node, out: Set[str]) -> list[Node]:
-    """An entry of the evidence without some fields; none if nothing is left."""
+    """An entry of the evidence without some fields; an empty list if nothing is left."""
     fields = {}
     for name, entries in group["fields"].items():
         kept = [x for x in entries if f"{name}.{x.value}" not in out]

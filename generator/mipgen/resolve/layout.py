@@ -1,6 +1,6 @@
 """Turns nodes into parameters.
 
-The layout on the wire is decided here: sizes, capacities, presence. Nothing downstream computes it.
+The wire layout is determined here and nowhere else: sizes, capacities, presence.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Record:
 
 @dataclass
 class Layout:
-    """Works through the parameters of one record, in wire order."""
+    """Resolves the parameters of one record, in wire order."""
 
     types: Types
     owner: str | None
@@ -41,8 +41,8 @@ class Layout:
     inside: bool = False
     whole: Node | None = None  # the field, whose keys may apply to all its values
     before: int = 0  # for a case of a union: the bytes of the record before it
-    unknown: str = ""  # letters of the command that are not functions, reported where they are
-    unclear: bool = False  # a parameter is required for an unknown function, so that the order cannot be checked
+    unknown: str = ""  # letters of the command that are not functions; reported elsewhere
+    unclear: bool = False  # a parameter is required for an unknown function, so the order cannot be checked
     nodes: list[Node] = field(default_factory=list)
     done: list[m.Parameter] = field(default_factory=list)
 
@@ -51,11 +51,11 @@ class Layout:
 
     @property
     def least(self) -> int:
-        """The smallest size of all parameters so far."""
+        """The minimum size of all parameters so far."""
         return self.taken(self.done)
 
     def taken(self, parameters: Sequence[m.Parameter]) -> int:
-        """The smallest size of a field with these parameters."""
+        """The minimum size of a field with these parameters."""
         return self.before + (1 if self.functions else 0) + extent.fewest(parameters)
 
     def earlier(self, name: str) -> m.Parameter | None:
@@ -70,7 +70,7 @@ class Layout:
             return
         if self.done and open_ended(self.done[-1]):
             last = self.done[-1].name
-            self.problem(node.position, f"'{name}' cannot follow '{last}', which takes the rest of the field")
+            self.problem(node.position, f"'{name}' cannot follow '{last}', which fills the rest of the field")
             return
         parameter = self.union(node) if "switch" in node or "cases" in node else self.value(node)
         if parameter is not None:
@@ -117,7 +117,7 @@ class Layout:
         return m.Parameter(name, None, None, union=union, position=node.position)
 
     def case(self, label: str, node: Node, place: m.Position) -> m.Parameter | None:
-        """The one parameter of a union's case."""
+        """Resolves the parameter of a union's case."""
         if "type" not in node:
             self.problem(place, f"the case '{label}' needs a type, or to be empty: {{}}")
             return None
@@ -148,7 +148,7 @@ class Layout:
             return self.constant(node, name, element)
         length = node.scalar("count")
         if isinstance(element, m.Struct) and element.min_size > m.MAX_FIELD_DATA:
-            length = None  # reported for the structure; a problem of the array would only repeat it
+            length = None  # reported for the structure; no need to repeat it for the array
         if length is not None and isinstance(element, m.Struct) and not element.fixed:
             self.problem(node["count"].position, f"the size of '{type_name}' varies, so there can be no array of it")
             return None
@@ -187,7 +187,7 @@ class Layout:
         return False
 
     def meaning(self, node: Node, p: m.Parameter) -> m.Parameter:
-        """Adds the meaning of the value to its layout."""
+        """Adds the meaning of the value to the parameter's layout."""
         words = self.types.vocabulary
         named = p.element if isinstance(p.element, (m.Enum, m.Bitfield, m.Struct)) else None
         if not node.keys.keys().isdisjoint(meaning.LIMITS):
@@ -223,7 +223,7 @@ class Layout:
         )
 
     def presence(self, node: Node, p: m.Parameter) -> tuple[m.Function, ...]:
-        """The functions that require a parameter: those that it names, and those that are like them."""
+        """The functions that require a parameter: those that it names, and those that are `like` them."""
         if self.plain:
             return ()
         letters, optional = node.scalar("for"), node.scalar("optional", False)
@@ -237,7 +237,7 @@ class Layout:
             known = "".join(self.functions)
             place = node.keys.get("for", node.position)
             self.problem(
-                place, f"'{p.name}' must say for which functions it is required: for: {known}, or optional: true"
+                place, f"'{p.name}' must state which functions require it: for: {known}, or optional: true"
             )
             self.unclear = True
             return ()
@@ -247,7 +247,7 @@ class Layout:
         if extra:
             self.problem(
                 node["for"].position,
-                f"'{p.name}' is required for {''.join(extra)}, but the command takes only {self.functions}",
+                f"'{p.name}' is required for {''.join(extra)}, but the command accepts only {self.functions}",
             )
         functions = self.types.vocabulary.letters(self.functions)
         named = {f.name for f in functions if f.letter in (letters or "")}
@@ -292,7 +292,7 @@ class Layout:
         return Record(parameters, extent.fewest(parameters[:first]), extent.most(parameters))
 
     def typical(self, node: Node, p: m.Parameter) -> m.Parameter:
-        """The parameter with its typical value, in the form of the codec."""
+        """Adds the typical value of a parameter, in the form of the codec."""
         meaning.check_shown(node, p, self.problem)
         if "typical" not in node:
             return p
@@ -311,7 +311,7 @@ class Layout:
         return replace(p, typical=value)
 
     def vouch(self, whole: Node) -> None:
-        """Applies `valid` of the field to each value that has none of its own, and is neither the flags nor derived."""
+        """Applies the field's `valid` to each value without its own, except to the flags and derived values."""
         flags = whole["valid"].value.partition(".")[0]
         concerned = [
             i
@@ -334,7 +334,7 @@ class Layout:
         return Record(whole, selector.size, extent.most(whole))
 
     def check_order(self, parameters: Sequence[m.Parameter]) -> bool:
-        """Reports each parameter that functions do not require, though they require one after it."""
+        """Reports each parameter that a function does not require although it requires a later one."""
         late: dict[tuple[str, str], list[str]] = {}
         places = {p.name: p.position for p in parameters}
         for function in self.types.vocabulary.letters(self.functions):
@@ -352,13 +352,13 @@ class Layout:
         return not late
 
     def check_groups(self, parameters: Sequence[m.Parameter]) -> None:
-        """Requires a sign of presence for parameters that may be absent, one for a counter and its array."""
+        """Requires that the presence of optional parameters is detectable, and the same for a counter and its array."""
         for group in m.groups(parameters, 0):
             first, last = group.parameters[0], group.parameters[-1]
             if all(p.constant is not None for p in group.parameters):
                 self.problem(
                     first.position,
-                    f"the constant '{first.name}' may be absent, and nothing would tell; "
+                    f"the constant '{first.name}' may be absent, but its absence cannot be detected; "
                     "put it before every parameter that may be absent",
                 )
             for p in group.parameters:
@@ -368,7 +368,7 @@ class Layout:
                     break
 
     def check_size(self) -> None:
-        """Reports the parameter with which a field is too long even in its shortest form."""
+        """Reports the parameter that makes even the shortest form of a field too long."""
         used = self.before + (1 if self.functions else 0)
         for p in self.done:
             used += extent.size(p)[0]
@@ -376,12 +376,12 @@ class Layout:
                 return  # reported for the structure
             if used > m.MAX_FIELD_DATA:
                 self.problem(
-                    p.position, f"with '{p.name}' the field has {used} bytes of data; the most is {m.MAX_FIELD_DATA}"
+                    p.position, f"with '{p.name}' the field has {used} bytes of data; the maximum is {m.MAX_FIELD_DATA}"
                 )
                 return
 
     def capacities(self) -> dict[str, int]:
-        """The maximum number of items of each array of open length, if nothing that may be absent is present."""
+        """Array of open length -> its maximum number of items, if no optional parameter is present."""
         capacities = {}
         for i, p in enumerate(self.done):
             if isinstance(p.length, str):
@@ -396,7 +396,7 @@ class Layout:
 
 
 def open_ended(p: m.Parameter) -> bool:
-    """Does it, or could it, reach to the end of the field?"""
+    """True if a parameter extends, or could extend, to the end of the field."""
     if p.struct:
         return bool(p.struct.parameters) and open_ended(p.struct.parameters[-1])
     return p.union is not None or p.fills

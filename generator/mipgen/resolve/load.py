@@ -1,4 +1,4 @@
-"""Builds the model from the nodes: follows every reference, computes every size."""
+"""Builds the model from the nodes: resolves all references and computes all sizes."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from .vocabulary import Vocabulary, sources
 def load_model(spec: Path, *overlays: Path) -> m.Model:
     """Loads, resolves and checks a specification with its overlays; raises SpecError with all problems.
 
-    Examples and errata are checked only once the definitions are right: otherwise they would seem wrong.
+    Examples and errata are checked only if the definitions are correct; otherwise they would seem wrong.
     """
     collecting = gc.isenabled()
-    gc.disable()  # nothing of a model is garbage; looking for it takes a quarter of the time
+    gc.disable()  # a model contains no garbage; searching for it takes a quarter of the time
     try:
         model = _loaded(spec, overlays)
     finally:
@@ -48,7 +48,7 @@ def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:
 
 
 def resolve(documents: Sequence[Document], problems: Problems) -> m.Model:
-    """The model of the documents; adds their mistakes to `problems`."""
+    """Builds the model of the documents; adds their mistakes to `problems`."""
     roots = {kind: [d.root for d in documents if d.kind == kind] for kind in (*loader.LAYOUT, "family")}
     types, model = definitions(roots, problems)
     checks.check_definitions(model, problems)
@@ -68,7 +68,7 @@ def resolve(documents: Sequence[Document], problems: Problems) -> m.Model:
 
 
 def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types, m.Model]:
-    """The protocol, the types and the sets."""
+    """Resolves the protocol, the types and the sets."""
     root = roots["protocol"][0]
     functions = _functions(root["functions"], problems)
     manuals = _manuals(roots["manual"], problems)
@@ -127,7 +127,7 @@ def _functions(node: Node, problems: Problems) -> tuple[m.Function, ...]:
 
 def _selector(functions: Iterable[m.Function]) -> m.Enum:
     values = tuple(m.EnumValue(f.name, f.value, f.description) for f in functions)
-    return m.Enum("function_selector", m.SCALARS["u8"], values, "What a settings command is asked to do.", None)
+    return m.Enum("function_selector", m.SCALARS["u8"], values, "The operation that a settings command requests.", None)
 
 
 def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], problems: Problems) -> m.Protocol:
@@ -175,7 +175,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
 
 
 def _manuals(nodes: list[Node], problems: Problems) -> list[m.Manual]:
-    """The manuals in the order of their document numbers."""
+    """Resolves the manuals, in the order of their document numbers."""
     manuals: dict[str, m.Manual] = {}
     for node in nodes:
         name = node["manual"].value
@@ -214,7 +214,7 @@ def _session(node: Node | None) -> m.Session | None:
 
 
 def _barrier(node: Node, model: m.Model, problems: Problems) -> tuple[int, int]:
-    """Set and descriptor of the command, which a part of a specification keeps although it may lack the command."""
+    """Set and descriptor of the barrier's command, which a partial specification keeps even if it lacks the command."""
     f = model.field(node.value)
     if f is None or f.role != m.COMMAND:
         names = {x.full_name for x in model.fields if x.role == m.COMMAND}

@@ -16,7 +16,7 @@ Number = int | float
 
 
 def unknown(what: str, word: str, known: Iterable[str], home: str, guess: bool = True) -> str:
-    """The message for a word that is missing in a vocabulary, which is in the file `home`.
+    """Words the message for a word that is not in a vocabulary; `home` is the vocabulary's file.
 
     >>> unknown("unit", "sec", ["m", "s"], "protocol.yaml"), unknown("unit", "km/h", ["m", "s"], "protocol.yaml")
     ("unknown unit 'sec', did you mean 's'?", "unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml")
@@ -37,14 +37,14 @@ def unknown_manual(word: str, known: Iterable[str]) -> str:
 def citation(
     node: Node, manuals: Mapping[str, m.Manual], problem: Problem, heading: str | None = None
 ) -> tuple[str, str]:
-    """The manual and the section that a source, an example or an erratum names. A source of a field may leave the
-    section out: it is the `heading`, the title with set and descriptor, in the letters of the manual."""
+    """Resolves the manual and the section that a source, an example or an erratum names. A source of a field may omit
+    the section, which is then the `heading`, the title with set and descriptor, as the manual spells it."""
     manual, section = node["manual"].value, node.scalar("section", heading)
     known = manuals.get(manual)
     if known is None:
         problem(node["manual"].position, unknown_manual(manual, manuals))
     elif section is None:
-        problem(node.position, "'section' is missing; only a source of a field may leave it out")
+        problem(node.position, "'section' is missing; only a source of a field may omit it")
     elif "section" not in node:
         section = _headings(known.sections).get(_plain(section), section)
     if known and section and known.sections and section not in known.sections:
@@ -55,12 +55,12 @@ def citation(
 
 @cache
 def _headings(sections: tuple[str, ...]) -> dict[str, str]:
-    """Plain form of a heading -> the first heading that has it."""
+    """Plain form of a heading -> the first heading with that form."""
     return {_plain(s): s for s in reversed(sections)}
 
 
 def _plain(heading: str) -> str:
-    """A heading without what manuals write in several ways: "Ping (0x01, 0x01)"."""
+    """Reduces a heading to what manuals spell consistently: "Ping (0x01, 0x01)"."""
     return heading.casefold().replace(" ", "")
 
 
@@ -69,7 +69,7 @@ _WITHOUT_UNIT = {"bool": "true or false", "char": "a text"}
 
 
 def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
-    """One unit for all elements, or one for each."""
+    """Resolves `unit`: one unit for all elements, or one for each."""
     given = node.get("unit")
     if given is None or given.value is None:
         return ()
@@ -84,7 +84,7 @@ def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) 
             problem(entry.position, unknown_unit(entry.value, known))
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
     if isinstance(given.value, list) and len(entries) != width:
-        problem(given.position, f"'{p.name}' has {len(entries)} units; give one, or one for each element")
+        problem(given.position, f"'{p.name}' has {len(entries)} units; write one, or one for each element")
     return tuple(entry.value for entry in entries)
 
 
@@ -96,18 +96,18 @@ def frame(node: Node, known: Collection[str], problem: Problem) -> str | None:
 
 
 def elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
-    """The elements of a vector in a frame that has its own; matrices and quaternions have the same in all."""
+    """The elements of a vector in a frame with its own names; those of matrices and quaternions are always the same."""
     own = p.element.elements if isinstance(p.element, m.Vector) else ()
     wanted = frames.get(frame or "", ())
     return wanted if len(wanted) == len(own) and wanted != own else ()
 
 
-#: The keys of limits of a value.
+#: The keys that limit a value.
 LIMITS = ("range", "above", "below", "magnitude")
 
 
 def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:
-    """The range, if there is one."""
+    """Resolves `range`, if there is one."""
     if "range" not in node:
         return None, None
     element, (low, high) = p.element, node["range"].plain()
@@ -126,7 +126,7 @@ def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None,
 def open_limits(
     node: Node, p: m.Parameter, low: Number | None, high: Number | None, problem: Problem
 ) -> tuple[Number | None, Number | None]:
-    """The limits between which the value must be, themselves excluded."""
+    """Resolves `above` and `below`, the exclusive limits of a value."""
     scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
     bounds: dict[str, Number] = {}
     for key, closed in (("above", low), ("below", high)):
@@ -136,7 +136,7 @@ def open_limits(
         if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
             problem(node.keys[key], f"'{p.name}' is not a number, so it has no bounds; remove '{key}'")
         elif closed is not None:
-            problem(node.keys[key], f"'{p.name}' has this bound twice; write ~ in its place in the range")
+            problem(node.keys[key], f"'{p.name}' has this bound twice; replace it by ~ in the range")
         elif _fits(entry, scalar, f"'{p.name}': {key}", problem):
             bounds[key] = entry.value
     above, below = bounds.get("above"), bounds.get("below")
@@ -147,7 +147,7 @@ def open_limits(
 
 
 def magnitude(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:
-    """The least and the most length of a vector."""
+    """Resolves `magnitude`, the minimum and maximum length of a vector."""
     if "magnitude" not in node:
         return None, None
     given = node["magnitude"]
@@ -155,7 +155,7 @@ def magnitude(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | No
     if not isinstance(p.element, m.Vector) or p.length is not None or isinstance(node.scalar("unit"), list):
         problem(node.keys["magnitude"], f"'{p.name}' is not a vector of one unit, so it has no magnitude; remove it")
     elif (low or 0) < 0 or (high is not None and high <= (low or 0)):
-        problem(given.position, f"no vector has the magnitude of '{p.name}'; write two numbers from 0 on, in order")
+        problem(given.position, f"no vector has the magnitude of '{p.name}'; write two numbers from 0, smaller first")
     return low, high
 
 
@@ -178,7 +178,7 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
 
 
 def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
-    """The value to send for a reserved parameter."""
+    """Resolves `reserved`, the value to send for a reserved parameter."""
     value: int | None = node.scalar("reserved")
     if value is None:
         return None
@@ -190,7 +190,7 @@ def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
 
 
 def default(node: Node, p: m.Parameter, problem: Problem) -> object:
-    """The factory default, in the form of the parameter: a number, a value name, a list."""
+    """Resolves the factory default, in the form of the parameter: a number, a value's name, a list."""
     given = node.get("default")
     if given is None:
         return None
@@ -200,7 +200,7 @@ def default(node: Node, p: m.Parameter, problem: Problem) -> object:
 
 
 def at_rest(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, ...]:
-    """The value of a level device at rest: one number, or one for each element of a vector."""
+    """Resolves `at_rest`, the value of a level device at rest: one number, or one for each element of a vector."""
     given = node.get("at_rest")
     if given is None:
         return ()
@@ -229,15 +229,15 @@ def check_default(given: Node, p: m.Parameter, problem: Problem) -> None:
 def check_typical(node: Node, p: m.Parameter, problem: Problem) -> None:
     """Reports a `typical` value that the parameter cannot have, or that follows from others."""
     if p.derived or p.reserved is not None or p.element is None:
-        why = "it has one value" if p.counts is None else f"'{p.counts}' says how many there are"
-        why = "its cases may have one each" if p.element is None else why
+        why = "it has one value" if p.counts is None else f"it counts '{p.counts}'"
+        why = "only its cases can have one" if p.element is None else why
         problem(node.keys["typical"], f"'{p.name}' has no typical value: {why}; remove it")
     else:
         _Default(p, problem, "typical value").check(node["typical"])
 
 
 def check_shown(node: Node, p: m.Parameter, problem: Problem) -> None:
-    """Reports a number that is not a number of a set or a field, or that is never shown."""
+    """Reports a wrong use of `shown` and `fields_of`."""
     what, whole = p.shown, isinstance(p.element, m.Scalar) and p.element.kind == "unsigned"
     if what is not None and not whole:
         problem(node.keys["shown"], f"'{p.name}' is not an unsigned number; remove 'shown'")
@@ -245,11 +245,11 @@ def check_shown(node: Node, p: m.Parameter, problem: Problem) -> None:
         problem(node.keys["shown"], f"'{p.name}' is {p.element.name}, but the number of a {what} is u8; write hex")
     members = p.element.parameters if isinstance(p.element, m.Struct) else (p,)
     if p.fields_of and not any(q.shown == "field" for q in members):
-        problem(node.keys["fields_of"], f"'{p.name}' holds no field descriptor; mark it by shown: field")
+        problem(node.keys["fields_of"], f"'{p.name}' is not a field descriptor; mark it by shown: field")
 
 
 class _Default:
-    """A default, or another value that an author states; `what` names it in messages."""
+    """Checks a default, or another value that an author states; `what` names it in messages."""
 
     def __init__(self, p: m.Parameter, problem: Problem, what: str = "default") -> None:
         self.p = p
@@ -356,28 +356,28 @@ class _Default:
 
 
 def _end(bound: Number | None) -> str:
-    """The end of a range, as an author writes it."""
+    """A bound of a range, as an author writes it."""
     return "~" if bound is None else str(bound)
 
 
 def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
     value, (low, high) = node.value, bounds(scalar)
     if scalar.kind != "float" and isinstance(value, float):
-        problem(node.position, f"{what} is {value}, but {scalar.name} holds only whole numbers")
+        problem(node.position, f"{what} is {value}, but {scalar.name} can only be a whole number")
         return False
     if not low <= value <= high:
-        problem(node.position, f"{what} is {value}, but {scalar.name} holds only {low} to {high}")
+        problem(node.position, f"{what} is {value}, but {scalar.name} has the range {low} to {high}")
         return False
     return True
 
 
 def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], problem: Problem) -> None:
-    """`valid: flags.bit` names a bit of a parameter of the same record, `valid: flag` a bool; a list, one for each."""
+    """Checks `valid`: `flags.bit` names a bit of a sibling parameter, `flag` a bool; a list, one for each element."""
     given = node["valid"]
     entries = list(given) if isinstance(given.value, list) else [given]
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
     if isinstance(given.value, list) and len(entries) != width:
-        problem(given.position, f"'{p.name}' has {len(entries)} valid bits; give one, or one for each element")
+        problem(given.position, f"'{p.name}' has {len(entries)} valid bits; write one, or one for each element")
     names = {q.name: q for q in beside}
     for entry in entries:
         _valid_bit(entry, p, names, problem)
@@ -393,18 +393,18 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
         if other.element is not m.SCALARS["bool"] or other.length is not None:
             problem(
                 node.position,
-                f"'{flags}' is not a bool, so it cannot say whether '{p.name}' is valid; name a bool, or a bit: a.b",
+                f"'{flags}' is not a bool, so it cannot mark '{p.name}' as valid; name a bool, or a bit: a.b",
             )
         return
     known = bits(other)
     if not known:
-        problem(node.position, f"'{flags}' is not a bitfield, so it cannot say whether '{p.name}' is valid")
+        problem(node.position, f"'{flags}' is not a bitfield, so it cannot mark '{p.name}' as valid")
     elif bit not in known:
         problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
 
 
 def bits(flags: m.Parameter) -> set[str]:
-    """The names of its bits, in any of its readings."""
+    """The names of the bits of flags, in any reading."""
     return {
         b.name for t in (flags.element, *(v.type for v in flags.readings)) if isinstance(t, m.Bitfield) for b in t.bits
     }

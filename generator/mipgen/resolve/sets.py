@@ -14,7 +14,7 @@ from .vocabulary import sentences, short_name, sources
 
 ROLES: tuple[m.Role, ...] = (m.COMMAND, m.RESPONSE, m.DATA)
 
-#: Keys of a field that suit one role only.
+#: Keys that only commands may have.
 COMMAND_KEYS = ("affects", "functions", "may_affect", "responses", "silent_when", "sent_by", "timeout")
 DATA_KEYS = ("max_rate",)
 
@@ -66,7 +66,7 @@ class Families:
         )  # fmt: skip
 
     def meant(self, node: Node, first: m.Set) -> m.Kind:
-        """The kind of a set. If all its fields are of the other one, its number is reported, and not each of them."""
+        """Returns the kind of a set. If all its fields are of the other kind, reports the set instead of each field."""
         entries = [*(node.get("fields") or ()), *(node.get("named") or ())]
         commands = first.kind == "command"
         wrong, others = (m.DATA, (m.COMMAND, m.RESPONSE)) if commands else (m.COMMAND, (m.DATA,))
@@ -86,10 +86,10 @@ class Families:
         return kind
 
     def sets(self, node: Node) -> tuple[m.Set, ...]:
-        """The descriptor sets of a family: the one that has its name, or those below `sets`."""
+        """The descriptor sets of a family: the one with its name, or those in `sets`."""
         family = node["name"].value
         if "sets" in node and "set" in node:
-            self.problems.add(node.keys["set"], "a family has 'sets' in place of 'set'; remove it")
+            self.problems.add(node.keys["set"], "a family has 'sets', not 'set'; remove 'set'")
         if "sets" not in node:
             return (self.set(node, node["set"].value, family, family, node.position),)
         sets: list[m.Set] = []
@@ -108,12 +108,12 @@ class Families:
         )  # fmt: skip
 
     def field(self, node: Node, family: str, kind: m.Kind, places: _Places) -> list[m.Field]:
-        """A command with its responses, or a data field."""
+        """Resolves a command with its responses, or a data field."""
         role: m.Role = m.COMMAND if kind == "command" else m.DATA
         wrong = m.DATA if role == m.COMMAND else m.COMMAND
         if role not in node or wrong in node:
             place = node.keys.get(wrong, node.position)
-            self.problems.add(place, f"a field of the {kind} set '{family}' begins with '{role}: 0x..'")
+            self.problems.add(place, f"a field of the {kind} set '{family}' must begin with '{role}: 0x..'")
             return []
         for key in COMMAND_KEYS if role == m.DATA else DATA_KEYS:
             if key in node:
@@ -166,13 +166,13 @@ class Families:
         if "response" not in node:
             self.problems.add(
                 node.position,
-                "a response begins with 'response: 0x..', or with 'same_as' and the name of another command's response",
+                "a response must begin with 'response: 0x..', or 'same_as' and the name of another command's response",
             )
             return None
         listed = node.get("parameters")
         plain = listed is not None and listed.value == "as_command"
         if listed is not None and isinstance(listed.value, str) and not plain:
-            self.problems.add(listed.position, f"parameters: '{listed.value}' is neither a list nor as_command")
+            self.problems.add(listed.position, f"'parameters' must be a list or as_command, not '{listed.value}'")
             return None
         nodes = list((owner.get("parameters") or ()) if plain else (listed or ()))
         nodes = self.described(node, nodes, command, plain)
@@ -183,7 +183,7 @@ class Families:
             if manual not in known:
                 assert lengths is not None
                 self.problems.add(
-                    lengths.keys[manual], f"the command cites no manual '{manual}'{nearest(manual, known)}"
+                    lengths.keys[manual], f"the command does not cite the manual '{manual}'{nearest(manual, known)}"
                 )
         name = node.scalar("name", f"{command.name}_response")
         usual = f"{command.short}_response" if command.short and "name" not in node else None
@@ -212,14 +212,14 @@ class Families:
         )  # fmt: skip
 
     def described(self, node: Node, nodes: list[Node], command: m.Field, plain: bool) -> list[Node]:
-        """The parameters of a response, with its own descriptions of those that it has from its command."""
+        """The parameters of a response; it may describe those that it repeats from its command."""
         own = node.get("descriptions")
         if own is None:
             return nodes
         if not plain:
             place = node.keys["descriptions"]
             remedy = "give each parameter its own description"
-            self.problems.add(place, f"descriptions are for a response with parameters: as_command; {remedy}")
+            self.problems.add(place, f"only a response with 'parameters: as_command' may have descriptions; {remedy}")
             return nodes
         nodes = list(self.types.included(nodes, command.family))
         known = [n["name"].value for n in nodes]
@@ -232,7 +232,7 @@ class Families:
         ]
 
     def devices(self, node: Node | None) -> tuple[str, ...]:
-        """The devices that send a layout."""
+        """Resolves the devices that send a layout."""
         known = self.types.vocabulary.devices
         for entry in node or ():
             if entry.value not in known:
@@ -242,7 +242,7 @@ class Families:
     # ----------------------------------------------------------------------- conditions
 
     def conditions(self, node: Node | None, command: m.Field) -> tuple[m.Condition, ...]:
-        """Parameters of a command, and the values that they must have."""
+        """Resolves conditions: parameters of a command, and the values that they must have."""
         if node is None:
             return ()
         conditions = (self.condition(name, node.keys[name], entry, command) for name, entry in node.items())
@@ -271,7 +271,7 @@ class Families:
     # ----------------------------------------------------------------------- relations
 
     def related(self, fields: Sequence[m.Field], sets: Collection[str]) -> None:
-        """Checks that all that commands change, or bits concern, exists; a command names each thing once."""
+        """Checks that everything that commands change or bits concern exists, and that commands name it only once."""
         names = {name: f.role for f in fields for name in f.names}
         data = [name for name, role in names.items() if role == m.DATA]
         for node in self.changes:
@@ -282,7 +282,7 @@ class Families:
                     self.problems.add(entry.position, f"no data field or set '{entry.value}'{near}")
                 elif entry.value in said or entry.value.partition(".")[0] in said:
                     self.problems.add(
-                        entry.position, f"the command already says that it changes '{entry.value}'; remove it"
+                        entry.position, f"the command already lists '{entry.value}' as changed; remove it"
                     )
                 said.add(entry.value)
         for entry in self.types.concerned:
@@ -291,7 +291,7 @@ class Families:
                 self.problems.add(entry.position, f"no command or data field '{entry.value}'{near}")
 
     def silenced(self, families: list[m.Family]) -> tuple[m.Family, ...]:
-        """The same families, with the conditions, also settings of other commands, that suppress acknowledges."""
+        """Adds the conditions that suppress acknowledges, which may be settings of other commands."""
         commands = {f.full_name: f for x in families for f in x.fields if f.role == m.COMMAND}
         changed: dict[str, m.Field] = {}
         for name, node in self.silences.items():
@@ -308,7 +308,7 @@ class Families:
         return tuple(replace(x, fields=tuple(changed.get(f.full_name, f) for f in x.fields)) for x in families)
 
     def shared(self, node: Node, fields: list[m.Field]) -> list[m.Field]:
-        """Drops each same_as that does not name a response of this set, and reports it."""
+        """Reports and drops each `same_as` that does not name a response of this set."""
         known = [f.name for f in fields if f.role == m.RESPONSE]
         for entry in node.get("fields") or ():
             for response in entry.get("responses") or ():
@@ -319,13 +319,13 @@ class Families:
         return [replace(f, responses=tuple(name for name in f.responses if name in known)) for f in fields]
 
     def named(self, node: Node, kind: m.Kind) -> tuple[m.Named, ...]:
-        """Descriptors without a layout."""
+        """Resolves the descriptors without a layout."""
         named: list[m.Named] = []
         for entry in node.get("named") or ():
             roles: list[m.Role] = [r for r in ROLES if r in entry]
             if len(roles) != 1 or (roles == [m.DATA]) != (kind != "command"):
                 wanted = "'command: 0x..' or 'response: 0x..'" if kind == "command" else "'data: 0x..'"
-                self.problems.add(entry.position, f"a named descriptor of a {kind} set has {wanted}")
+                self.problems.add(entry.position, f"a named descriptor of a {kind} set must have {wanted}")
                 continue
             named.append(
                 m.Named(
@@ -338,7 +338,7 @@ class Families:
 
 
 def _title(node: Node) -> str:
-    """Its title in headings: its name in words, if nothing else."""
+    """The title of a field in headings; by default its name in words."""
     return str(node.scalar("title", node["name"].value.replace("_", " ").capitalize()))
 
 
@@ -356,23 +356,23 @@ def _first(node: Node) -> int:
 
 @dataclass(frozen=True, slots=True)
 class _Places:
-    """Where the fields of a family occur: in its one set; or in each of several that says so for all, or in those
-    that a field lists."""
+    """The sets in which the fields of a family occur: its only set; or of several sets those with `every_field`, and
+    those that a field lists."""
 
     several: bool
     sets: tuple[m.Set, ...]
-    common: dict[str, tuple[m.Source, ...]]  # set -> sources that state that all fields occur there
+    common: dict[str, tuple[m.Source, ...]]  # set -> the sources according to which all fields occur there
     types: Types
     problems: Problems
 
     def of(self, node: Node) -> tuple[m.Occurrence, ...]:
-        """The sets of a field, with its own facts in each."""
+        """The sets of a field, with the facts about it in each."""
         title, cited = _title(node), self.sources(node, node)
         own = node.get("in")
         if not self.several:
             for key in ("in", "only"):
                 if key in node:
-                    self.problems.add(node.keys[key], f"'{key}' is for a family of several sets; remove it")
+                    self.problems.add(node.keys[key], f"only a family of several sets has '{key}'; remove it")
             return self.first(title, cited, node)
         listed = dict(own.items()) if own else {}
         known = [s.name for s in self.sets]
@@ -400,7 +400,7 @@ class _Places:
         return sources(node, self.types.vocabulary, self.problems, heading=heading)
 
     def first(self, title: str, cited: tuple[m.Source, ...], node: Node) -> tuple[m.Occurrence, ...]:
-        """The only set, or as a substitute, to find further problems, the first of several."""
+        """The only set, or the first of several as a substitute, to find further problems."""
         s = self.sets[0]
         return (m.Occurrence(s.number, s.name, title, cited, position=node.position),)
 
@@ -415,7 +415,7 @@ class _Places:
         return m.Occurrence(s.number, s.name, title, stated, sentences(own, "uncertain"), own.position)
 
     def cited(self, node: Node, occurrences: tuple[m.Occurrence, ...]) -> tuple[m.Source, ...]:
-        """The sources of the field itself; if there are none, those of all fields of a set."""
+        """The sources of the field itself; if there are none, the sources for all fields of its sets."""
         own = node.get("in")
         cited = list(self.sources(node, node))
         cited += [s for o in occurrences if own and o.set_name in own for s in o.sources]

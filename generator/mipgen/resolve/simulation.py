@@ -20,7 +20,7 @@ FOR_EACH, VALID_IF = "for_each", "valid_if"
 
 
 def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Problems) -> Simulation:
-    """Joins all files; each name may be given once."""
+    """Joins all files; each name may occur only once."""
     quantities = tuple(_quantity(name, n, units, problems) for name, n, _ in _entries(roots, "quantities", problems))
     effects = tuple(
         Effect(name, tuple(n["arguments"].plain()) if "arguments" in n else (), n["description"].value)
@@ -39,7 +39,7 @@ def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Proble
 
 
 def _equal(node: Node, units: Node, problems: Problems) -> tuple[str, float]:
-    """The unit in which the size of another is given, and how many of it."""
+    """Resolves `equals` of a unit: another unit, and the factor."""
     ((other, n),) = node.items()
     if other not in units:
         problems.add(node.keys[other], meaning.unknown_unit(other, units.value))
@@ -47,7 +47,7 @@ def _equal(node: Node, units: Node, problems: Problems) -> tuple[str, float]:
 
 
 def _layouts(f: m.Field, model: m.Model) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """The responses of a command that only certain devices send."""
+    """The responses of a command that only some devices send, with these devices."""
     return tuple((r.name, r.devices) for r in model.responses(f) if r.devices)
 
 
@@ -97,7 +97,7 @@ def _field(name: str, roles: Collection[str], at: m.Position, model: m.Model, pr
 class _Values:
     model: m.Model
     quantities: dict[str, Quantity]
-    factors: dict[str, tuple[str, float]]  # unit -> another, and how many of that it is
+    factors: dict[str, tuple[str, float]]  # unit -> an equal number of another unit
     problems: Problems
 
     def of(self, name: str, node: Node, at: m.Position) -> Source | None:
@@ -163,11 +163,11 @@ class _Values:
         return Value(path, names=names) if kind == "name" else Value(path, bits=names)
 
     def asked(self, f: m.Field, node: Node) -> None:
-        """Checks that a parameter of the commands that a response answers exists."""
+        """Checks that the commands of a response have a parameter."""
         commands = [c for c in self.model.fields if c.role == m.COMMAND and f in self.model.responses(c)]
         known = [p.name for c in commands for p in c.parameters if not p.derived]
         if not commands:
-            self.problems.add(node.position, f"'{f.full_name}' is not a response and shows no setting; give a quantity")
+            self.problems.add(node.position, f"'{f.full_name}' is not a response and has no setting; write a quantity")
         elif node.value not in known:
             near = nearest(node.value, known)
             self.problems.add(
@@ -184,7 +184,7 @@ class _Values:
             self.problems.add(node.position, f"'{p.name}' cannot show the typical value of '{q.name}': {error}")
 
     def factor(self, q: Quantity, p: m.Parameter, node: Node) -> float:
-        """From the unit of the quantity to that of the parameter, whose elements may have several."""
+        """The factor from the unit of a quantity to the unit of a parameter, whose elements may have several."""
         units = set(p.units)
         if q.unit is None or not units or units == {q.unit}:
             return 1.0
@@ -198,14 +198,14 @@ class _Values:
             return self.factors[q.unit][1]
         self.problems.add(
             node.position,
-            f"'{p.name}' is in {unit}, '{q.name}' in {q.unit}; say in protocol.yaml what one {unit} equals, "
+            f"'{p.name}' is in {unit}, '{q.name}' in {q.unit}; state in protocol.yaml what one {unit} equals, "
             "or use another quantity",
         )
         return 1.0
 
 
 def _names(t: m.Enum | m.Bitfield) -> Iterator[str]:
-    """The names of values, or of bits; for a number inside a bitfield, also those of its values: bits.value."""
+    """The names of values or bits; for a number inside a bitfield, also the names of its values: bits.value."""
     for x in t.values if isinstance(t, m.Enum) else t.bits:
         yield x.name
         if isinstance(x, m.Bits) and x.enum is not None:
@@ -290,7 +290,7 @@ class _Commands:
             known = tuple(inner for p in same for inner in _members(p))
 
     def number(self, node: Node, others: Sequence[str] = ()) -> int:
-        """A number, or that of a set by its name."""
+        """A number, or the number of a set given by name."""
         if isinstance(node.value, int):
             return node.value
         numbers = {s.name: s.number for s in self.model.sets}
@@ -316,7 +316,7 @@ class _Commands:
         return str(node.value)
 
     def affected(self, f: m.Field, node: Node) -> tuple[tuple[int, int], ...]:
-        """The data fields that the command is sure to affect, if they select the instances of its setting."""
+        """The data fields that the command certainly affects, if they select the instances of its setting."""
         given = [n for _, n in _pairs(node, "instances") if n.value == AFFECTED]
         if not given:
             return ()
@@ -338,7 +338,7 @@ class _Commands:
         return str(given.value)
 
     def initial(self, f: m.Field, name: str, node: Node) -> Any:
-        """A value in the form of the parameter, names as their numbers."""
+        """Converts a value to the form of the parameter, with numbers for names."""
         p = next((p for p in f.parameters if p.name == name), None)
         if p is None:
             return None

@@ -1,4 +1,4 @@
-"""A part of a specification: the selected fields and what they need.
+"""Partial specifications: the selected fields and what they need.
 
 The result is a model, so that a part is generated like the whole.
 """
@@ -17,22 +17,22 @@ from mipgen.read.problems import nearest
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """A selection. Sets and fields add up; devices narrow them."""
+    """A selection: the union of the sets and fields, restricted to the devices."""
 
     devices: tuple[str, ...] = ()
     sets: tuple[str, ...] = ()
     fields: tuple[str, ...] = ()
-    certain: bool = False  # only what a device certainly has
+    certain: bool = False  # only what a device certainly supports
 
     def __bool__(self) -> bool:
         return bool(self.devices or self.sets or self.fields or self.certain)
 
 
 def select(model: m.Model, selection: Selection) -> m.Model:
-    """The part of the model that is selected."""
+    """Returns the selected part of the model."""
     if selection.certain:
         if not selection.devices:
-            raise Failure("--certain is about devices; name one with --device")
+            raise Failure("--certain requires a device; add --device")
         model = replace(model, devices=tuple(replace(d, supports=d.certain) for d in model.devices))
     selection = replace(selection, sets=tuple(_set_name(model, word) for word in selection.sets))
     _check(model, selection)
@@ -42,7 +42,7 @@ def select(model: m.Model, selection: Selection) -> m.Model:
 
 
 def _set_name(model: m.Model, word: str) -> str:
-    """The name of the set that is given by its name, or by its number as manuals print it: 0x80."""
+    """Finds the name of a set given by name, or by number as manuals print it: 0x80."""
     if not re.fullmatch("0[xX][0-9A-Fa-f]{1,2}", word):
         return word
     number = int(word, 16)
@@ -54,7 +54,7 @@ def _set_name(model: m.Model, word: str) -> str:
 
 
 def left_out(whole: m.Model, part: m.Model) -> str:
-    """One line that lists what was left out."""
+    """Lists what was left out, in one line."""
     counts = [
         (len(whole.fields) - len(part.fields), "fields"),
         (len(whole.sets) - len(part.sets), "sets"),
@@ -88,13 +88,13 @@ def _check(model: m.Model, selection: Selection) -> None:
             if having.isdisjoint(selection.devices):
                 others = [d.id for d in model.devices if d.id in having]
                 raise Failure(
-                    f"the {what} '{name}' is of no selected device; leave it out, or "
-                    + (f"name a device that has it: {', '.join(others)}" if others else "select no device")
+                    f"no selected device has the {what} '{name}'; remove it, or "
+                    + (f"select a device that has it: {', '.join(others)}" if others else "select no device")
                 )
 
 
 def _places(model: m.Model, what: str, name: str) -> Iterator[tuple[m.Field, int]]:
-    """The fields of a set, or those with a name, each with the number of its set."""
+    """The fields of a set, or with a name, each with the number of its set."""
     for f in model.fields:
         for o in f.occurrences:
             if name in ((o.set_name,) if what == "set" else (f.full_name, f.name_in(o.set))):
@@ -102,7 +102,7 @@ def _places(model: m.Model, what: str, name: str) -> Iterator[tuple[m.Field, int
 
 
 def _meant(model: m.Model, word: str) -> list[str]:
-    """The devices that a user may mean, by another name, a part of a name, or the model number."""
+    """The devices that a user may mean by another name, a part of a name, or the model number."""
 
     def plain(name: str) -> str:
         return "".join(c for c in name.casefold() if c.isalnum())
@@ -138,9 +138,9 @@ def _asked(model: m.Model, selection: Selection) -> dict[str, m.Field]:
 
 
 def _needed(model: m.Model, asked: dict[str, m.Field], devices: tuple[str, ...]) -> dict[str, m.Field]:
-    """The same with their responses or commands.
+    """Adds the responses or commands of fields.
 
-    Of several layouts of a response only those of the devices, if any are given.
+    If devices are given, only their layouts of a response are added.
     """
     needed: dict[str, m.Field] = {}
     waiting = list(asked.values())
@@ -156,7 +156,7 @@ def _needed(model: m.Model, asked: dict[str, m.Field], devices: tuple[str, ...])
 
 
 def _only(model: m.Model, needed: dict[str, m.Field], devices: tuple[m.Device, ...]) -> m.Model:
-    """The model without other fields, and without things that only these need."""
+    """Returns the model without other fields, and without what only those need."""
     ids = {d.id for d in devices}
     acknowledge = _narrowed(model.protocol.acknowledge, ids, needed)
     fields = {name: _narrowed(f, ids, needed) for name, f in needed.items()}
@@ -192,7 +192,7 @@ def _only(model: m.Model, needed: dict[str, m.Field], devices: tuple[m.Device, .
 
 
 def _guides(guides: tuple[Guide, ...], fields: dict[str, m.Field], devices: tuple[m.Device, ...]) -> tuple[Guide, ...]:
-    """The remaining guides; they name only each other."""
+    """The remaining guides, without references to the others."""
     kept = [g for guide in guides if (g := guide.only(fields, {d.id: d for d in devices})) is not None]
     names = {g.name for g in kept}
     return tuple(replace(g, see=tuple(x for x in g.see if "." in x or x in names)) for g in kept)
@@ -224,7 +224,7 @@ def _narrowed(f: m.Field, devices: set[str], names: Container[str]) -> m.Field:
 
 
 def _concerns(e: m.Erratum, fields: Container[str], examples: Container[str]) -> bool:
-    """Are all claims of an erratum about selected parts?"""
+    """True if all claims of an erratum are about selected parts."""
     known = {"length": fields, "example": examples}
     return all(c.subject in known[c.kind] for c in e.claims if c.kind in known)
 
@@ -239,7 +239,7 @@ def _key(t: m.Type) -> Key:
 
 
 def _types(fields: Iterable[m.Field]) -> set[Key]:
-    """The types that fields need, directly or inside others."""
+    """The types that fields need, directly or inside other types."""
     needed: set[Key] = set()
     waiting = [t for f in fields for p in f.parameters for t in p.types]
     while waiting:

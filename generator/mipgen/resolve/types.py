@@ -1,4 +1,4 @@
-"""Turns definitions of types into types, each when it is first asked for."""
+"""Resolves definitions of types, each on first use."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ MAX_NESTING = 16
 
 @dataclass
 class Types:
-    """Finds types by name: first those of the set, then those of spec/types. Resolves on demand."""
+    """Finds types by name, first in the set, then in spec/types, and resolves them on demand."""
 
     vocabulary: Vocabulary
     problems: Problems
     shared: dict[str, Node] = field(default_factory=dict)
     local: dict[str, dict[str, Node]] = field(default_factory=dict)
     parts: dict[str, dict[str, Node]] = field(default_factory=dict)  # lists of parameters, by set
-    concerned: list[Node] = field(default_factory=list)  # what bits concern, checked once all fields are known
+    concerned: list[Node] = field(default_factory=list)  # what bits concern; checked when all fields are known
     _included: set[tuple[str, str]] = field(default_factory=set)
     _done: dict[tuple[str | None, str], m.Type | None] = field(default_factory=dict)
     _open: list[str] = field(default_factory=list)
 
     def define(self, owner: str | None, types: Node | None) -> None:
-        """Makes the types of a file known."""
+        """Registers the types of a file."""
         known = self.shared if owner is None else self.local.setdefault(owner, {})
         for name, node in types.items() if types else ():
             place = types.keys[name] if types else node.position
@@ -45,11 +45,11 @@ class Types:
                 known[name] = Node(node.value, place, node.keys)
 
     def scope(self, owner: str | None) -> Scope:
-        """The names that a parameter of that owner may refer to."""
+        """The names to which a parameter of that owner may refer."""
         return Scope(self.vocabulary, partial(self.find, owner=owner), self.problems.add)
 
     def of(self, owner: str | None) -> tuple[m.Type, ...]:
-        """All types of one owner, each after those that it uses."""
+        """All types of one owner, each after the types that it uses."""
         known = self.shared if owner is None else self.local.get(owner, {})
         for name in known:
             self.find(name, None, owner)
@@ -78,7 +78,7 @@ class Types:
         return self._done[where, name]
 
     def _kind(self, name: str, node: Node) -> str | None:
-        """The key that determines the kind of type; None if there is none, or if others do not fit it."""
+        """The key that determines the kind of a type; None if there is none, or if other keys contradict it."""
         kinds = [k for k in ("enum", "bitfield", "bytes", "struct", "vector") if k in node]
         if len(kinds) != 1:
             wanted = "exactly one of enum, bitfield, bytes, struct, vector"
@@ -159,7 +159,7 @@ class Types:
         several = []
         for name, entry in node.items() if node else ():
             if isinstance(entry.value, dict) and ("bit" in entry) == ("bits" in entry):
-                self.problems.add(entry.position, f"'{name}' needs one bit, bit: 3, or a range of them, bits: 3-5")
+                self.problems.add(entry.position, f"'{name}' needs one bit, bit: 3, or a range of bits, bits: 3-5")
                 several.append(_nowhere(name))
                 continue
             span = self._span(name, entry.get("bits") or entry.get("bit") or entry, width)
@@ -177,7 +177,7 @@ class Types:
         return tuple(several)
 
     def _span(self, name: str, span: Node, width: int) -> tuple[int, int] | None:
-        """The lowest and the highest bit, from 3 or 3-5."""
+        """Parses the lowest and the highest bit from 3 or 3-5."""
         parts = re.fullmatch(r"([0-9]{1,4})(?:-([0-9]{1,4}))?", str(span.value))
         if parts is None:
             self.problems.add(span.position, f"'{name}': '{span.value}' is not a bit; write 3, or 3-5 for a range")
@@ -209,7 +209,7 @@ class Types:
                     self.problems.add(entry.position, f"'{name}' has no bits in {entry.value}; correct the range")
                 for bit in chosen:
                     if (own and bit.name in own) or any(b.name == bit.name for b in several):
-                        twice = f"'{bit.name}' of '{name}' is here already; leave it out of {entry.value}"
+                        twice = f"'{bit.name}' of '{name}' is already defined here; remove it from {entry.value}"
                         self.problems.add(entry.position, twice)
                     else:
                         several.append(replace(bit, position=entry.position))
@@ -239,18 +239,18 @@ class Types:
         whole: Node | None = None,
         unknown: str = "",
     ) -> Record:
-        """The layout of these parameters. `functions`: letters of a command that has a selector.
-        `plain`: a response that repeats its command's parameters, where presence plays no part.
-        `inside`: a structure, whose parameters are always there.
-        `whole`: the field, whose `valid` holds for all values that have none of their own.
-        `unknown`: letters of the command that no function has."""
+        """Resolves the layout of these parameters. `functions`: the letters of a command with a selector.
+        `plain`: a response that repeats its command's parameters, whose presence does not matter.
+        `inside`: a structure, whose parameters are always present.
+        `whole`: the field, whose `valid` applies to all values without their own.
+        `unknown`: letters of the command that belong to no function."""
         build = Layout(self, owner, functions, plain, inside, whole, unknown=unknown)
         for node in self.included(nodes, owner):
             build.add(node)
         return build.finish()
 
     def included(self, nodes: Sequence[Node], owner: str | None) -> Iterator[Node]:
-        """The parameters, with those of a part in place of its name."""
+        """Replaces the name of each part by its parameters."""
         parts = self.parts.get(owner or "", {})
         for node in nodes:
             name = node.scalar("include")
@@ -264,7 +264,7 @@ class Types:
                 self.problems.add(node["include"].position, f"unknown part '{name}'{near}")
 
     def unused(self) -> None:
-        """Reports the parts that nothing includes: their parameters are never looked at."""
+        """Reports the parts that are not included anywhere, because their parameters are never checked."""
         for owner, parts in self.parts.items():
             for name, node in parts.items():
                 if (owner, name) not in self._included:
@@ -272,5 +272,5 @@ class Types:
 
 
 def _nowhere(name: str) -> m.Bits:
-    """A substitute for a bit whose number is wrong, so that references to it are not reported, too."""
+    """A substitute for a bit whose number is wrong, so that references to it are not reported as well."""
     return m.Bits(name, 0, 0, "", alias=True)

@@ -1,9 +1,9 @@
-"""Differences by device, or with one value of a sibling.
+"""Differences by device, or by the value of a sibling parameter.
 
 A variant states the same facts as a parameter (unit, frame, range, default, description, ...). It may
-name the type that defines the meaning of a plain number, or state which values there are, or that they are
-not known. Those by sibling are given in the set file, those by device in the device's file. What
-differs may be a member of a structure: a difference by a parameter outside of it is stated where the
+name the type that defines the meaning of a plain number, list the values that exist, or state that they are
+unknown. Variants by sibling are in the set file, variants by device in the device's file. A member of a
+structure may differ: if a parameter outside of the structure decides, the variant is stated where the
 structure is used.
 """
 
@@ -21,13 +21,13 @@ from . import meaning
 from .meaning import Problem
 from .vocabulary import Vocabulary
 
-#: In place of a difference: it is not known.
+#: Instead of a difference: the values are unknown.
 UNKNOWN = "unknown"
 
 
 @dataclass(frozen=True, slots=True)
 class Scope:
-    """The names that a variant may refer to where it is given."""
+    """The names to which a variant may refer."""
 
     words: Vocabulary
     find: Callable[[str, m.Position | None], m.Type | None]  # a type by its name
@@ -41,7 +41,7 @@ def differs_by_device(node: Node, p: m.Parameter, problem: Problem) -> bool:
         return False
     for key in ("cases", "member"):
         if key in spec:
-            problem(spec.keys[key], f"what '{p.name}' is on a device is said in the file of the device; remove {key}")
+            problem(spec.keys[key], f"the meaning of '{p.name}' on a device belongs in the device's file; remove {key}")
     return True
 
 
@@ -57,7 +57,7 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
         scope.problem(by.position, f"'{by.value}' is neither '{m.DEVICE}' nor an enumeration beside '{p.name}'{near}")
         return ()
     if "cases" not in spec:
-        scope.problem(spec.position, f"'{p.name}' varies by '{by.value}', but no case says how; add cases")
+        scope.problem(spec.position, f"'{p.name}' varies by '{by.value}', but has no cases; add them")
         return ()
     what = _concerned(spec, p, scope)
     if what is None:
@@ -76,7 +76,7 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
 
 
 def _concerned(spec: Node, p: m.Parameter, scope: Scope) -> m.Parameter | None:
-    """The parameter that differs: itself, or a member of its structure."""
+    """The parameter that differs: `p` itself, or a member of its structure."""
     member = spec.get("member")
     if member is None:
         return p
@@ -88,7 +88,7 @@ def _concerned(spec: Node, p: m.Parameter, scope: Scope) -> m.Parameter | None:
 
 
 def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, scope: Scope) -> m.Variant:
-    """One case."""
+    """Resolves one variant."""
     words, problem = scope.words, scope.problem
     if node.value == UNKNOWN:
         return m.Variant(by, key, value, unknown=True)
@@ -116,7 +116,7 @@ def variant(node: Node, p: m.Parameter, by: str, key: str, value: int | None, sc
 
 
 def _constant(node: Node, p: m.Parameter, problem: Problem) -> int | None:
-    """The only value that a number has."""
+    """Resolves `const`, the only value of a number."""
     if "const" not in node:
         return None
     value: int = node["const"].value
@@ -130,7 +130,7 @@ def _constant(node: Node, p: m.Parameter, problem: Problem) -> int | None:
 
 
 def _only(node: Node, p: m.Parameter, t: object, problem: Problem) -> tuple[m.EnumValue | m.Bits, ...]:
-    """The values of an enumeration, or the bits of a bitfield, that exist."""
+    """Resolves the values of an enumeration, or the bits of a bitfield, that a device has."""
     parts: list[m.EnumValue | m.Bits] = []
     for part, kind, what in (("values", m.Enum, "an enumeration"), ("bits", m.Bitfield, "a bitfield")):
         if part not in node:
@@ -149,7 +149,7 @@ def _only(node: Node, p: m.Parameter, t: object, problem: Problem) -> tuple[m.En
 
 
 def _reading(node: Node, p: m.Parameter, scope: Scope) -> m.Enum | m.Bitfield | None:
-    """The type that names the values or bits of a number."""
+    """Resolves the type that names the values or bits of a number."""
     entry = node.get("type")
     if entry is None:
         return None

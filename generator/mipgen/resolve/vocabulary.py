@@ -17,7 +17,7 @@ class Vocabulary:
     """Units, frames, manuals, devices and function selectors."""
 
     units: Collection[str]
-    frames: dict[str, tuple[str, ...]]  # and the elements of vectors in them, if not x, y, z
+    frames: dict[str, tuple[str, ...]]  # frame -> the elements of its vectors, if not x, y, z
     manuals: dict[str, m.Manual]
     devices: set[str]
     functions: tuple[m.Function, ...]
@@ -29,7 +29,7 @@ class Vocabulary:
 
 
 def sentences(node: Node, key: str) -> tuple[str, ...]:
-    """A list of sentences: `notes`, or what is `uncertain`."""
+    """A list of sentences, such as `notes` or `uncertain`."""
     return tuple(node[key].plain()) if key in node else ()
 
 

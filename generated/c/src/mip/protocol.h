@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/** What a settings command is asked to do. */
+/** The operation that a settings command requests. */
 enum mip_function_selector MIP_ENUM_8 {
     /** Apply the new setting. */
     MIP_FUNCTION_SELECTOR_WRITE = 1,

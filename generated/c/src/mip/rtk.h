@@ -89,8 +89,8 @@ MIP_API const char *mip_rtk_led_action_name(uint8_t value);
  *
  * Gets the state of the modem and of the corrections.
  *
- * No device is certain to support it. Answered by mip_rtk_get_status_flags_response. Known only
- * from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Answered by mip_rtk_get_status_flags_response.
+ * Known only from the MicroStrain MIP SDK.
  *
  * The word of the response has two forms, mip_rtk_status_flags and mip_rtk_status_flags_legacy.
  *
@@ -126,8 +126,8 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_encode(
 /**
  * Get status flags response: response (0x0F,0x81).
  *
- * No device is certain to support it. Answers mip_rtk_get_status_flags. Known only from the
- * MicroStrain MIP SDK.
+ * No device is known for certain to support it. Answers mip_rtk_get_status_flags. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
@@ -583,7 +583,7 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encod
  *
  * Reads the code that activates the modem for its service.
  *
- * No device is certain to support it. Also called `get_act_code`. Answered by
+ * No device is known for certain to support it. Also called `get_act_code`. Answered by
  * mip_rtk_get_activation_code_response. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -618,7 +618,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
 /**
  * Get activation code response: response (0x0F,0x87).
  *
- * No device is certain to support it. Also called `get_act_code_response`. Answers
+ * No device is known for certain to support it. Also called `get_act_code_response`. Answers
  * mip_rtk_get_activation_code. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -729,7 +729,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_
  *
  * Queries a correction server about the connection, which also keeps it open.
  *
- * Answered by mip_rtk_service_status_response. Sent by the device; the host answers. Not listed in
+ * Answered by mip_rtk_service_status_response. Sent by the device; the host replies. Not listed in
  * any device profile. Known only from the MicroStrain MIP SDK.
  *
  * The modem sends it as a host would, and the server replies as a device would.

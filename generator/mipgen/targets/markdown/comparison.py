@@ -1,7 +1,7 @@
 """Compares devices: commands, data, rates, and the meaning of values.
 
-Tables have a column for each device of which fields are known. For the others, too many for columns, a list shows the
-fields that they probably have. Fields of which nothing is known are distinguished from those that a device lacks.
+The tables have a column for each device with known fields. For the other devices, too many for columns, a list shows
+the fields that they probably support. Unknown support is distinguished from no support.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Section:
 
 
 def compared(model: m.Model) -> list[m.Device]:
-    """The devices that have columns: those that certainly support something."""
+    """The devices that have columns: those with certain fields."""
     return [d for d in _by_generation(model) if d.certain]
 
 
@@ -53,7 +53,7 @@ def _by_generation(model: m.Model) -> list[m.Device]:
 
 
 def generations(page: Page) -> list[Section]:
-    """All devices, and the completeness of their profiles."""
+    """Lists all devices, with the completeness of their profiles."""
     headings = [
         "Device",
         "Also called",
@@ -88,7 +88,7 @@ def _device(page: Page, d: m.Device) -> list[str]:
 
 
 def known(d: m.Device) -> str:
-    """The state of knowledge about a device."""
+    """The completeness of a device's profile."""
     if not d.certain:
         return "by name"
     return "in part" if d.incomplete else "whole"
@@ -114,7 +114,7 @@ def fields(page: Page, role: m.Role) -> list[Section]:
 
 
 def supported(d: m.Device, s: m.Support | None) -> str:
-    """The support of a field on a device: its functions there, if it has any."""
+    """Words the support of a field on a device: its functions there, if it has any."""
     if s is None:
         return missing(d)
     if s.evidence.answer == "no":
@@ -125,7 +125,7 @@ def supported(d: m.Device, s: m.Support | None) -> str:
 
 
 def missing(d: m.Device) -> str:
-    """The mark of a field that a profile does not name: the device lacks it only if the profile is complete."""
+    """The mark of a field that a profile does not name: NO only if the profile is complete."""
     return UNKNOWN if d.absent == "unknown" else NO
 
 
@@ -136,14 +136,14 @@ def units(f: m.Field) -> list[str]:
 
 
 def perhaps(page: Page, role: m.Role) -> str:
-    """Lists the devices without columns that probably have it; empty if there are none."""
+    """Lists the devices without columns, with their probable fields; empty if none has any."""
     rows = []
     for d in others(page.model):
         fields = [s.field for s in d.supports if s.field.role == role]
         generation = UNKNOWN if d.generation is None else str(d.generation)
         refused = [s.field for s in d.refuses if s.field.role == role]
         rows.append([page.link(d), generation, page.links(fields) or UNKNOWN, page.links(refused)])
-    headings = ["Device", "Generation", "Probable", "Refused"]
+    headings = ["Device", "Generation", "Probable", "Not supported"]
     return table(rows, headings) if any(row[2] != UNKNOWN for row in rows) else ""
 
 
@@ -151,7 +151,7 @@ def perhaps(page: Page, role: m.Role) -> str:
 
 
 def rates(page: Page) -> list[Section]:
-    """The limits on the data that a device can send."""
+    """Tables of base rates, ports, baud rates and limits."""
     model = page.model
     ports = dict.fromkeys(p.name for d in compared(model) for p in d.ports)
     bauds = sorted({baud for d in compared(model) for p in d.ports for baud in p.baud_rates})
@@ -184,7 +184,7 @@ def _matrix(
 
 
 def _rate(d: m.Device, s: m.Set) -> str:
-    """The base rate; it is not known where a device has the set and no rate is given."""
+    """The base rate; unknown if a device has the set but no rate is documented."""
     has = any(x.set == s.number for x in d.supports)
     return base_rate(d, s) or (UNKNOWN if has else missing(d))
 
@@ -219,7 +219,7 @@ def _limit(page: Page, d: m.Device, name: str) -> str:
 
 
 def meanings(page: Page) -> str:
-    """The parameters that mean something else on some devices."""
+    """Lists the parameters with a different meaning on some devices."""
     rows = [
         [page.link(f), code(p.name), page.say(said), page.links(devices)] for f, p, said, devices in _differing(page)
     ]

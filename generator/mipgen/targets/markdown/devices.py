@@ -11,13 +11,13 @@ from .text import code, hexadecimal, inline, opening, table
 
 
 def supported(page: Page, d: m.Device, s: m.Set) -> str:
-    """The fields of a set that a device supports, with the functions that it accepts; empty if there are none."""
+    """Lists the fields of a set that a device supports, with the functions that it accepts; empty if there are none."""
     rows = [entry(page, x.field, x.functions, d) for x in d.certain if x.set == s.number]
     return table(rows, ENTRY) if rows else ""
 
 
 def evident(page: Page, d: m.Device, answer: m.Answer) -> list[tuple[str, str]]:
-    """The fields that a device probably supports, or that it lacks, in a table for each evidence."""
+    """Lists the fields that a device probably supports, or does not, in one table for each piece of evidence."""
     tables = []
     for e in d.evidence:
         rows = []
@@ -32,7 +32,7 @@ def evident(page: Page, d: m.Device, answer: m.Answer) -> list[tuple[str, str]]:
 
 
 def witnesses(page: Page, d: m.Device) -> str:
-    """The sources of certain fields, if there are others than the manual of the device."""
+    """Lists the sources of the certain fields, unless the device's manual is the only one."""
     said = [(e, sum(x.evidence == e for x in d.supports)) for e in d.evidence if e.answer == "yes"]
     if all(e == m.Evidence("documented") for e, _ in said):
         return ""
@@ -45,7 +45,7 @@ def _undefined(e: m.Evidence) -> str:
 
 
 def differing(page: Page, d: m.Device) -> str:
-    """The commands that accept other functions on a device than their definition states."""
+    """Lists the commands that accept other functions on a device than in their definition."""
     differing = [s for s in d.supports if s.differs]
     rows = [[page.link(s.field), code(m.letters(s.functions)), code(m.letters(s.field.functions))] for s in differing]
     return table(rows, ["Command", "Functions on this device", "All functions"]) if rows else ""
@@ -65,7 +65,7 @@ def remarks(page: Page, d: m.Device) -> list[str]:
 
 
 def listed(page: Page) -> str:
-    """All devices, by the completeness of their profiles."""
+    """Lists all devices, grouped by the completeness of their profiles."""
     whole = [d for d in page.model.devices if not d.incomplete]
     part = [d for d in page.model.devices if d.incomplete and d.certain]
     named = [d for d in page.model.devices if d.incomplete and not d.certain]
@@ -80,7 +80,8 @@ def listed(page: Page) -> str:
         headings = [*IDENTITY, "Certain fields", "Probable fields", "Description"]
         parts.append("### Some fields are known\n\n" + table(rows, headings))
     if named:
-        parts.append("### Known by name\n\nTheir fields are probable, because devices of the same family have them.\n")
+        about = "None of their fields is certain. Their pages list the probable fields, with the evidence."
+        parts.append(f"### Known by name\n\n{about}\n")
         for generation in sorted({d.generation for d in named}, key=lambda x: -(x or 0)):
             title = "Generation not known" if generation is None else f"Generation {generation}"
             links = ", ".join(_named(page, d) for d in named if d.generation == generation)
@@ -96,7 +97,7 @@ def _identity(page: Page, d: m.Device) -> list[str]:
 
 
 def _named(page: Page, d: m.Device) -> str:
-    """A device of which nothing is certain: its link, its other names and its number."""
+    """A device without certain fields: its link, its other names and its number."""
     more = [*map(inline, d.also), *([] if d.model_number is None else [str(d.model_number)])]
     return page.link(d) + (f" ({', '.join(more)})" if more else "")
 
@@ -106,7 +107,7 @@ def hertz(rate: m.Rate) -> str:
 
 
 def base_rate(d: m.Device, s: m.Set) -> str:
-    """The rate at which a device samples a set; empty if none is stated."""
+    """The base rate of a set on a device; empty if none is documented."""
     return next((hertz(r) for r in d.base_rates if r.set.number == s.number), "")
 
 
@@ -115,13 +116,13 @@ def base_rates(page: Page, d: m.Device) -> str:
 
 
 def rates_of_set(page: Page, s: m.Set) -> str:
-    """The rates at which the devices sample a set."""
+    """Lists the base rates of a set on all devices."""
     rows = [[page.link(d), rate] for d in page.model.devices if (rate := base_rate(d, s))]
     return table(rows, ["Device", "Base rate"]) if rows else ""
 
 
 def protocols(of: m.Port, names: tuple[str, ...]) -> str:
-    """Protocols of a port, with the firmware that has them."""
+    """Protocols of a port, with the firmware that supports them."""
     versions = {f.protocol: f.versions for f in of.firmware}
     return ", ".join(inline(f"{x} (firmware {versions[x]})" if x in versions else x) for x in names)
 
@@ -152,7 +153,7 @@ def limits(page: Page, d: m.Device) -> str:
 
 
 def variants(page: Page, d: m.Device) -> str:
-    """The parameters that mean something else on a device."""
+    """Lists the parameters with a different meaning on a device."""
     rows = []
     for v in d.variants:
         said = describe.difference(v.variant, v.parameter, v.field, page.model)
@@ -161,7 +162,7 @@ def variants(page: Page, d: m.Device) -> str:
 
 
 def note_table(note: m.Note) -> str:
-    """The rows of a note, the first as the heading; short rows are filled up."""
+    """A note's rows as a table; the first row is the heading, and short rows are padded."""
     width = max(map(len, note.rows))
     head, *rows = [[*map(inline, row), *[""] * (width - len(row))] for row in note.rows]
     return "\n".join("| " + " | ".join(row) + " |" for row in [head, ["---"] * width, *rows])

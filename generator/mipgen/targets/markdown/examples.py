@@ -27,17 +27,17 @@ class Piece:
 
 @dataclass(frozen=True, slots=True)
 class Around:
-    """The record that a value belongs to, and the device that sends or receives it."""
+    """The record around a value, and the device that sends or receives it."""
 
     parameters: Sequence[m.Parameter]
     values: Mapping[str, Any]
     device: m.Device | None
     model: m.Model
     page: Page
-    fields_of: int | None = None  # the set whose field descriptors it holds
+    fields_of: int | None = None  # the set to which the record's field descriptors belong
 
     def inside(self, p: m.Parameter, inner: m.Struct, values: Mapping[str, Any]) -> Around:
-        """A structure in it."""
+        """The surroundings of the values in a nested structure."""
         number = descriptors.set_of(p, self.values, self.model)
         return replace(self, parameters=inner.parameters, values=values, fields_of=number)
 
@@ -46,12 +46,12 @@ class Around:
 
 
 def device(page: Page, x: m.Example) -> m.Device | None:
-    """The device that sends or receives it; None also if a part of a specification lacks the device."""
+    """The device that sends or receives an example; also None if a partial specification lacks the device."""
     return page.model.device(x.device.id) if x.device else None
 
 
 def right_bytes(x: m.Example) -> str:
-    """The correct bytes: those of the field, if the manual shows it without a packet."""
+    """The correct bytes: only the field's bytes if the manual shows it without a packet."""
     return spaced(x.packet[4:-2] if x.role == "field" else x.packet)
 
 
@@ -71,7 +71,7 @@ class Part:
 
 
 def parts(model: m.Model) -> list[Part]:
-    """A page for each manual and family, in the order in which the manual prints the packets: that of its sections."""
+    """One page for each manual and family. The examples are in the order of the manual's sections."""
     found = []
     for manual in model.protocol.manuals:
         order = {section: i for i, section in enumerate(manual.sections)}
@@ -113,7 +113,7 @@ def pieces(page: Page, f: m.Field) -> list[Piece]:
 
 
 def printed(page: Page, f: m.Field) -> list[m.Example]:
-    """The examples in the manuals of a command or a data field and its responses."""
+    """The manuals' examples of a command or a data field, and of its responses."""
     return list({x.id: x for g in on_page(page, f) for x in page.index.examples(g)}.values())
 
 
@@ -195,7 +195,7 @@ def _hexadecimal(p: m.Parameter, value: int, around: Around) -> str:
 
 
 def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:
-    """The variants that apply here: for the device, or for the value of a sibling."""
+    """The variants that apply here, by the device or by the value of a sibling."""
     device = around.device.id if around.device else None
     return [v for v in p.variants if (v.key == device if v.by_device else v.value == around.values.get(v.by))]
 

@@ -14,7 +14,7 @@ from mipgen.lower.extent import Extent, totals
 from .places import Page
 from .text import code, hexadecimal, inline, opening, table
 
-#: Facts that tables have, and those with sections of their own.
+#: Facts that are in tables, and facts with sections of their own.
 TABLED = ("functions", "responses")
 RELATIONS = ("affects", "may_affect", "affected", "flags")
 DEVICES = ("devices", "perhaps", "refused", "deprecation", "firmware", "support")
@@ -34,12 +34,12 @@ def notes(page: Page, f: m.Field) -> list[str]:
 
 
 def relations(page: Page, f: m.Field) -> list[str]:
-    """The fields that a field changes, those that change it, and the flags that concern it."""
+    """The fields that a field changes, the fields that change it, and the flags that concern it."""
     return _listed(page, f, *RELATIONS)
 
 
 def on_devices(page: Page, f: m.Field) -> list[str]:
-    """The devices that have a field, and the differences there."""
+    """The devices that support a field, and their differences."""
     return _listed(page, f, *DEVICES)
 
 
@@ -62,7 +62,7 @@ def length(parameters: Sequence[m.Parameter], head: int = 2) -> str:
 
 
 def field_length(f: m.Field) -> str:
-    """The length of a field that has no selector."""
+    """The length of a field without a function selector."""
     (call,) = f.calls
     required, whole = length(call.required), length(f.parameters)
     return whole if required == whole else f"{required}; {whole} with all optional parameters"
@@ -72,7 +72,7 @@ def field_length(f: m.Field) -> str:
 
 
 def whole_packet(model: m.Model, f: m.Field, c: m.Call) -> bytes | None:
-    """The only packet of a form that leaves nothing to choose."""
+    """The packet of a form without values to choose; None if it has some."""
     if any(p.constant is None for p in c.required):
         return None
     values = {"function": c.function.value} if c.function else {}
@@ -80,7 +80,7 @@ def whole_packet(model: m.Model, f: m.Field, c: m.Call) -> bytes | None:
 
 
 def checksum_steps(model: m.Model) -> list[dict[str, Any]]:
-    """The checksum of the first command that leaves nothing to choose, byte by byte."""
+    """The checksum of the first command without values to choose, byte by byte."""
     calls = ((f, c) for f in model.fields if f.role == m.COMMAND for c in f.calls)
     packet = next((p for f, c in calls if (p := whole_packet(model, f, c)) is not None), b"")
     sums = [codec.checksum(packet[: i + 1]) for i in range(len(packet[:-2]))]
@@ -106,7 +106,7 @@ def entry(page: Page, f: m.Field, functions: Sequence[m.Function], d: m.Device |
 
 
 def contents(page: Page, s: m.Set, listed: bool = True) -> str:
-    """The commands or data fields of a set that some device is known to have, or the others; may be empty."""
+    """Lists the commands or data fields of a set that some device supports, or the others; may be empty."""
     rows = [
         [
             *entry(page, f, f.functions),
@@ -121,7 +121,7 @@ def contents(page: Page, s: m.Set, listed: bool = True) -> str:
 
 
 def _listed_in(model: m.Model, f: m.Field, s: m.Set) -> bool:
-    """Has a device the field in this set, or probably? Without devices, nothing is known of any."""
+    """True if a device supports the field in this set, at least probably. A model without devices counts as support."""
     has = any(model.devices_of(f, certain, s.number) for certain in (True, False))
     return has or not model.devices
 
@@ -158,12 +158,12 @@ def named(page: Page, s: m.Set) -> str:
 
 
 def uncertain(page: Page, thing: m.Set | m.Family | m.Type) -> list[str]:
-    """The uncertainties about a set or a type; a field has them among its facts."""
+    """The uncertainties about a set or a type; those of a field are among its facts."""
     return [opening(page.say(x.sentence)) for x in describe.uncertain(thing, page.model)]
 
 
 def asked(fields: Sequence[m.Field]) -> list[m.Field]:
-    """The fields that are not responses; these are with their commands."""
+    """The fields that are not responses; responses are shown with their commands."""
     return [f for f in fields if f.role != m.RESPONSE]
 
 
@@ -173,5 +173,5 @@ def on_page(page: Page, f: m.Field) -> list[m.Field]:
 
 
 def own_responses(page: Page, f: m.Field) -> list[m.Field]:
-    """The responses that are described with a command: it defines them."""
+    """The responses that a command defines, which are described on its page."""
     return [r for r in page.model.responses(f) if r.command == f.name]

@@ -1,4 +1,4 @@
-"""Frames of reference: the directions of their axes, and the frames that other software uses."""
+"""Frames of reference: the directions of their axes, and the frames of other software."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def conversions(page: Page, model: m.Model) -> str:
 
 # --------------------------------------------------------------------------- drawings
 
-#: The directions of axes -> where they point on paper, seen from behind, above and the left.
+#: Direction of an axis -> its direction on paper, seen from behind, above and the left.
 PAPER = {
     "forward": (0.8, -0.5), "north": (0.8, -0.5), "prime_meridian": (-0.45, 0.7),
     "right": (0.8, 0.45), "east": (0.8, 0.45), "east_meridian": (0.45, 0.4),
@@ -86,7 +86,7 @@ def _arrow(name: str, axis: str, end: tuple[float, float]) -> Arrow:
 
 
 def drawn(model: m.Model) -> list[tuple[str, str, list[Arrow]]]:
-    """The frames that can be drawn, and those of other software: the name of the file, the title, the axes."""
+    """The frames that can be drawn, then frames of other software: file name, title, axes."""
     frames = [(f.symbol, f.title, f.axes) for f in model.protocol.frames]
     others = {(c.title, c.axes) for f in model.protocol.frames for c in f.conversions}
     frames += [("-".join(axes), title, axes) for title, axes in sorted(others)]

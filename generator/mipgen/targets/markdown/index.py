@@ -1,4 +1,4 @@
-"""References to a thing: errata, examples and users, each found once."""
+"""Reverse references: the errata, examples, guides and users of a thing, each computed once."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Index:
     # ----------------------------------------------------------------------- errata
 
     def errata(self, f: m.Field) -> list[m.Erratum]:
-        """The errata of the sections that a field cites, of the lengths given for it, and of its examples."""
+        """The errata of the sections that a field cites, of its printed lengths, and of its examples."""
         errata = [e for s in f.sources for e in self.errata_of_length(f, s.manual)]
         errata += [e for x in self.examples(f) for e in self.errata_of_example(x)]
         if f.role != m.RESPONSE:  # a response cites the sections of its command
@@ -36,7 +36,7 @@ class Index:
         return sorted({e.id: e for e in errata}.values(), key=lambda e: e.id)
 
     def errata_naming(self, f: m.Field) -> list[m.Erratum]:
-        """Further errata whose texts name a field: they mention it besides their own subject."""
+        """Further errata whose texts mention a field besides their own subject."""
         own = {e.id for e in self.errata(f)}
         return list({e.id: e for e in self._naming.get(f.full_name, ()) if e.id not in own}.values())
 
@@ -69,7 +69,7 @@ class Index:
 
     @kept
     def _naming(self) -> dict[str, list[m.Erratum]]:
-        """The errata whose texts name a field, be they in its section or not."""
+        """Field -> the errata whose texts name it, in its section or elsewhere."""
         pairs = [(name, e) for e in self.model.errata for name in e.named]
         return _grouped((f.full_name, e) for name, e in pairs if (f := self.model.field(name)) is not None)
 
@@ -84,7 +84,7 @@ class Index:
         return list({x.id: x for x in self._examples.get(f.full_name, ())}.values())
 
     def shown(self, x: m.Example, part: m.ExampleField) -> list[str]:
-        """The fields that a part of an example shows: itself; of an acknowledge, the command that it answers."""
+        """The fields that a part of an example shows: the field, or the command that an acknowledge answers."""
         if part.field != self.model.protocol.acknowledge.full_name or not part.data:
             f = self.model.field(part.field) if part.field else None
             return [f.full_name] if f else []
@@ -104,7 +104,7 @@ class Index:
     # ----------------------------------------------------------------------- users of types
 
     def users(self, t: m.Type) -> list[User]:
-        """The fields and types that have parameters, bits or variants of a type."""
+        """The fields and types with parameters, bits or variants of a type."""
         return self._users.get(_name(t), [])
 
     @kept
@@ -119,7 +119,7 @@ class Index:
 
 
 def _name(thing: m.Type | m.Field) -> tuple[str | None, str]:
-    """A key: a field and a type of its set never have the same name."""
+    """A key; it is unique because a field and a type of its set never have the same name."""
     return thing.owner, thing.name
 
 

@@ -1,4 +1,4 @@
-"""Indexes: by descriptor, name, type, unit, symbol of a language, and by the names that the vendor uses."""
+"""Indexes by descriptor, name, type, unit, symbol of a language, and the vendor's name."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .text import code, hexadecimal, inline, table
 
 
 def index(page: Page, name: str) -> list[Section]:
-    """One of `places.INDEXES`."""
+    """Composes one of `places.INDEXES`."""
     language = next((x for x in LANGUAGES if x.name == name), None)
     if language is not None and language.symbols is not None:
         return of_language(page, language.symbols(page.model))
@@ -27,7 +27,7 @@ def index(page: Page, name: str) -> list[Section]:
 
 
 def descriptors(page: Page) -> list[Section]:
-    """Every descriptor of every set in order, also those without a layout."""
+    """Lists every descriptor of every set in order, including those without a layout."""
     headings = ["Descriptor", "Short", "Field", "Name", "Role"]
     ack = page.model.protocol.acknowledge
     acknowledge = Section("Every command set", table([_described(page, ack, 0)], headings))
@@ -49,7 +49,7 @@ def _described(page: Page, f: m.Field, number: int) -> list[str]:
 
 
 def _spelled(set_: int, descriptor: int) -> list[str]:
-    """Both ways of writing it; the acknowledge has no set of its own."""
+    """Set and descriptor in both notations; for the acknowledge field, which has no set of its own, the descriptor."""
     one = hexadecimal(descriptor)
     return [code(f"{hexadecimal(set_)},{one}"), code(f"{hexadecimal(set_)}{one[2:]}")] if set_ else [code(one), ""]
 
@@ -58,7 +58,7 @@ def _spelled(set_: int, descriptor: int) -> list[str]:
 
 
 def names(page: Page) -> list[Section]:
-    """Every field by its title."""
+    """Lists every field by its title."""
     rows = [
         (f.title, [page.link(f), code(f.full_name), f.role])
         for f in (page.model.protocol.acknowledge, *page.model.fields)
@@ -67,7 +67,7 @@ def names(page: Page) -> list[Section]:
 
 
 def type_users(page: Page) -> list[Section]:
-    """Every type, and the fields and types that use it."""
+    """Lists every type, and the fields and types that use it."""
     rows = [
         (t.name, [page.link(t), inline(getattr(t, "owner", None) or ""), types.nature(t), users(page, t)])
         for t in page.model.all_types
@@ -80,7 +80,7 @@ def users(page: Page, t: m.Type) -> str:
 
 
 def vendor(page: Page) -> list[Section]:
-    """The names that others use for fields and devices."""
+    """Lists other names of fields and devices."""
     rows = [
         (name, [code(name), page.link(f), code(f.full_name)])
         for f in (page.model.protocol.acknowledge, *page.model.fields)
@@ -102,7 +102,7 @@ def lettered(rows: Iterable[tuple[str, Sequence[str]]], headings: Sequence[str])
 
 
 def units(page: Page) -> list[Section]:
-    """For each unit the parameters that have it, those of a device's own included."""
+    """Lists, for each unit, the parameters that use it, also on single devices."""
     by_unit: dict[str, list[list[str]]] = {u.symbol: [] for u in page.model.protocol.units}
     for f in (page.model.protocol.acknowledge, *page.model.fields):
         of_field: dict[str, dict[str, None]] = {}
@@ -119,7 +119,7 @@ def units(page: Page) -> list[Section]:
 
 
 def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
-    """Units, and links to the parameters that have them."""
+    """The units in a field, each with a link to a parameter that uses it."""
     for row in layout(f):
         if row.parameter is None:
             continue

@@ -1,4 +1,4 @@
-"""Places of the parameters in the data of a field: offsets and sizes, which may depend on counters."""
+"""Offsets and sizes of the parameters in the data of a field; they may depend on counters."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ BEGIN = Extent()
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """A parameter at its place."""
+    """A parameter with its offset."""
 
-    name: str  # with those of the records around it: "parameters.gpio.pin"
+    name: str  # with the names of the records around it: "parameters.gpio.pin"
     offset: Extent
     size: Extent | None  # None: it reaches to the end of the field, or is a union
     parameter: m.Parameter | None  # None: the empty alternative of a union
-    record: m.Record  # the field or structure that it belongs to
+    record: m.Record  # the field or structure that contains it
     case: tuple[m.Case, m.Parameter] | None = None  # it is this alternative of that union
 
     def beside(self, name: str) -> str:
@@ -31,7 +31,7 @@ class Row:
 
 
 def layout(record: m.Record, at: Extent = BEGIN, prefix: str = "", depth: int = 0) -> Iterator[Row]:
-    """Every parameter at its place, with what is inside structures and unions."""
+    """Every parameter with its offset, including those inside structures and unions."""
     for p in record.parameters:
         row = Row(prefix + p.name, at, exact(p, prefix), p, record)
         yield row

@@ -1,4 +1,4 @@
-"""Whole packets: the forms of a command, each as a packet that is ready to be sent, and the meaning of each byte."""
+"""Complete packets: the forms of a command, each as a packet ready to be sent, and the meaning of each byte."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .text import code, spaced, table
 
 
 def forms(page: Page, f: m.Field) -> str:
-    """The forms of a command, one for each function, or just one: packets with typical values, and the replies. A
+    """Lists the forms of a command, one for each function or just one: packets with typical values, and the replies. A
     function that no device is known to accept has no packet."""
     samples = page.index.samples
     headings = ["Packet", "Required parameters", "Optional parameters", "Field length", "Reply"]
@@ -46,7 +46,7 @@ def _reply(page: Page, f: m.Field, function: m.Function | None) -> str:
 
 
 def ruler(page: Page, f: m.Field) -> str:
-    """A packet with typical values, part by part; those of parameters link to their descriptions."""
+    """A packet with typical values, part by part; the parameters' bytes link to their descriptions."""
     samples, model = page.index.samples, page.model
     data = samples.data(f, examples.typical(page, f))
     head = b""
@@ -73,7 +73,7 @@ def _anchored(page: Page, f: m.Field) -> Iterable[tuple[examples.Piece, str]]:
 
 
 def path(piece: examples.Piece) -> str:
-    """The parameter that a piece shows, or an element of.
+    """The path of the parameter of which a piece shows a value or an element.
 
     >>> path(examples.Piece(b"", "`list[2].rate`", ""))
     'list.rate'
@@ -85,8 +85,8 @@ def path(piece: examples.Piece) -> str:
 
 
 def replies(page: Page, f: m.Field) -> str:
-    """The packets with which a command is acknowledged and rejected; empty if it is not answered. Those with a response
-    of its own are with that."""
+    """The packets that acknowledge and reject a command; empty if it is not answered. Packets with a response that the
+    command defines are shown with that response."""
     if f.functions and not any(x.reply for x in f.functions):
         return ""
     first, second, *_ = page.model.protocol.ack_code.values
@@ -104,6 +104,6 @@ def replies(page: Page, f: m.Field) -> str:
 
 
 def acknowledge(model: m.Model, f: m.Field, value: int, *responses: tuple[int, bytes]) -> bytes:
-    """A packet that acknowledges a command, or rejects it, and what follows in it."""
+    """A packet that acknowledges or rejects a command, with further fields."""
     ack = model.protocol.acknowledge
     return codec.build(model, f.set, [(ack.descriptor, bytes([f.descriptor, value])), *responses])

@@ -1,4 +1,4 @@
-"""The parameters of a field or a structure: a table, and texts that are too long for one."""
+"""The parameters of a field or a structure: a table, and texts that are too long for it."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ class _Row:
 
     @property
     def same(self) -> tuple[object, ...]:
-        """The statements about it that do not depend on its place."""
+        """The statements about it that do not depend on its offset."""
         p = self.row.parameter
         facts = [(x.topic, self.say(x.sentence)) for x in self.facts if x.topic not in ("required", "optional")]
         return (self.row.name, p and p.element, p and p.length, p and p.description, facts)
 
     def ref(self, r: Ref) -> str:
-        """A reference, with the full name of a sibling of the parameter."""
+        """A reference; a sibling of the parameter has its full name."""
         if isinstance(r.thing, m.Bits) or (isinstance(r.thing, m.Parameter) and r.within is self.row.record):
             r = replace(r, words=self.row.beside(r.words))
         return self.page.ref(r)
@@ -101,7 +101,7 @@ class Parameters:
     notes: list[str]  # differences by device or by a sibling, and notes, a line for each
 
 
-#: The most elements of an example that a row shows; the others are alike.
+#: The maximum number of an example's elements in a row; the others are alike.
 SHOWN = 3
 
 
@@ -117,14 +117,14 @@ def parameter_list(page: Page, record: m.Record) -> Parameters:
 
 
 def as_command(page: Page, r: m.Field) -> str:
-    """The parameters of a response in one sentence, if they are those of its command; empty if they are not."""
+    """The parameters of a response in one sentence, if its command has the same parameters; else empty."""
     command = page.model.commands(r)[0]
     others = [x for x in _rows(page, command) if not (x.row.parameter and x.row.parameter.selector)]
     rows = list(_rows(page, r))
     if not rows or r.command != command.name or [x.same for x in rows] != [x.same for x in others]:
         return ""
     names = ", ".join(f'<a id="{x.anchor}"></a>{code(x.row.name)}' for x in rows if x.anchor)
-    place = "from offset 0 on, without the function selector" if command.selector else "at the same offsets"
+    place = "starting at offset 0, without the function selector" if command.selector else "at the same offsets"
     return f"Parameters: as in the command, {place}: {names}."
 
 
@@ -180,7 +180,7 @@ def parameter_values(page: Page, record: m.Record) -> list[Values]:
 
 
 def field_values(page: Page, f: m.Field) -> list[Values]:
-    """The values in a command, or in a data field and its responses."""
+    """The values and bits on the page of a command or a data field."""
     return _values(page, on_page(page, f))
 
 

@@ -1,4 +1,4 @@
-"""Places in the reference: pages, anchors, labels and links."""
+"""Locations in the reference: pages, anchors, labels and links."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ UNITS = "docs/units.md"
 TYPES = "docs/types.md"
 ERRATA = "docs/errata.md"
 EXAMPLES = "docs/examples.md"
-#: Names of the pages that compare devices, and of the indexes -> their titles.
+#: Names of the comparison pages, and of the indexes -> their titles.
 COMPARISON = {
     "overview": "Devices",
     "commands": "Commands",
@@ -47,7 +47,7 @@ INDEXES = {
     "javascript": "Symbols in JavaScript",
 }
 
-#: Things with a place in the reference; a string is the path of a page, maybe with an anchor.
+#: Things with a location in the reference; a string is the path of a page, perhaps with an anchor.
 Thing = m.Set | m.Family | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Guide | Tool | str
 
 
@@ -56,7 +56,7 @@ def set_page(name: str) -> str:
 
 
 def field_page(f: m.Field) -> str:
-    """The page of a command or a data field; a response is on that of the command that defines it."""
+    """The page of a command or a data field; a response is on the page of the command that defines it."""
     return f"docs/fields/{f.family}/{f.command if f.role == m.RESPONSE else f.name}.md"
 
 
@@ -81,13 +81,13 @@ def guide_page(g: Guide) -> str:
 
 
 def examples_page(x: m.Example, model: m.Model) -> str:
-    """The examples of a manual that are packets of one family."""
+    """The page of a manual's examples that are packets of one family."""
     s = model.set(x.set)
     return f"docs/examples/{x.manual}/{s.family if s else hexadecimal(x.set)}.md"
 
 
 def errata_page(e: m.Erratum) -> str:
-    """The errata of a manual that have one severity."""
+    """The page of a manual's errata with one severity."""
     return f"docs/errata/{e.manual}/{e.severity}.md"
 
 
@@ -96,7 +96,7 @@ def tool_page(tool: Tool) -> str:
 
 
 def own_page(thing: m.Set | m.Family | m.Device | Guide | Tool) -> str:
-    """The page that is about a thing as a whole."""
+    """The page that describes a whole thing."""
     match thing:
         case m.Set():
             return set_page(thing.name)
@@ -157,13 +157,13 @@ def label(thing: Thing) -> str:
 
 
 def descriptors(f: m.Field) -> str:
-    """Its set and its descriptor; of a field of several sets its descriptor alone."""
+    """Set and descriptor of a field; for a field of several sets, only its descriptor."""
     several = len(f.occurrences) > 1 or not f.set
     return f"{'' if several else hexadecimal(f.set) + ','}{hexadecimal(f.descriptor)}"
 
 
 def _relative(path: str, page: str) -> str:
-    """The path as a link on a page."""
+    """The path relative to a page."""
     if path == page:
         return ""
     folder, _, name = path.rpartition("/")
@@ -172,14 +172,14 @@ def _relative(path: str, page: str) -> str:
 
 @cache
 def _up(folder: str, start: str) -> str:
-    """The relative path from one folder to another, with a slash after it; there are few, and computing one is slow."""
+    """The relative path between two folders, with a slash after it; cached because there are few and it is slow."""
     way = posixpath.relpath(folder or ".", start or ".")
     return "" if way == "." else f"{way}/"
 
 
 @dataclass(frozen=True)
 class Page:
-    """A page of the manual: links are relative to it."""
+    """A page of the reference: links are relative to it."""
 
     path: str
     index: Index
@@ -206,18 +206,18 @@ class Page:
     # ----------------------------------------------------------------------- text of the specification
 
     def prose(self, text: str) -> str:
-        """A text of the specification; references to fields become links."""
+        """Writes a text of the specification; references to fields become links."""
         return opening(self.say(describe.prose(text, self.model)))
 
     def quotation(self, text: str) -> str:
-        """A quotation of a manual; the descriptors in it become links."""
+        """Writes a quotation of a manual; the descriptors in it become links."""
         return opening(self.say(describe.quotation(text, self.model)))
 
     def say(self, text: describe.Text, ref: Callable[[Ref], str] | None = None) -> str:
         return describe.say(text, ref or self.ref, inline)
 
     def ref(self, r: Ref) -> str:
-        """A reference of `describe`, as Markdown."""
+        """Writes a reference of `describe` as Markdown."""
         match r.thing:
             case m.Field():
                 return self.link(r.thing, None if r.words == r.thing.full_name else inline(r.words))

@@ -1,4 +1,4 @@
-"""Fields that are related to another one."""
+"""Fields that are related to a field."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .places import Page, field_page
 
 
 def related(page: Page, f: m.Field) -> list[m.Field]:
-    """Fields that share its descriptor or its response, or are named where it is described."""
+    """The fields that share a field's descriptor or its response, or that its description names."""
     fields: dict[str, m.Field] = {}
     for g in _related(page, f):
         if g.role != m.RESPONSE and g.set and field_page(g) != field_page(f):

@@ -1,4 +1,4 @@
-"""Programs that use a field, in each language that has a target here."""
+"""Programs that use a field, in each language."""
 
 from __future__ import annotations
 

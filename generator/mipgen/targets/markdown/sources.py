@@ -1,4 +1,4 @@
-"""Statements of the manuals, and their mistakes: citations and errata."""
+"""What the manuals state, and their mistakes: citations and errata."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def of_manual(things: Sequence[Any], manual: m.Manual) -> list[Any]:
 
 
 def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Family | m.Chapter | m.Device | Guide) -> list[str]:
-    """The sections of the manuals that describe a thing, a line for each."""
+    """The sections of the manuals that describe a thing, one line for each."""
     return [_citation(page, thing, s) for s in getattr(thing, "sources", ())]
 
 
@@ -37,7 +37,7 @@ def _citation(page: Page, thing: object, s: m.Source) -> str:
 
 
 def occurrences(page: Page, f: m.Field) -> str:
-    """The sets in which a field occurs, if there are several: its name there, the devices and the sources."""
+    """Lists the sets in which a field occurs, if there are several: its name there, the devices and the sources."""
     if len(f.occurrences) == 1:
         return ""
     rows = []
@@ -54,12 +54,12 @@ def occurrences(page: Page, f: m.Field) -> str:
 
 
 def field_lengths(page: Page, manual: m.Manual) -> str:
-    """Explains the lengths of fields in a manual."""
+    """States how a manual counts field lengths."""
     return page.say(describe.lengths(manual, page.model))
 
 
 def length_remarks(page: Page, f: m.Field) -> list[str]:
-    """The manuals that state another length for a response; it cites the sections of its command."""
+    """The manuals that state a different length for a response, in the sections of its command."""
     remarks = [(_manual(page, s), _length_remark(page, f, s)) for s in f.sources]
     return list(dict.fromkeys(f"{manual}: {remark}" for manual, remark in remarks if remark))
 
@@ -82,7 +82,7 @@ def _length_remark(page: Page, f: m.Field, s: m.Source) -> str:
 
 
 def defined(thing: m.Field) -> str:
-    """The place in the specification that defines a field: a file of its folder, and the name there. It has no line
+    """The definition of a field in the specification: a file of its folder, and the name there. It has no line
     number, which a comment further up would change."""
     if thing.position is None:
         return ""
@@ -103,7 +103,7 @@ class Part:
 
 
 def parts(model: m.Model) -> list[Part]:
-    """A page for each manual and severity, the worst first, in the order of the manual's sections."""
+    """One page for each manual and severity, the worst first. The errata are in the order of the manual's sections."""
     found = []
     for manual in model.protocol.manuals:
         order = {section: i for i, section in enumerate(manual.sections)}

@@ -1,5 +1,5 @@
-"""The page to start with: in each language, the installation and a complete first program; and programs
-into which those on the pages of fields fit."""
+"""The page for new users: in each language, the installation and a complete first program. Also the complete programs
+into which the lines on the pages of fields fit."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .snippets import LANGUAGES, Language, Program
 
 @dataclass(frozen=True, slots=True)
 class Start:
-    """The steps in an empty folder, beside which is a checkout, `../mipgen`."""
+    """The steps in one language, in an empty folder beside a checkout, `../mipgen`."""
 
     title: str
     name: str  # of the anchor, and of the fenced block
@@ -24,7 +24,7 @@ class Start:
     readme: str
 
     def text(self, model: m.Model) -> str:
-        """The program, without the comment about the place of its file."""
+        """Returns the program without the comment about the location of its file."""
         lines = model.program(self.program).splitlines()
         begins = next(i for i, line in enumerate(lines) if line.startswith(("#include", "import ", "use ")))
         return "\n".join(lines[begins:])
@@ -51,7 +51,7 @@ STARTS = (
         "Rust", "rust", "stream.rs", "src/main.rs",
         "cargo init --name first .\ncargo add --path ../mipgen/generated/rust --features open",
         "cargo run -- tcp:localhost:5005",
-        "Rust 1.65 or later. A serial port is `serial:/dev/ttyACM0`.", "rust",
+        "Rust 1.85 or later. A serial port is `serial:/dev/ttyACM0`.", "rust",
     ),
     Start(
         "JavaScript", "javascript", "first.mjs", "first.mjs", "npm install ../mipgen/generated/javascript",
@@ -62,7 +62,7 @@ STARTS = (
 
 
 def starts(model: m.Model) -> list[Start]:
-    """The languages for which the specification has a program, which uses a few fields that a part of it may lack."""
+    """The languages with a first program; none if a partial specification lacks the fields that the programs use."""
     used = ("base.ping", "base.get_device_info", "sensor.scaled_accel", "3dm.message_format", "3dm.data_stream_control")
     there = model.protocol.session is not None and all(map(model.field, used))
     return [x for x in STARTS if there and model.program(x.program)]
@@ -70,7 +70,7 @@ def starts(model: m.Model) -> list[Start]:
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """Complete programs around the lines on the page of a field, one in each language."""
+    """Complete programs into which the lines on the page of a field fit, one in each language."""
 
     name: str  # the role of the field
     title: str
@@ -79,7 +79,7 @@ class Frame:
 
 
 def frames(model: m.Model) -> list[Frame]:
-    """The files in `programs/` of the specification whose names begin with "frame"."""
+    """Collects the files in the specification's `programs/` whose names begin with "frame"."""
     kinds = (
         ("command", "frame", "Commands", "These programs open a device, send the command and report the outcome."),
         ("data", "frame_data", "Data", "These programs open a device, stream the field once per second and read it."),

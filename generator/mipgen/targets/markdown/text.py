@@ -1,4 +1,4 @@
-"""Markdown, without regard to MIP: escaped text, code, numbers, tables."""
+"""Markdown: escaped text, code, numbers, tables. Independent of MIP."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _CODE_ENTITIES = str.maketrans(
 
 @cache
 def inline(text: object) -> str:
-    r"""A part of a line, escaped so that it contains no Markdown or HTML except code in backticks.
+    r"""Escapes a part of a line, so that it contains no Markdown or HTML except code in backticks.
 
     >>> print(inline("4 + 3*a | <b> _c_ d_e"), inline("state `a_b*c` and `"))
     4 + 3\*a \| &lt;b> \_c\_ d_e state `a_b*c` and \`
@@ -28,7 +28,7 @@ def inline(text: object) -> str:
 
 @cache
 def opening(markdown: str) -> str:
-    r"""Markdown for the beginning of a line, escaped so that it does not begin a list, a heading or a quotation.
+    r"""Escapes the beginning of a line of Markdown, so that it does not begin a list, a heading or a quotation.
 
     >>> print(opening("1. a"), opening("- b"), opening("3.1 c"))
     1\. a \- b 3.1 c
@@ -38,7 +38,7 @@ def opening(markdown: str) -> str:
 
 
 def plain(text: object) -> str:
-    """A text that has a line, a cell or a heading to itself."""
+    """Escapes a text that is a whole line, cell or heading."""
     return opening(inline(text))
 
 
@@ -54,7 +54,7 @@ def code(text: object) -> str:
 
 
 def table(rows: Iterable[Sequence[str]], headings: Sequence[str]) -> str:
-    """A table of finished cells; columns that are empty throughout are left out."""
+    """Writes a table of finished cells; empty columns are left out."""
     whole = [list(row) for row in rows]
     kept = [i for i in range(len(headings)) if i == 0 or any(row[i] for row in whole)]
     lines = [[headings[i] for i in kept], ["---"] * len(kept), *([row[i] for i in kept] for row in whole)]
@@ -90,7 +90,7 @@ def count(things: Sequence[object] | int, word: str, several: str = "") -> str:
 
 
 def decimal(bits: str) -> str:
-    """The shortest decimal that has these bits.
+    """The shortest decimal with these bits.
 
     >>> decimal("0x3dcccccd"), decimal("0x3fb999999999999a"), decimal("0xbf800000"), decimal("0x7fe5bf7f")
     ('0.1', '0.1', '-1', 'NaN (0x7FE5BF7F)')

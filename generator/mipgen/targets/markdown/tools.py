@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Tool:
-    """A tool that the function `mip.<name>` of the workbench puts into a page of the site."""
+    """A tool that the function `mip.<name>` of the workbench adds to a page of the site."""
 
     name: str
     title: str
@@ -26,7 +26,7 @@ TOOLS = (
     Tool(
         "builder",
         "Packet builder",
-        "Builds a packet from a form: its bytes, the code that sends it, and the answer of the device.",
+        "Builds a packet from a form: its bytes, the code that sends it, and the device's reply.",
     ),
     Tool(
         "bandwidth",

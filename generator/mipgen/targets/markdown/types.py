@@ -24,7 +24,7 @@ def nature(t: m.Type) -> str:
 
 
 def values(page: Page, t: m.Enum, anchor: str = "") -> str:
-    """A table of the values; `anchor` precedes those of the rows, if they have any."""
+    """A table of the values; `anchor`, if given, is the prefix of the rows' anchors."""
     rows = [
         [
             str(v.value),
@@ -38,7 +38,7 @@ def values(page: Page, t: m.Enum, anchor: str = "") -> str:
 
 
 def bits(page: Page, t: m.Bitfield, anchor: str = "") -> str:
-    """A table of the bits, those that overlap others included."""
+    """A table of the bits, including bits that overlap others."""
     rows = []
     others = (1 << 8 * t.size) - 1
     for b in t.bits:
@@ -52,7 +52,7 @@ def bits(page: Page, t: m.Bitfield, anchor: str = "") -> str:
             _description(page, b.description, facts),
         ])  # fmt: skip
     if others and t.scalar:
-        rows.append(["other bits", code(hexadecimal(others, t.size)), "", "", "Reserved or not known: ignore them."])
+        rows.append(["other bits", code(hexadecimal(others, t.size)), "", "", "Reserved or unknown: ignore them."])
     return table(rows, ["Place", "Mask", "Byte.bit", "Name", "Description"])
 
 

@@ -33,7 +33,7 @@ export declare class Accel extends Data {
      *
      * - On the Model B: unit m, m, s; frame ned; valid flags x: `types.StateFlags.HOT` of `validFlags`, y:
      *   `types.StateFlags.READY` of `validFlags`, z: `types.StateFlags.HOT` of `validFlags`. Turned by the device.
-     * - On the Model C: no flag says whether it is valid.
+     * - On the Model C: no flag marks it as valid.
      */
     scaledAccel: types.Vector3f;
     /**

@@ -238,8 +238,8 @@ export declare class PinResponse extends Response {
 /**
  * Hello response (0x01,0x8C).
  *
- * No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers `Hello`. Known only from
- * the Kit of names. Uncertain: When it comes.
+ * No device is known for certain to support it. Also called `keep_alive_response` and `welcome`. Answers `Hello`. Known
+ * only from the Kit of names. Uncertain: When it comes.
  *
  * - sheet: Hello
  */
@@ -334,7 +334,7 @@ export declare class StatusLong extends Response {
      *
      * - On the Model A: values of `ModelAFaults`.
      * - On the Model B: values of `ModelBFaults`.
-     * - On the Model C: the values are not known.
+     * - On the Model C: the values are unknown.
      */
     flags: number;
     /** Since start. Unit: s. */
@@ -489,7 +489,7 @@ export declare class SetTime<R extends Response | undefined = undefined | SetTim
  * Layouts of one response, told apart by constants and by size.
  *
  * For advanced use. Answered by `StatusPaged`, `StatusShort`, `StatusLong`, `StatusOld` or `StatusFull`. The device may
- * take 2.5 s to answer. Supported by Model A, Model B and Model C.
+ * take 2.5 s to reply. Supported by Model A, Model B and Model C.
  *
  * - guide: Status
  */
@@ -672,8 +672,8 @@ export declare class Pin<R extends Response | undefined = undefined | PinRespons
  *
  * The device asks and a host answers.
  *
- * No device is certain to support it. Also called `keep_alive`. Answered by `HelloResponse`. Sent by the device; the
- * host answers. Known only from the Kit of names.
+ * No device is known for certain to support it. Also called `keep_alive`. Answered by `HelloResponse`. Sent by the
+ * device; the host replies. Known only from the Kit of names.
  *
  * - sheet: Hello
  */

@@ -71,7 +71,7 @@ types:
         type: payload(set)
       - id: checksum
         type: u2
-        doc: Two sums over all previous bytes, a += byte and b += a, modulo 256; first a, then b. Not verified by Kaitai.
+        doc: Two sums over all previous bytes, a += byte and b += a, modulo 256; a, then b. Not verified by Kaitai.
   payload:
     params:
       - id: set

@@ -316,7 +316,7 @@ field({ descriptor = 0x90, name = "tools.status_long", role = "response", title 
     rows = {
       { kind = "constant", name = "model", type = "u16", size = 2, value = "\18\103", doc = "The model." },
       { kind = "constant", name = "selector", type = "u8", size = 1, value = "\2", doc = "The long layout." },
-      { kind = "scalar", name = "flags", type = "u32", size = 4, doc = "Faults. On the Model A: values of model_a_faults. On the Model B: values of model_b_faults. On the Model C: the values are not known.", readings = { {device = "model-a", flags = F["tools.model_a_faults"] }, {device = "model-b", flags = F["tools.model_b_faults"] }, } },
+      { kind = "scalar", name = "flags", type = "u32", size = 4, doc = "Faults. On the Model A: values of model_a_faults. On the Model B: values of model_b_faults. On the Model C: the values are unknown.", readings = { {device = "model-a", flags = F["tools.model_a_faults"] }, {device = "model-b", flags = F["tools.model_b_faults"] }, } },
       { kind = "scalar", name = "uptime", type = "u64", size = 8, units = {"s", }, doc = "Since start. Unit: s." },
     } }, { { set = 0x01, name = "tools.status_long", title = "Status response" }, })
 field({ descriptor = 0x90, name = "tools.status_old", role = "response", title = "Status response",
@@ -359,7 +359,7 @@ field({ descriptor = 0x01, name = "measurements.accel", role = "data", title = "
     doc = "A vector whose elements are valid together.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force. Unit: g. Frame: sensor. At rest and level: x 0, z -1. Positive: along point. Each element has its own valid flag. x: valid_flags.ready, y: valid_flags.hot, z: valid_flags.ready. On the Model B: unit m, m, s; frame ned; valid flags x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device. On the Model C: no flag says whether it is valid.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force. Unit: g. Frame: sensor. At rest and level: x 0, z -1. Positive: along point. Each element has its own valid flag. x: valid_flags.ready, y: valid_flags.hot, z: valid_flags.ready. On the Model B: unit m, m, s; frame ned; valid flags x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device. On the Model C: no flag marks it as valid.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["state_flags"], doc = "What is valid. On the Model C: only ready and level." },
     } }, { { set = 0x80, name = "measurements.accel", title = "Acceleration" }, { set = 0x81, name = "more.accel", title = "Second acceleration" }, { set = 0x92, name = "copy.accel", title = "Third acceleration" }, })
 field({ descriptor = 0x02, name = "measurements.numbers", role = "data", title = "Numbers",

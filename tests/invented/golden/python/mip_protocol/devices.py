@@ -101,7 +101,7 @@ MODEL_C = Device(
         Evidence(
             Support.PROBABLE,
             "transcribed",
-            "Listed by others after the manual (Kit of names: Names). It names tools.hello.",
+            "Transcribed from the manual by others (Kit of names: Names). It names tools.hello.",
             {0x01: bytes.fromhex("0C"), 0x92: bytes.fromhex("01")},
         ),
         Evidence(
@@ -122,8 +122,8 @@ MODEL_C = Device(
     generation=3,
 )
 """Like the model A, with a radio and without a choice. Also called Model See and c. Generation 3.
-Model number 4713. Like the Model A, except as stated here. No manual is known. Uncertain: Whether
-it has a model number of its own.
+Model number 4713. Same as the Model A, except as stated here. No manual is known. Uncertain:
+Whether it has a model number of its own.
 
 - sheet: Radio
 """

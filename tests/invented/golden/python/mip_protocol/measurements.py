@@ -49,7 +49,7 @@ class Accel(Shared, Data):
     - On the Model B: unit m, m, s; frame ned; valid flags x: `types.StateFlags.HOT` of
       `valid_flags`, y: `types.StateFlags.READY` of `valid_flags`, z: `types.StateFlags.HOT` of
       `valid_flags`. Turned by the device.
-    - On the Model C: no flag says whether it is valid.
+    - On the Model C: no flag marks it as valid.
     """
     valid_flags: types.StateFlags
     """What is valid.

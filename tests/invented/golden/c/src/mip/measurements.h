@@ -51,7 +51,7 @@ struct mip_measurements_accel {
      * valid_flags, y: MIP_STATE_FLAGS_HOT in valid_flags, z: MIP_STATE_FLAGS_READY in valid_flags.
      * On the Model B: unit m, m, s; frame ned; valid flags x: MIP_STATE_FLAGS_HOT in valid_flags,
      * y: MIP_STATE_FLAGS_READY in valid_flags, z: MIP_STATE_FLAGS_HOT in valid_flags. Turned by the
-     * device. On the Model C: no flag says whether it is valid.
+     * device. On the Model C: no flag marks it as valid.
      */
     float scaled_accel[3];
     /** What is valid. On the Model C: only MIP_STATE_FLAGS_READY and MIP_STATE_FLAGS_LEVEL. */

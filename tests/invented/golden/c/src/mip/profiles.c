@@ -157,7 +157,7 @@ static const struct mip_profile_evidence model_c_evidence[] = {
     {MIP_SUPPORT_YES, "Documented."},
     {MIP_SUPPORT_YES, "Listed by the device (firmware 1.0.07; 2026-11-23)."},
     {MIP_SUPPORT_PROBABLE,
-     "Listed by others after the manual (Kit of names: Names). It names tools.hello."},
+     "Transcribed from the manual by others (Kit of names: Names). It names tools.hello."},
     {MIP_SUPPORT_NO, "Rejected by the device (firmware 1.2)."},
 };
 

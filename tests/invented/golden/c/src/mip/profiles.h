@@ -33,8 +33,8 @@ extern MIP_API const struct mip_profile mip_profile_model_b;
 /**
  * Model C: Like the model A, with a radio and without a choice.
  *
- * Also called Model See and c. Generation 3. Model number 4713. Like the Model A, except as stated
- * here. No manual is known. Uncertain: Whether it has a model number of its own.
+ * Also called Model See and c. Generation 3. Model number 4713. Same as the Model A, except as
+ * stated here. No manual is known. Uncertain: Whether it has a model number of its own.
  *
  * - sheet: Radio
  */

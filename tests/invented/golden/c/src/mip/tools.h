@@ -566,7 +566,7 @@ MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode(
  *
  * For advanced use. Answered by mip_tools_status_paged, mip_tools_status_short,
  * mip_tools_status_long, mip_tools_status_old or mip_tools_full. The device may take 2.5 s to
- * answer. Supported by Model A, Model B and Model C.
+ * reply. Supported by Model A, Model B and Model C.
  *
  * Parameters without a member, on the wire only:
  * - model: The model that the layouts belong to. Always 4711.
@@ -717,7 +717,7 @@ MIP_CHECKED static inline mip_error mip_tools_status_short_encode(
 struct mip_tools_status_long {
     /**
      * Faults. On the Model A: values of mip_tools_a_faults. On the Model B: values of
-     * mip_tools_model_b_faults. On the Model C: the values are not known.
+     * mip_tools_model_b_faults. On the Model C: the values are unknown.
      */
     uint32_t flags;
     /** Since start. Unit: s. */
@@ -1529,8 +1529,8 @@ MIP_CHECKED static inline mip_error mip_tools_pin_response_encode(
  *
  * The device asks and a host answers.
  *
- * No device is certain to support it. Also called `keep_alive`. Answered by
- * mip_tools_hello_response. Sent by the device; the host answers. Known only from the Kit of names.
+ * No device is known for certain to support it. Also called `keep_alive`. Answered by
+ * mip_tools_hello_response. Sent by the device; the host replies. Known only from the Kit of names.
  *
  * - sheet: Hello
  */
@@ -1573,8 +1573,8 @@ MIP_CHECKED static inline mip_error mip_tools_hello_encode(const struct mip_tool
 /**
  * Hello response: response (0x01,0x8C).
  *
- * No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers
- * mip_tools_hello. Known only from the Kit of names. Uncertain: When it comes.
+ * No device is known for certain to support it. Also called `keep_alive_response` and `welcome`.
+ * Answers mip_tools_hello. Known only from the Kit of names. Uncertain: When it comes.
  *
  * - sheet: Hello
  */

@@ -203,7 +203,7 @@ const MODEL_C_2: &Evidence =
     &Evidence { answer: Support::Yes, why: "Listed by the device (firmware 1.0.07; 2026-11-23)." };
 #[rustfmt::skip]
 const MODEL_C_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Listed by others after the manual (Kit of names: Names). It names tools.hello." };
+    &Evidence { answer: Support::Probable, why: "Transcribed from the manual by others (Kit of names: Names). It names tools.hello." };
 #[rustfmt::skip]
 const MODEL_C_4: &Evidence =
     &Evidence { answer: Support::No, why: "Rejected by the device (firmware 1.2)." };
@@ -212,7 +212,7 @@ const MODEL_C_4: &Evidence =
 ///
 /// Like the model A, with a radio and without a choice.
 ///
-/// Also called Model See and c. Generation 3. Model number 4713. Like the [Model
+/// Also called Model See and c. Generation 3. Model number 4713. Same as the [Model
 /// A](crate::devices::MODEL_A), except as stated here. No manual is known. Uncertain: Whether it
 /// has a model number of its own.
 ///
@@ -324,12 +324,12 @@ pub static MODEL_C: Profile = Profile {
         Variant {
             parameter: "tools.status_long.flags",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "measurements.accel.scaled_accel",
             read_as: None,
-            difference: "no flag says whether it is valid",
+            difference: "no flag marks it as valid",
         },
         Variant {
             parameter: "measurements.accel.valid_flags",

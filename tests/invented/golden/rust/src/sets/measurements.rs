@@ -43,7 +43,7 @@ record! {
         /// [`valid_flags.hot`](types::StateFlags::hot), y:
         /// [`valid_flags.ready`](types::StateFlags::ready), z:
         /// [`valid_flags.hot`](types::StateFlags::hot). Turned by the device. On the [Model
-        /// C](crate::devices::MODEL_C): no flag says whether it is valid.
+        /// C](crate::devices::MODEL_C): no flag marks it as valid.
         pub scaled_accel: types::Vector3f,
         /// What is valid.
         ///

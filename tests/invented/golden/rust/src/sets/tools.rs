@@ -453,7 +453,7 @@ record! {
     /// Layouts of one response, told apart by constants and by size.
     ///
     /// For advanced use. Answered by [`StatusPaged`], [`StatusShort`], [`StatusLong`],
-    /// [`StatusOld`] or [`StatusFull`]. The device may take 2.5 s to answer. Supported by [Model
+    /// [`StatusOld`] or [`StatusFull`]. The device may take 2.5 s to reply. Supported by [Model
     /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C).
     ///
@@ -920,8 +920,8 @@ record! {
     ///
     /// The device asks and a host answers.
     ///
-    /// No device is certain to support it. Also called `keep_alive`. Answered by [`HelloResponse`].
-    /// Sent by the device; the host answers. Known only from the Kit of names.
+    /// No device is known for certain to support it. Also called `keep_alive`. Answered by
+    /// [`HelloResponse`]. Sent by the device; the host replies. Known only from the Kit of names.
     ///
     /// Source: sheet: Hello.
     #[derive(Copy)]
@@ -1364,8 +1364,8 @@ field! {
 record! {
     /// Hello response (0x01,0x8C).
     ///
-    /// No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers
-    /// [`Hello`]. Known only from the Kit of names. Uncertain: When it comes.
+    /// No device is known for certain to support it. Also called `keep_alive_response` and
+    /// `welcome`. Answers [`Hello`]. Known only from the Kit of names. Uncertain: When it comes.
     ///
     /// Source: sheet: Hello.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1575,7 +1575,7 @@ record! {
         ///
         /// On the [Model A](crate::devices::MODEL_A): values of [`ModelAFaults`]. On the [Model
         /// B](crate::devices::MODEL_B): values of [`ModelBFaults`]. On the [Model
-        /// C](crate::devices::MODEL_C): the values are not known.
+        /// C](crate::devices::MODEL_C): the values are unknown.
         pub flags: u32,
         /// Since start.
         ///
