@@ -174,5 +174,5 @@ def test_a_list_says_nothing_of_readings(tmp_path: Path) -> None:
     file.write_text("extend: model-a\nevidence: [{kind: listed, fields: {measurements: [states]}}]\n", "utf-8")
     assert kinds(device(load_model(spec), "model-a"))["measurements.states"] == "listed"
     file.write_text("extend: model-a\nsupports: {measurements: [states]}\n", "utf-8")
-    with pytest.raises(SpecError, match="the meaning of 'measurements.states.state' is missing"):
+    with pytest.raises(SpecError, match=r"the meaning of 'measurements\.states\.state' is missing"):
         load_model(spec)
