@@ -398,9 +398,7 @@ class _Device:
             flags = next((q for q in f.parameters if q.name == name), None)
             known = self.bits(flags) if dot and flags else None
             if known is not None and flags is not None and bit in meaning.bits(flags) - known:
-                remedy = (
-                    f"add the bit that marks '{p.name}' as valid, {path}: {{valid: ...}}, or ~ if there is none"
-                )
+                remedy = f"add the bit that marks '{p.name}' as valid, {path}: {{valid: ...}}, or ~ if there is none"
                 self.problems.add(self.place("varies"), f"'{name}' has no bit '{bit}' on the device; {remedy}")
 
     def bits(self, flags: m.Parameter) -> set[str] | None:

@@ -236,9 +236,7 @@ class Layout:
         if (letters is None) == (not optional):
             known = "".join(self.functions)
             place = node.keys.get("for", node.position)
-            self.problem(
-                place, f"'{p.name}' must state which functions require it: for: {known}, or optional: true"
-            )
+            self.problem(place, f"'{p.name}' must state which functions require it: for: {known}, or optional: true")
             self.unclear = True
             return ()
         extra = [c for c in letters or "" if c not in self.functions]
