@@ -13,7 +13,7 @@ def run() -> NoReturn:
     for stream in (sys.stdout, sys.stderr):  # characters that the terminal cannot show are escaped
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
-    gc.disable()  # a run is short, and little of it becomes garbage; looking for it takes a tenth of a second
+    gc.disable()  # a run is short and makes little garbage; searching for it takes a tenth of a second
     os._exit(main())  # freeing a model, object by object, takes as long as a target
 
 

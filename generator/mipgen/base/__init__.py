@@ -1,1 +1,1 @@
-"""The program itself: its files, its cache, its processes, and the failure that ends it. Knows nothing of MIP."""
+"""The program itself: its files, its cache, its processes, and the failure that ends it. Independent of MIP."""

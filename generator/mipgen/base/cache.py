@@ -1,6 +1,6 @@
 """A cache in the user's folder for results that are slow to compute and depend only on their input.
 
-Nothing depends on it: an entry that is missing, damaged or cannot be written costs only time.
+The cache is optional: an entry that is missing, damaged or cannot be written costs only time.
 `MIPGEN_CACHE` names another folder; if it is empty, there is no cache.
 """
 
@@ -32,7 +32,7 @@ def folder() -> Path | None:
 
 
 def key(*parts: bytes | str) -> str:
-    """A name for the result of these inputs."""
+    """Returns a name for the result of these inputs."""
     digest = hashlib.sha256()
     for part in parts:
         data = part.encode("utf-8", "surrogateescape") if isinstance(part, str) else part
@@ -69,7 +69,7 @@ def put(kind: str, entries: dict[str, bytes]) -> None:
             os.replace(part, path)
         except OSError:
             return
-    if any(name.startswith("0") for name in entries):  # now and then: looking at all entries takes long
+    if any(name.startswith("0") for name in entries):  # only now and then: examining all entries is slow
         _prune(kind)
 
 

@@ -1,4 +1,4 @@
-"""A key of the program itself: results of another version are made again."""
+"""A key of the program itself, so that results of another version are not used."""
 
 from __future__ import annotations
 
@@ -21,6 +21,6 @@ def program() -> str:
 
 
 def _libraries() -> list[str]:
-    """Names and versions of installed packages: the names of folders, because reading their contents is slow."""
+    """Names and versions of installed packages, from the names of folders, because reading their contents is slow."""
     places = [entry for entry in sys.path if os.path.isdir(entry)]
     return sorted(name for place in places for name in os.listdir(place) if name.endswith((".dist-info", ".egg-info")))

@@ -17,14 +17,14 @@ from .errors import Failure
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
-#: The outcome of an item: "done" and its result, "failure" and the arguments of one, "crash" and what was printed.
+#: The outcome of an item: "done" and its result, "failure" and its arguments, or "crash" and the traceback.
 Answer = tuple[str, Any]
 
 _NUMBER = 2  # bytes of the number of an item in the queue
 
 
 def each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
-    """The results in the order of the items, which are begun in this order: the slowest should be first.
+    """Returns the results in the order of the items, which are started in this order: the slowest should be first.
     Raises the exception of the first item that fails."""
     count = min(len(items), _processors())
     unsafe = not hasattr(os, "fork") or sys.platform == "darwin"
@@ -41,12 +41,12 @@ def each(function: Callable[[Item], Result], items: Sequence[Item]) -> list[Resu
 
 
 def _processors() -> int:
-    """The processors that this process may use."""
+    """The number of processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _forked(function: Callable[[Item], Result], items: Sequence[Item], count: int) -> dict[int, Answer]:
-    """The outcome of each item. A process takes the next item when it has finished one."""
+    """Returns the outcome of each item. A process takes the next item when it has finished one."""
     queue, end = os.pipe()
     os.write(end, b"".join(i.to_bytes(_NUMBER, "big") for i in range(len(items))))
     os.close(end)

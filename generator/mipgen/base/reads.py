@@ -1,7 +1,7 @@
-"""Notes the data that is read for a result, which is made again only if that data has changed.
+"""Notes the data that is read for a result, so that it is made again only if that data has changed.
 
-Watched attributes of a class note that they are read. A result that is kept, by `kept` or in a `Memo`, is kept with
-what was read for it: whoever uses the result has read that too.
+Watched attributes of a class note each read. A result that is kept, by `kept` or in a `Memo`, is kept together with
+what was read for it: using the result counts as reading that, too.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ Value = TypeVar("Value")
 
 
 class Earlier:
-    """The reads of a result of an earlier run, as numbers whose meaning only the users of such results know."""
+    """The reads of a result of an earlier run, as numbers; only the users of such results know their meaning."""
 
     __slots__ = ("read",)
 
@@ -22,14 +22,14 @@ class Earlier:
         self.read = read
 
 
-#: An attribute of an object: the identity of the object, which must live as long as what was read, and its name.
+#: A read attribute: the identity of its object, which must live as long as the read, and its name.
 Read = tuple[int, str] | Earlier
 
 _log: set[Read] = set()
 
 
 def during(make: Callable[..., Value], *arguments: Any) -> tuple[Value, frozenset[Read]]:
-    """A result, and the data that was read for it."""
+    """Computes a result; returns it, and the data that was read for it."""
     global _log
     outer, _log = _log, set()
     try:
@@ -46,13 +46,13 @@ def note(read: frozenset[int]) -> None:
 
 
 def watch(cls: type, names: Iterable[str]) -> None:
-    """From now on, attributes of these names are watched; the class may have slots or not."""
+    """Starts to watch the attributes with these names; the class may have slots or not."""
     for name in names:
         setattr(cls, name, _Slot(name, cls.__dict__[name]) if hasattr(cls, "__slots__") else _Attribute(name))
 
 
 def unnoticed(cls: type, names: list[str]) -> Callable[[Any], tuple[Any, ...]]:
-    """Reads attributes of an object of a class that is watched, without a note."""
+    """Returns a function that reads attributes of an object of a watched class without a note."""
     if not hasattr(cls, "__slots__"):
         return lambda owner: tuple([owner.__dict__[name] for name in names])
     slots = [cls.__dict__[name].get for name in names]
@@ -93,7 +93,7 @@ class _Slot:
 
 
 class Memo(Generic[Key, Value]):
-    """Results by key, each made once."""
+    """Results by key, each computed once."""
 
     def __init__(self) -> None:
         self._known: dict[Key, tuple[Value, frozenset[Read]]] = {}

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
 
-MANIFEST = ".manifest"  # the list of the files in a folder of output
+MANIFEST = ".manifest"  # the list of the files in an output folder
 
 
 @functools.cache
 def root() -> Traversable:
-    """The folder that holds `templates/`, `spec/schema/` and `LICENSE`.
+    """The folder that contains `templates/`, `spec/schema/` and `LICENSE`.
 
-    A wheel has them in `mipgen/data`. In a checkout they are at the top, where people look for them.
+    In a wheel they are in `mipgen/data`. In a checkout they are at the top, where people look for them.
     """
     installed = package() / "data"
     return installed if installed.is_dir() else Path(__file__).parents[3]

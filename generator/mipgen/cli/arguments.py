@@ -86,7 +86,7 @@ def _run(known: argparse.ArgumentParser, options: argparse.Namespace) -> int:
 
 
 class _Layout(argparse.RawDescriptionHelpFormatter):
-    """Keeps the line breaks of examples; lists the commands in one column, without a heading line."""
+    """Preserves the line breaks of examples, and lists the commands in one column, without a heading line."""
 
     def _iter_indented_subactions(self, action: argparse.Action) -> Generator[argparse.Action, None, None]:
         yield from getattr(action, "_get_subactions", list)()
@@ -190,7 +190,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def folder(text: str) -> Path:
-    """A path; an empty text is an unset variable of the shell, and not the current folder."""
+    """Parses a path. Rejects an empty text, which comes from an unset shell variable and does not mean this folder."""
     if not text:
         raise argparse.ArgumentTypeError("it is empty; name a folder ('.' is the current one)")
     return Path(text)

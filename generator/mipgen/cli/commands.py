@@ -1,4 +1,4 @@
-"""The commands. Each imports modules only when it needs them, so that short commands are fast."""
+"""The commands. Each imports modules only when needed, so that short commands are fast."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def check(options: Namespace) -> int:
 
 
 def _given(options: Namespace) -> str:
-    """The options of a run, for a command that does the same."""
+    """The options of this run, to be repeated in another command."""
     given = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
     given += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
     given += [("--target", options.targets or ()), ("--target-path", options.target_path)]
@@ -103,7 +103,7 @@ def _given(options: Namespace) -> str:
 
 
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:
-    """The selected targets, and a key of everything that their output depends on."""
+    """Returns the selected targets, and a key of everything on which their output depends."""
     specs = _specs(options)
     sources = discovery.chosen(options.targets, options.target_path, getattr(options, "plugins", ()))
     if any(source.module or source.program for source in sources):
@@ -118,7 +118,7 @@ def _part(options: Namespace) -> str:
 
 
 def _apart(options: Namespace, sources: list[Source]) -> None:
-    """Raises Failure if output would lie in a folder that is read, or such a folder in the output."""
+    """Raises Failure if the output folder is inside an input folder, or contains one."""
     made = {options.out / source.name: _real(options.out / source.name) for source in sources}
     read = [("--spec", path) for path in _specs(options)] + [("--target-path", path) for path in options.target_path]
     for option, path in read:
@@ -139,7 +139,7 @@ def _real(path: Path) -> Path:
 
 
 def _write(options: Namespace, outputs: list[Output]) -> list[int]:
-    """Writes all files; the number of changed ones for each target. Files of a user are kept."""
+    """Writes all files; returns the number of changed ones for each target. A user's files are kept."""
     folders = {options.out / o.name: o.files for o in outputs}
     try:
         differences = {folder: output.compare(files, folder) for folder, files in folders.items()}
@@ -161,7 +161,7 @@ def _reason(error: OSError) -> str:
 
 
 def _specs(options: Namespace) -> list[Path]:
-    """The folder of the specification, and those that are laid over it."""
+    """The folder of the specification, and the folders of its overlays."""
     specs: list[Path] = options.spec or [Path("spec")]
     if not (specs[0] / "protocol.yaml").is_file():
         raise Failure(
@@ -173,7 +173,7 @@ def _specs(options: Namespace) -> list[Path]:
 
 
 def _load(options: Namespace) -> tuple[Model, str]:
-    """The specification, or the selected part of it, and a summary."""
+    """Loads the specification, or the selected part of it; returns it with a summary."""
     from mipgen.facts import describe
     from mipgen.resolve import subset
     from mipgen.resolve.load import load_model
@@ -220,7 +220,7 @@ def diff(options: Namespace) -> int:
     if options.old is None:
         raise Failure("name what to compare with: a folder, a revision, or --release")
     given = [name for name in (options.old, options.new) if name is not None]
-    # Two folders need no specification here.
+    # To compare two folders, no specification is needed here.
     spec, *overlays = _specs(options) if options.spec or not all(map(_is_spec, given)) or len(given) < 2 else [Path()]
     old, _ = _of_another_time(options.old, spec)
     new, there = (_of_this_time(spec, overlays), "") if options.new is None else _of_another_time(options.new, spec)
@@ -246,7 +246,7 @@ def _print(options: Namespace, report: Report, old: str) -> None:
 
 
 def _since_release(options: Namespace, listed: list[Entry]) -> int:
-    """Compares with the last release; fails if the version number announces less than what changed."""
+    """Compares with the last release; fails if the version number was not raised enough for the changes."""
     from mipgen.compare import changes, ignored, revisions
 
     spec, *overlays = _specs(options)
@@ -277,8 +277,8 @@ def _of_this_time(spec: Path, overlays: list[Path]) -> Model:
 
 
 def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
-    """The model of a specification in a folder or a revision, which may be too old for this program, and the path below
-    which the files of a revision were unpacked."""
+    """Loads the specification of a folder or a revision, which may be too old for this program. Also returns the path
+    below which the files of a revision were unpacked."""
     from mipgen.compare import revisions
     from mipgen.read.loader import shown
     from mipgen.read.problems import SpecError
@@ -296,7 +296,7 @@ def _of_another_time(name: str, spec: Path) -> tuple[Model, str]:
 
 
 class Unreadable(Failure):
-    """A side of a comparison is not a specification that this program can read; each problem has its place."""
+    """One of the compared specifications cannot be read by this program; each problem has its position."""
 
     def __init__(self, name: str, problems: list[str]) -> None:
         super().__init__("this mipgen cannot read it", name)
@@ -350,7 +350,7 @@ def _audit_manuals(options: Namespace, model: Model) -> list[str]:
 
 
 def _audit_sdk(options: Namespace, model: Model) -> tuple[list[str], WitnessReport | None]:
-    """The devices that an SDK names, and its layouts, if they can be read and are not to be written."""
+    """Compares the devices that an SDK names, and its layouts, unless they are to be written."""
     from mipgen.audit import devices, sdk, sdk_2014, witnesses
 
     if not options.sdk.is_dir():
@@ -368,7 +368,7 @@ def _audit_sdk(options: Namespace, model: Model) -> tuple[list[str], WitnessRepo
 
 
 def _extract(options: Namespace, name: str, facts: dict[str, Any], arguments: str) -> None:
-    """Writes facts that a program extracted as a witness of the specification."""
+    """Writes extracted facts as a witness of the specification."""
     from mipgen.audit import tables
 
     made = _specs(options)[0] / "witness" / f"{name}.yaml"
@@ -384,7 +384,7 @@ def _extract(options: Namespace, name: str, facts: dict[str, Any], arguments: st
 
 
 def new(options: Namespace) -> int:
-    """Writes a specification that validates; into an empty or new folder."""
+    """Writes a valid specification to an empty or new folder."""
     folder: Path = options.folder
     schemas = resources.root() / "spec/schema"
     try:

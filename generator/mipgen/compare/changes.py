@@ -1,14 +1,14 @@
-"""Compares two specifications: does the new one break programs written for the old one?
+"""Compares two specifications to find out whether the new one breaks programs written for the old one.
 
-A verdict for each field, type value and device, and one for all:
+There is a verdict for each change, and one for the whole:
 
-same           nothing changed that a program could notice, but perhaps the documentation or the simulated device:
+same           nothing that a program could notice changed, but perhaps the documentation or the simulated device:
                a guide, a typical value, an example, an erratum
 compatible     something was added, or a text, range or default changed
 source         a program must be changed to build again: something was renamed or removed
 wire           the same bytes mean something else, or other bytes are sent
 
-The class of a change says what kind of fact changed: a unit, a default, the reading of a device, ...
+The class of a change is the kind of fact that changed: a unit, a default, the reading of a device, ...
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from mipgen import model as m
 
 Verdict = Literal["same", "compatible", "source", "wire"]
 
-#: Facts that may change, for a list of changes to ignore.
+#: The classes of changes, which a list of changes to ignore may name.
 CLASSES: Final = (
     "added", "affects", "bound", "concerns", "condition", "constant", "default", "deprecated", "description", "devices",
     "documentation", "frame", "functions", "language", "layout", "magnitude", "name", "profile", "range", "reading",
@@ -60,7 +60,7 @@ class Report:
     ignored: tuple[tuple[Change, str], ...] = ()  # each with the reason; they do not count
 
     def moved(self, before: str, now: str) -> Report:
-        """The report with `now` in place of `before` at the beginning of file names."""
+        """Returns the report with `before` replaced by `now` at the beginning of file names."""
         if not before:
             return self
         return replace(self, changes=tuple(
@@ -69,11 +69,11 @@ class Report:
         ))  # fmt: skip
 
     def whole(self, name: str) -> str:
-        """The verdict in one line; `name` is that of the old specification."""
+        """The verdict in one line; `name` is the name of the old specification."""
         return f"{name} (version {self.old}) -> version {self.new}: {self.verdict}"
 
     def text(self, name: str) -> str:
-        """A line for each change, and one for the whole."""
+        """One line for each change, and one for the whole."""
         ignored = (f"{'ignored':10} {c.kind:13} {c.subject}: {c.what} ({reason})" for c, reason in self.ignored)
         return "\n".join([*map(str, self.changes), *ignored, self.whole(name)])
 
@@ -88,11 +88,11 @@ class Report:
         }
 
     def github(self, name: str) -> str:
-        """Commands that annotate the files of a pull request on GitHub."""
+        """Workflow commands that annotate the files of a pull request on GitHub."""
         return "\n".join([*map(_annotation, self.changes), self.whole(name)])
 
 
-#: The command of a GitHub workflow for a change of each verdict.
+#: Verdict -> the GitHub workflow command for a change.
 LEVELS: Final[dict[Verdict, str]] = {"same": "notice", "compatible": "notice", "source": "warning", "wire": "error"}
 
 
@@ -135,7 +135,7 @@ def worst(changes: Iterable[Change]) -> Verdict:
 
 
 def _places(model: m.Model) -> dict[str, m.Position | None]:
-    """The place where each subject of a change is defined."""
+    """Subject of a change -> the position of its definition."""
     places: dict[str, m.Position | None] = {s.name: s.position for s in model.sets}
     places |= {x.name: x.position for x in model.families} | {d.id: d.position for d in model.devices}
     for t in model.all_types:
@@ -152,7 +152,7 @@ def _places(model: m.Model) -> dict[str, m.Position | None]:
 
 
 def _nearest(subject: str, places: dict[str, m.Position | None]) -> m.Position | None:
-    """The place of a subject, else that of the definition that contains it."""
+    """The position of a subject, else of the definition that contains it."""
     subject, _, device = subject.partition(" on ")
     name = device or subject.partition(" with ")[0]
     while name and places.get(name) is None:
@@ -161,7 +161,7 @@ def _nearest(subject: str, places: dict[str, m.Position | None]) -> m.Position |
 
 
 def unreadable(version: str, new: m.Model) -> Report:
-    """For an old specification in a format that is no longer supported: anything may have changed."""
+    """The report for an old specification in a format that is no longer supported: anything may have changed."""
     change = Change(
         "wire", "language", "the specification", "the old one is in a language that this mipgen cannot read"
     )
@@ -169,7 +169,7 @@ def unreadable(version: str, new: m.Model) -> Report:
 
 
 def enough(report: Report) -> bool:
-    """Was the version number raised enough for the changes? Before 1.0.0 the second number is the major one.
+    """True if the version number was raised enough for the changes. Before 1.0.0, the second number is the major one.
 
     >>> enough(Report("0.1.3", "0.1.4", "compatible", ())), enough(Report("1.1.3", "1.1.4", "compatible", ()))
     (True, False)
@@ -187,8 +187,8 @@ def enough(report: Report) -> bool:
 
 
 def _fields(old: m.Model, new: m.Model) -> Iterator[Change]:
-    """Fields are the same thing if set, descriptor, role and constants are; and the size, if it distinguishes
-    layouts."""
+    """Compares fields. Fields are identified by set, descriptor, role and constants, and by their size if it
+    distinguishes layouts."""
     shared = {key for model in (old, new) for key, n in Counter(map(_identity, model.fields)).items() if n > 1}
 
     def place(f: m.Field) -> tuple[object, ...]:
@@ -308,7 +308,7 @@ def _first_difference(old: m.Field, new: m.Field) -> str:
 def _parameters(
     of: str, old: Sequence[m.Parameter], new: Sequence[m.Parameter], devices: frozenset[str] = frozenset()
 ) -> Iterator[Change]:
-    """Parameters of one layout, by their place. `devices`: those that both specifications have."""
+    """Compares the parameters of one layout by position. `devices`: the devices in both specifications."""
     for a, b in zip(old, new, strict=True):
         subject = f"{of}.{b.name}"
         if a.name != b.name:
@@ -343,8 +343,8 @@ def _parameters(
 
 
 def _variants(subject: str, old: m.Parameter, new: m.Parameter, devices: frozenset[str]) -> Iterator[Change]:
-    """Changes of differences on a device, or with one value of a sibling. For a new or a removed device, the
-    device itself is the change."""
+    """Compares the differences on a device, or with a value of a sibling. For a new or a removed device, the
+    device itself counts as the change."""
 
     def by_key(p: m.Parameter) -> dict[tuple[str, str, str], m.Variant]:
         return {(v.by, v.key, v.member): v for v in p.variants}
@@ -381,7 +381,7 @@ def _variants(subject: str, old: m.Parameter, new: m.Parameter, devices: frozens
 def _differences(
     verdict: Verdict, subject: str, pairs: dict[str, tuple[object, object]], kind: str = ""
 ) -> Iterator[Change]:
-    """A change for each pair that differs, of this class, or of the class with the name of the pair."""
+    """Yields a change for each pair that differs; its class is `kind`, or else the name of the pair."""
     for what, (old, new) in pairs.items():
         if old != new:
             yield Change(verdict, kind or what, subject, f"{what} {_said(new)}, was {_said(old)}")
@@ -403,7 +403,7 @@ def _type_name(e: m.Scalar | m.Type | None) -> str:
 
 
 def _types(old: m.Model, new: m.Model) -> Iterator[Change]:
-    """The values, bits and members of types of the same name."""
+    """Compares the values, bits and members of types with the same name."""
     theirs, ours = ({t.full_name: t for t in model.all_types} for model in (old, new))
     for name, t in theirs.items():
         if name not in ours:
@@ -447,7 +447,7 @@ def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:
 
 
 def _shortened(of: str, old: Sequence[m.EnumValue | m.Bits], new: Sequence[m.EnumValue | m.Bits]) -> Iterator[Change]:
-    """The short names of those that are still there."""
+    """Compares the short names of values or bits that still exist."""
     before = {x.name: x.short for x in old}
     for x in new:
         if x.name in before:
@@ -455,7 +455,7 @@ def _shortened(of: str, old: Sequence[m.EnumValue | m.Bits], new: Sequence[m.Enu
 
 
 def _named(of: str, old: dict[Any, str], new: dict[Any, str]) -> Iterator[Change]:
-    """Names of numbers or bits; a name that moved to another number is the dangerous change."""
+    """Compares the names of numbers or bits; a name that moved to another number is the dangerous change."""
     for number, name in old.items():
         if new.get(number) == name:
             continue
@@ -494,7 +494,7 @@ def _devices(old: m.Model, new: m.Model) -> Iterator[Change]:
 
 
 def _profiles(old: m.Device, new: m.Device) -> list[str]:
-    """The differences between the profiles of a device."""
+    """Names the differences between two profiles of a device."""
     a, b = _profile(old), _profile(new)
     return [what for what in a if a[what] != b[what]]
 
@@ -531,7 +531,7 @@ def _package(old: m.Model, new: m.Model) -> Iterator[Change]:
 
 
 def _documentation(old: m.Model, new: m.Model) -> Iterator[Change]:
-    """Changes that no program of a user notices."""
+    """Yields the changes that no user's program notices."""
 
     def quantities(of: m.Model) -> dict[str, object]:
         return {q.name: (q.typical, q.description) for q in of.simulation.quantities}
@@ -559,7 +559,7 @@ def _documentation(old: m.Model, new: m.Model) -> Iterator[Change]:
 
 
 def _plain(x: Any) -> object:
-    """The attributes of a thing; each reference is a name."""
+    """The attributes of a thing; references are replaced by names."""
     match x:
         case m.Field():
             return x.full_name

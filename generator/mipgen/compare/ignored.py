@@ -1,10 +1,10 @@
-"""A list of changes that do not count, each with the reason:
+"""Reads a list of changes to ignore, each with the reason:
 
     ignore:
       - {subject: 3dm.gyro_bias.bias, class: unit, reason: The old unit was a misprint of ours.}
 
-Without a `class`, every change of the subject is ignored. `*` in a subject matches any text. An entry that ignores
-nothing is a mistake, so that the list stays as short as it can be.
+Without a `class`, every change of the subject is ignored. `*` in a subject matches any text. An entry that matches no
+change is an error, so that the list contains no outdated entries.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Entry:
 
 
 def entries(path: Path) -> list[Entry]:
-    """The entries of a list; raises SpecError with all problems."""
+    """Reads the entries of a list; raises SpecError with all problems."""
     problems = Problems()
     root = read(path, str(path), problems)
     problems.raise_if_any()
@@ -71,7 +71,7 @@ def _entry(node: Node, problems: Problems) -> Entry | None:
 
 
 def without(report: Report, listed: list[Entry]) -> Report:
-    """The report with these changes set apart; raises SpecError if an entry ignores nothing."""
+    """Separates these changes in the report; raises SpecError if an entry matches no change."""
     problems = Problems()
     for entry in listed:
         if not any(map(entry.ignores, report.changes)):

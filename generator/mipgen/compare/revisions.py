@@ -1,4 +1,4 @@
-"""Other versions of a specification: folders, and revisions of the Git repository that holds it."""
+"""Other versions of a specification: folders, and revisions of its Git repository."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ RELEASES = "v[0-9]*"
 
 @contextmanager
 def folder(name: str, spec: Path) -> Iterator[Path]:
-    """The folder of that name; else that of `spec` in the revision of that name, for as long as it is needed."""
+    """A context with the folder of that name, or else with the folder `spec` as in the revision of that name."""
     if name and Path(name).is_dir():
         yield Path(name)
         return

@@ -1,1 +1,1 @@
-"""From targets to folders of output: templates, names, formatters, caches. Knows no language and no field."""
+"""From targets to output folders: templates, names, formatters, caches. Independent of languages and fields."""

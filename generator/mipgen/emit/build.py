@@ -1,4 +1,4 @@
-"""From a model to the files of several targets, all in memory."""
+"""Makes the files of several targets from a model, in memory."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .slices import NAMES, Anew, Slices
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """The files that one target makes of a model, or the names that prevent it."""
+    """The files that a target makes from a model, or the names that prevent it."""
 
     name: str
     title: str
@@ -26,14 +26,14 @@ class Output:
 
 
 def check_names(model: Model, sources: Sequence[Source]) -> None:
-    """Raises SpecError if two things of the model get the same name in one of the languages, or one too long a name."""
+    """Raises SpecError if two things in the model get the same name in a language, or a name is too long."""
     unfit = parallel.each(lambda source: _unfit(model, source), sources)
     _raise([problem for problems in unfit for problem in problems])
 
 
 def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) -> list[Output]:
-    """The output of each target, each made in its own process; then those of plugins, which run beside this one.
-    With slices, files that are still right since the last run are not made again."""
+    """Makes the output of each target, in its own process; then those of plugins, which run in this process. With
+    slices, files that are still up to date since the last run are not made again."""
 
     def several(group: Sequence[Source]) -> list[Output]:
         return [one(source) for source in group]
@@ -46,7 +46,7 @@ def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) 
         rename = target.renaming(model.protocol.package)
         return Output(source.name, rename(target.title) if rename else target.title, files, problems)
 
-    from . import templating  # noqa: F401 (Jinja and targets are imported once, and not in each process)
+    from . import templating  # noqa: F401 (imports Jinja and targets once, instead of in each process)
 
     ours = [source for source in sources if source.program is None]
     groups: dict[str, list[Source]] = {}

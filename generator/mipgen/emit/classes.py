@@ -1,4 +1,4 @@
-"""Names in languages with a class for each field and type, and a module for each family."""
+"""Names for languages with a class for each field and type, and a module for each family."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from mipgen import model as m
 
 from .naming import Identifier, pascal
 
-#: The names inside a class: as the language calls each, and as the specification does, with its place there.
+#: The names inside a class: in the language, and in the specification with its position there.
 Attributes = Callable[[m.Type | m.Field], Iterable[tuple[str, str, m.Position | None]]]
 
 
@@ -23,7 +23,7 @@ class Classes:
         return name if self.home(thing) == "protocol" else self.legal(name)
 
     def home(self, thing: m.Type | m.Field) -> str:
-        """The module that defines it."""
+        """The module that defines a thing."""
         if isinstance(thing, m.Field):
             return self.module(thing.family) if thing.set else "protocol"
         if thing.name == "function_selector":  # a specification cannot define this type
@@ -31,11 +31,11 @@ class Classes:
         return self.module(thing.owner) if thing.owner else "types"
 
     def qualified(self, thing: m.Type | m.Field) -> str:
-        """Its name in a module that imports its module: `types.AckCode`."""
+        """The name of a thing in a module that imports its module: `types.AckCode`."""
         return f"{self.home(thing)}.{self.name(thing)}"
 
     def reference(self, thing: m.Type | m.Field, where: str) -> str:
-        """Its name in the module `where`. All modules import the names of `protocol`."""
+        """The name of a thing in the module `where`. All modules import the names of `protocol`."""
         return self.name(thing) if self.home(thing) in (where, "protocol") else self.qualified(thing)
 
     def identifiers(self, model: m.Model, attributes: Attributes) -> Iterator[Identifier]:

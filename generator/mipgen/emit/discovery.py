@@ -2,8 +2,8 @@
 
 Built-in targets are the packages of `mipgen.targets`, with templates in `templates/<name>/` and files that are
 copied unchanged in `runtime/<name>/`. A user's folder (`--target-path`) contains a folder `<name>/` for each
-target, with templates, a `target.py` and perhaps `runtime/`. If it has the name of a built-in target, what it has
-takes precedence. A plugin (`--plugin`) is a program, see `plugins`. Each module defines `TARGET`, a `Target`.
+target, with templates, a `target.py` and perhaps `runtime/`. If it has the name of a built-in target, its files
+take precedence. A plugin (`--plugin`) is a program, see `plugins`. Each module defines `TARGET`, a `Target`.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ class Source:
     """The files of a target."""
 
     name: str
-    folders: tuple[Traversable, ...]  # of templates; the first that has a file wins
+    folders: tuple[Traversable, ...]  # of templates; the first folder that contains a file takes precedence
     runtimes: tuple[Traversable, ...]  # of files that are copied unchanged, likewise
     module: Path | None = None  # the user's target.py
-    program: str | None = None  # the program of a plugin, which has no other part
+    program: str | None = None  # the program of a plugin, which consists of nothing else
 
     @property
     def ours(self) -> bool:
@@ -47,13 +47,13 @@ class Source:
 
     def load(self) -> Target:
         """Loads the target that its module defines."""
-        from .target import Target, WrongTarget  # slow to import, and a run with nothing to do loads no target
+        from .target import Target, WrongTarget  # slow to import, and not needed if nothing has changed
 
         if self.module is None:
             built_in: Target = importlib.import_module(f"{BUILT_IN}.{self.name}").TARGET
             return built_in
         name = f"mipgen_target_{self.name}"
-        beside = [str(self.module.parent)]  # allows it to import its own modules: `from . import names`
+        beside = [str(self.module.parent)]  # so that it can import its own modules: `from . import names`
         spec = importlib.util.spec_from_file_location(name, self.module, submodule_search_locations=beside)
         assert spec is not None and spec.loader is not None
         module = importlib.util.module_from_spec(spec)
@@ -126,6 +126,6 @@ def _folders(path: Path) -> Iterator[Path]:
 
 
 def _nearest(name: str, known: Iterable[str]) -> str:
-    from mipgen.read.problems import nearest  # imports the model, which a run with nothing to do does not need
+    from mipgen.read.problems import nearest  # imports the model, which is not needed if nothing has changed
 
     return nearest(name, known)

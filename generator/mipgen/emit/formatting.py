@@ -1,4 +1,4 @@
-"""Runs formatters on the output of a target, so that templates need not care where lines break.
+"""Runs formatters on the output of a target, so that templates need not care about line breaks.
 
 A target selects one with `Target(formatter=formatting.CLANG_FORMAT)`. The style is a file of the output,
 so that running the same tool there changes nothing.
@@ -22,11 +22,11 @@ from .output import Made, content
 
 @dataclass(frozen=True, slots=True)
 class Formatter:
-    package: str  # the Python package that brings the program, on PyPI
+    package: str  # the Python package on PyPI that contains the program
     program: Callable[[], str]  # the path of the program in that package
     suffixes: tuple[str, ...]  # of files to format
     style: str  # the style file, at the top of the output
-    steps: tuple[tuple[str, ...], ...]  # arguments of each run; the files follow
+    steps: tuple[tuple[str, ...], ...]  # the arguments of each run, without the files
 
     def version(self) -> str:
         from importlib.metadata import PackageNotFoundError, version  # slow to import
@@ -71,7 +71,7 @@ RUFF = Formatter(
 
 
 def formatted(formatter: Formatter, made: Mapping[str, Made]) -> dict[str, Made]:
-    """The files of an output, those of the formatter's language formatted."""
+    """Returns the files of an output, formatted if they are in the formatter's language."""
     if formatter.style not in made:
         raise FormatError(f"{formatter.package} needs {formatter.style} in the output, to know the style")
     how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), content(made[formatter.style]))
@@ -88,7 +88,7 @@ def formatted(formatter: Formatter, made: Mapping[str, Made]) -> dict[str, Made]
 
 
 def _run(formatter: Formatter, made: Mapping[str, Made], wanted: list[str]) -> dict[str, bytes]:
-    """Formats in a temporary folder with the names of all files, because import sorting looks for modules."""
+    """Formats in a temporary folder that contains the names of all files, because import sorting looks for modules."""
     needed = {formatter.style, *wanted}
     with tempfile.TemporaryDirectory(prefix="mipgen-") as name:
         folder = Path(name)

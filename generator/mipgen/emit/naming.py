@@ -1,4 +1,4 @@
-"""Turns words into identifiers, escapes keywords, and finds names that a language cannot have."""
+"""Converts words to identifiers, escapes keywords, and finds names that a language does not allow."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class Grammar:
 
     pattern: str  # a regular expression for a whole name
     keywords: frozenset[str] = frozenset()
-    longest: int | None = None  # the number of significant characters, if that is limited; others may follow
+    longest: int | None = None  # the number of significant characters, if that is limited; longer names are allowed
 
     def fault(self, name: str) -> str:
         """The fault of a name; empty if it has none."""
@@ -75,17 +75,17 @@ class Grammar:
 
 @dataclass(frozen=True, slots=True)
 class Identifier:
-    """A name that a target puts into a scope of its language."""
+    """A name that a target defines in a scope of its language."""
 
     scope: str
     name: str
     what: str  # in the words of the specification
     position: Position | None
-    word: bool = True  # must it obey the grammar of the language? Else it names a file, a feature or the like
+    word: bool = True  # True: an identifier of the language; False: the name of a file, a feature or the like
 
 
 def judge(target: str, identifiers: Iterable[Identifier], grammar: Grammar | None, problems: Problems) -> None:
-    """Reports the names that a language cannot have."""
+    """Reports the names that a language does not allow."""
     names = list(identifiers)
     collisions(target, names, problems)
     if grammar is not None:
@@ -96,7 +96,7 @@ def judge(target: str, identifiers: Iterable[Identifier], grammar: Grammar | Non
 
 
 def invalid(target: str, identifiers: Iterable[Identifier], grammar: Grammar, problems: Problems) -> None:
-    """Every name must be an identifier of the language, and none of its keywords."""
+    """Reports names that are not identifiers of the language, or that are its keywords."""
     for i in identifiers:
         fault = grammar.fault(i.name)
         if fault:
@@ -108,7 +108,7 @@ def invalid(target: str, identifiers: Iterable[Identifier], grammar: Grammar, pr
 
 
 def lengths(target: str, identifiers: Iterable[Identifier], longest: int, problems: Problems) -> None:
-    """Names must differ in their first `longest` characters; of the names of one thing, only the first is reported."""
+    """Reports names with the same first `longest` characters; of the names of one thing, only the first."""
     seen: dict[tuple[str, str], Identifier] = {}
     reported: set[tuple[str, Position | None]] = set()
     for i in identifiers:
@@ -123,7 +123,7 @@ def lengths(target: str, identifiers: Iterable[Identifier], longest: int, proble
 
 
 def collisions(target: str, identifiers: Iterable[Identifier], problems: Problems) -> None:
-    """Two things of the specification must not get the same name in a language."""
+    """Reports things in the specification that get the same name in a language."""
     seen: dict[tuple[str, str], Identifier] = {}
     for i in identifiers:
         other = seen.setdefault((i.scope, i.name), i)

@@ -1,7 +1,7 @@
-"""Compares a folder of output with the files that it should contain, and writes these.
+"""Compares an output folder with the files that it should contain, and writes these.
 
 The manifest of a folder lists the files that mipgen wrote; only these are replaced or removed. It lists new files
-before they are written, and old ones until they are gone, so that a run finishes what an interrupted one has begun.
+before they are written, and old files until they are removed, so that a run completes an interrupted one.
 """
 
 from __future__ import annotations
@@ -21,19 +21,19 @@ from mipgen.base.resources import MANIFEST
 #: The first line of a manifest. A file of that name without it is a user's.
 HEADER = "# Files that mipgen wrote, and may replace or remove"
 
-#: Ends the name of a file until all of it is written.
+#: The suffix of a file's name until it is completely written.
 _PART = re.compile(r"\.[0-9]+\.part$")
 
 #: Folders of build tools.
 _BUILT = {"__pycache__", "target", "build", "dist", ".mypy_cache", ".ruff_cache", ".pytest_cache"}
 
 
-#: The kind of difference where mipgen did not write the file: it is in the way, or not.
+#: The kinds of differences for files that mipgen did not write: in the way, or not.
 OTHERS = ("foreign", "untracked")
 
 
 class Same(NamedTuple):
-    """A file that is as the last run left it, in place of its bytes."""
+    """Stands for a file that is unchanged since the last run, instead of its bytes."""
 
     digest: bytes
     place: Path
@@ -50,7 +50,7 @@ class Difference:
 
 
 def admit(path: str, made: Collection[str], place: str) -> None:
-    """Raises Failure if a target may not add this file to those that it has made."""
+    """Raises Failure if a target may not add this file to the files that it has made."""
     plain = PurePosixPath(path)
     if plain.is_absolute() or ".." in plain.parts:
         raise Failure(f"{path} is outside of its folder", place)
@@ -101,19 +101,19 @@ def compare(made: Mapping[str, Made], folder: Path) -> list[Difference]:
 
 
 def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Difference] | None = None) -> list[Difference]:
-    """Writes these files into the folder, also in place of foreign ones; untracked ones are kept.
+    """Writes these files to the folder, also over foreign files; untracked files are kept.
 
-    `differences` of the folder, if they are known.
+    `differences`: those of the folder, if they are known.
     """
     differences = [d for d in (compare(made, folder) if differences is None else differences) if d.what != "untracked"]
     ours = _ours(folder)
-    if not made.keys() <= ours:  # before these files, so that their origin is known
+    if not made.keys() <= ours:  # before these files, so that they are known as ours
         _put(folder / MANIFEST, manifest((ours | made.keys()) - {MANIFEST}))
     for d in differences:
         if d.what == "stale":
-            (folder / d.path).unlink(missing_ok=True)  # a part of an earlier process with our number is gone
+            (folder / d.path).unlink(missing_ok=True)  # removes a partial file of an earlier process with our number
     for parent in sorted(_parents(ours) - _parents(made), reverse=True):
-        with contextlib.suppress(OSError):  # it is not empty, or gone
+        with contextlib.suppress(OSError):  # it is not empty, or does not exist
             (folder / parent).rmdir()
     for d in differences:
         data = made.get(d.path)
@@ -123,7 +123,7 @@ def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Differen
 
 
 def unfinished(made: Collection[str], folder: Path) -> bool:
-    """Was a run interrupted while it wrote one of these files?"""
+    """True if a run was interrupted while it wrote one of these files."""
     return any(_PART.search(p) and _PART.sub("", p) in made for p in _present(folder, made))
 
 
@@ -139,7 +139,7 @@ def _plain(path: Path) -> bool:
 
 
 def _ours(folder: Path) -> set[str]:
-    """The files that mipgen wrote, also those that are gone."""
+    """The files that mipgen wrote, even if they no longer exist."""
     path = folder / MANIFEST
     lines = path.read_text("utf-8", "replace").splitlines() if path.is_file() else []
     return {MANIFEST, *lines[1:]} if lines[:1] == [HEADER] else set()
@@ -155,7 +155,7 @@ def _parents(paths: Iterable[str]) -> set[str]:
 
 
 def _present(folder: Path, known: Iterable[str]) -> set[str]:
-    """The files of a folder, without those in folders of build tools where none is known."""
+    """The files of a folder, except in build folders that contain no known file."""
     paths: set[str] = set()
     wanted = _parents(known)
     for place, folders, files in os.walk(folder):

@@ -1,8 +1,8 @@
-"""The names of a package: how the output of one specification is distinguished from that of another.
+"""Package names, which distinguish the output of one specification from the output of another.
 
 Templates and runtimes are written for the package `mip`, so that they are ordinary source. The output of a
-specification with another `package` is the same with the names of that package: `probe_parser_init` in place of
-`mip_parser_init`, `probe_protocol` for `mip_protocol`. `resolve` keeps names of the specification apart from these.
+specification with another `package` is the same with the names of that package: `probe_parser_init` instead of
+`mip_parser_init`, `probe_protocol` for `mip_protocol`. `resolve` prevents conflicts with names of the specification.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _NAMES = (
     r"(?:\b|(?<=-D))(?:mip_(?!tools\b)|MIP_(?!PACKAGE\b|WORKBENCH\b)|mip-(?=protocol\b)|mip(?=/\w+\.h\b|::mip\b)"
     r"|(?<=mip::)mip\b)"
 )
-#: The name alone, where it is that of a library or a module: `-lmip`, `libmip`, `mipConfig.cmake`, `CONFIG_MIP`.
+#: The name alone as the name of a library or a module: `-lmip`, `libmip`, `mipConfig.cmake`, `CONFIG_MIP`.
 _ALONE = r"(?:\b|(?<=-I)|(?<=-l)|(?<=\blib))mip(?!-tools\b)(?=\b|Config|Targets)|\bMip\b|(?<=CONFIG_)MIP\b"
 
 _IN_SOURCE = re.compile(_NAMES)

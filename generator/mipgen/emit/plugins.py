@@ -1,7 +1,7 @@
 """Programs as targets: the model as JSON on standard input, files as JSON on standard output.
 
-A plugin reads what `mip.json` holds, and writes `{"files": {"PATH": "TEXT", ...}}`; a file that is not text is
-`{"base64": "..."}`. It may add `"title"`, which is shown as the titles of targets are.
+A plugin reads the content of `mip.json`, and writes `{"files": {"PATH": "TEXT", ...}}`; a file that is not text is
+`{"base64": "..."}`. It may add `"title"`, which is shown like the titles of targets.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def parse(text: str) -> tuple[str, str]:
 
 
 def run(name: str, program: str, document: bytes) -> tuple[str, dict[str, output.Made]]:
-    """The title of a plugin, and all files that it makes of the model."""
+    """Runs a plugin. Returns its title, and all files that it makes from the model."""
     place = f"plugin {name}"
     answer = _parsed(_output(program, document, place), place)
     made: dict[str, output.Made] = {"LICENSE": (resources.root() / "LICENSE").read_bytes()}
@@ -56,7 +56,7 @@ def run(name: str, program: str, document: bytes) -> tuple[str, dict[str, output
 
 
 def _output(program: str, document: bytes, place: str) -> bytes:
-    """Runs the program and returns its output. Its own process group lets us end all of it if we are stopped."""
+    """Runs the program and returns its output. It has its own process group, which is ended if this run is stopped."""
     try:
         process = subprocess.Popen(
             [program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True

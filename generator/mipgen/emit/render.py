@@ -1,6 +1,6 @@
 """Renders a target: templates and runtime files in, the files of a folder out.
 
-Everything is made in memory first, so that a failing run leaves nothing half-written; `output` writes it.
+Everything is made in memory first, so that a failed run leaves nothing half-written; `output` writes the files.
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ def language(name: str) -> dict[str, Any]:
 
 
 def render(source: Source | str, model: Model) -> dict[str, bytes]:
-    """All files of a target, by path."""
+    """Makes all files of a target; returns them by path."""
     made = renew(discovery.sources()[source] if isinstance(source, str) else source, model, Anew())
     return {path: data for path, data in made.items() if isinstance(data, bytes)}
 
 
 def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
-    """The same, but files that are still right since the last run are not made again."""
+    """The same, but does not make files again that are still up to date since the last run."""
     right = past.all_right()
     if right is not None:
         past.keep(right)
@@ -82,7 +82,7 @@ def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
 def _plan(
     source: Source, model: Model
 ) -> tuple[list[File], Mapping[str, bytes], Templates, Callable[[str], str] | None]:
-    """Collects the files of a target and what they share."""
+    """Collects the files of a target, and what they share."""
     from .templating import Templates  # imports Jinja, which checking names does not need
 
     target = source.load()
@@ -92,7 +92,7 @@ def _plan(
 
 
 def _runtime(source: Source) -> dict[str, bytes]:
-    """The files that are copied."""
+    """Returns the files that are copied."""
     made: dict[str, bytes] = {}
     for runtime in reversed(source.runtimes):
         if runtime.is_dir():

@@ -1,9 +1,9 @@
-"""Finds the files of an earlier run that are still right, because nothing that was read to make them has changed.
+"""Finds the files of an earlier run that are still up to date, because nothing that was read to make them has changed.
 
 While something is made, `base.reads` notes which parts of the model, and which details of its objects, are read. The
-next run finds the same objects by their place in a walk over the model, as long as that part of the model has the same
-shape: all that it holds but details. Nothing is declared by hand, and a file is right only with the bytes that it was
-left with. Inside a file that is made again, a `piece` of its text is kept in the same way.
+next run finds the same objects by their index in a walk over the model, as long as that part of the model has the same
+shape: its content without details. Nothing is declared by hand, and a file is up to date only if its bytes have not
+changed. Inside a file that is made again, a `piece` of its text is kept in the same way.
 """
 
 from __future__ import annotations
@@ -28,23 +28,23 @@ from .output import Made, Same, digest
 
 Value = TypeVar("Value")
 
-#: A number made of a part of the model, the place of an object in the walk over it, and a detail.
+#: A number that encodes a part of the model, the index of an object in the walk over it, and a detail.
 Address = int
-_PART, _PLACE = 26, 6  # how far the first two are shifted, so that all fit into 31 bits, which are quick to store
-_WHOLE = (1 << _PART) - 1  # in place of object and detail: the shape of the part
+_PART, _PLACE = 26, 6  # the shifts of the first two; all fit into 31 bits, which are fast to store
+_WHOLE = (1 << _PART) - 1  # instead of object and detail: the shape of the part
 
-#: Results other than files: the check of the names, and the list of the files. No file has such a path.
+#: Results other than files: the check of names, and the list of files. No file has such a path.
 NAMES = "/names"
 PLAN = "/plan"
 
 
-#: The details of the objects of a class, and the number of each.
+#: Class -> detail of its objects -> number of the detail.
 _NAMES = {cls: details.names(cls) for cls in details.CLASSES}
 _NUMBERS = {name: i for i, name in enumerate(sorted({name for names in _NAMES.values() for name in names}))}
 
 
 class _Addresses(dict[Read, Address | None]):
-    """The address of what was read; None if its object is computed and not part of the model."""
+    """Read -> its address; None if the object is computed and not part of the model."""
 
     def __init__(self, slices: Slices) -> None:
         self.model = id(slices.model)
@@ -64,7 +64,7 @@ class _Addresses(dict[Read, Address | None]):
 
 
 class Part:
-    """A part of the model: its shape, and the objects that have details, in the order of the walk."""
+    """A part of the model: its shape, and its objects with details, in the order of the walk."""
 
     def __init__(self, number: int) -> None:
         self.number = number
@@ -74,12 +74,12 @@ class Part:
 
 
 def _plain(value: Any) -> Any:
-    """The file of a position, because no output contains lines; numbers as text, because 1 and 1.0 are equal."""
+    """Reduces positions to files, because no output contains lines; writes numbers as text, because 1 == 1.0."""
     return value.file if value.__class__ is m.Position else (repr(value),)
 
 
 class Slices:
-    """The results of the last run for a specification, a folder and these options."""
+    """The results of the last run for a specification, a folder and options."""
 
     def __init__(self, model: m.Model, out: Path, options: str) -> None:
         self.model = model
@@ -100,12 +100,12 @@ class Slices:
         self.now = digest(self._state)
         before = cache.get("slices", self.key)
         self.before = digest(before) if before is not None else b""
-        #: The addresses that have changed; of a part with another shape, only that of the part.
+        #: The addresses that have changed; for a part whose shape changed, only the address of the part.
         self.changed = self._changed(pickle.loads(before)) if before is not None else set()
         self.reshaped = {a >> _PART for a in self.changed if a & _WHOLE == _WHOLE}
 
     def _reducer(self, cls: type) -> Callable[[Any], tuple[Any, ...]]:
-        """Turns an object into a piece of the shape. One that an earlier part holds is represented by its name."""
+        """Reduces an object to a piece of the shape. An object of an earlier part is represented by its name."""
         names, places = _NAMES[cls], self.places
         read = reads.unnoticed(cls, names)
         contents = attrgetter("__class__.__name__", *(f.name for f in fields(cls) if f.name not in names))
@@ -153,7 +153,7 @@ class Slices:
         return {a for a in now if a is not None}.union(*earlier)
 
     def differ(self, read: Iterable[Address]) -> bool:
-        """Has any of this changed since the last run?"""
+        """True if any of this has changed since the last run."""
         shapes = self.reshaped
         return not self.changed.isdisjoint(read) or (bool(shapes) and any(a >> _PART in shapes for a in read))
 
@@ -163,34 +163,34 @@ class Slices:
 
 
 class Anew:
-    """The work of one target without an earlier run."""
+    """A run of one target without an earlier run."""
 
     def unchanged(self, what: str) -> bool:
-        """Was it made last time, from the same input?"""
+        """True if it was made in the last run, from the same input."""
         return False
 
     def right(self, path: str) -> Same | None:
-        """A file of last time, if it would be the same now."""
+        """A file of the last run, if it would be the same now."""
         return None
 
     def all_right(self) -> dict[str, Made] | None:
-        """All files of last time, if all would be the same now."""
+        """All files of the last run, if all would be the same now."""
         return None
 
     def make(self, what: str, how: Callable[..., Value], *arguments: Any) -> Value:
-        """Makes it again, and notes what is read."""
+        """Makes something again, and notes what is read."""
         return how(*arguments)
 
     def keep(self, files: Mapping[str, Made]) -> None:
         """Stores the results for the next run."""
 
 
-#: A text that was made of an object of the model, and the addresses of all that was read.
+#: A text made from an object of the model, and the addresses of all that was read.
 Piece = tuple[str, frozenset[Address]]
 
 
 class Pieces:
-    """The pieces of a file: those of the last run, and those of this one."""
+    """The pieces of a file, of the last run and of this one."""
 
     def __init__(self, slices: Slices, data: bytes | None) -> None:
         self.slices = slices
@@ -213,8 +213,8 @@ _pieces: Pieces | None = None
 
 
 def piece(name: str, make: Callable[..., str], thing: object, *constants: str) -> str:
-    """A text that depends on nothing but an object of the model, and on what is read of the model to make it. If it is
-    part of a file that is made again, the text of the last run is used again unless some of this has changed. `name`
+    """Makes a text that depends only on an object of the model, and on what is read of the model to make it. If it is
+    part of a file that is made again, the text of the last run is used again unless any of this has changed. `name`
     distinguishes it from other texts of the same object in a file."""
     global _pieces
     pieces, _pieces = _pieces, None
@@ -228,18 +228,18 @@ def piece(name: str, make: Callable[..., str], thing: object, *constants: str) -
 
 
 class Slice(Anew):
-    """The work of one target, last time and now."""
+    """The last run and this run of one target."""
 
     def __init__(self, slices: Slices, target: str) -> None:
         self.slices = slices
         self.folder = slices.out / target
         self.key = cache.key(slices.key, target)
         self._readers = cache.key(slices.key, target, "readers")
-        self.digests: dict[str, bytes] = {}  # of the files that were made last time
-        self.readers: dict[Address, frozenset[str]] = {}  # address -> what was made from it
+        self.digests: dict[str, bytes] = {}  # of the files of the last run
+        self.readers: dict[Address, frozenset[str]] = {}  # address -> what was made from what it stands for
         self.pieces: dict[str, bytes] = {}  # the digests of the pieces of a file
-        self.stored = b""  # the digest of the readers, which change rarely and have an entry of their own
-        self.read: dict[str, set[Address]] = {}  # what is made now
+        self.stored = b""  # the digest of the readers, which change rarely and have a separate entry
+        self.read: dict[str, set[Address]] = {}  # by what is made in this run
         data = cache.get("slices", self.key)
         readers = cache.get("slices", self._readers)
         if data is not None and readers is not None:
@@ -291,7 +291,7 @@ class Slice(Anew):
         return cache.key(self.slices.key, self.folder.name, "pieces", what)
 
     def _stored(self, what: str) -> bytes | None:
-        """The pieces of a file, if they are those that it had when it was made."""
+        """The stored pieces of a file, if they are still those of the file."""
         if what not in self.pieces or not self.unchanged(PLAN):
             return None
         data = cache.get("slices", self._place(what))
@@ -304,15 +304,13 @@ class Slice(Anew):
             read <= readers.keys() and all(map(frozenset.__contains__, map(readers.__getitem__, read), repeat(what)))
             for what, read in self.read.items()
         )
-        if not known or digests.keys() != self.digests.keys():  # else what is no longer read does no harm
+        if not known or digests.keys() != self.digests.keys():  # otherwise, reads that no longer happen do no harm
             again = self.read.keys() | (self.digests.keys() - digests.keys())
             readers = {a: what - again for a, what in readers.items()}
             for what, read in self.read.items():
                 for a in read:
                     readers[a] = readers.get(a, nobody) | {what}
-            same: dict[
-                frozenset[str], frozenset[str]
-            ] = {}  # one object for equal ones, which makes them small to store
+            same: dict[frozenset[str], frozenset[str]] = {}  # shares equal objects, so that less is stored
             readers = {a: same.setdefault(what, what) for a, what in readers.items() if what}
             data = pickle.dumps(readers, 5)
             cache.put("slices", {self._readers: data})

@@ -1,4 +1,4 @@
-"""Remembers the output of each input, so that a run with nothing to do is fast.
+"""Remembers the output of each input, so that a run without changes is fast.
 
 It compares contents: a key of the whole input, and digests of the output. If one byte of either
 differs, everything is made again.
@@ -21,7 +21,7 @@ TOO_MUCH = 100 * 1024 * 1024  # bytes of input; a larger folder is not just a sp
 
 
 def key(folders: Sequence[Path], *options: str) -> str | None:
-    """A key of the program, its options and all files below these folders; None if there is too much."""
+    """Computes a key of the program, its options and all files in these folders; None if there is too much input."""
     parts: list[bytes | str] = [fingerprint.program(), repr(options)]
     size = 0
     for folder in folders:
@@ -45,7 +45,7 @@ def remember(name: str | None, summary: str, made: Mapping[str, tuple[str, Mappi
 
 
 def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
-    """The output of this input, if all files exist unchanged, and none that is half-written."""
+    """Returns the output for this input, if all files exist unchanged and none is half-written."""
     data = None if name is None else cache.get("made", name)
     if data is None:
         return None
@@ -56,7 +56,7 @@ def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
             for path, wanted in made["files"].items():
                 if (
                     not (folder / path).is_file() or digest((folder / path).read_bytes()).hex() != wanted
-                ):  # a pipe never ends
+                ):  # a pipe would never end
                     return None
         except OSError:
             return None
@@ -66,7 +66,7 @@ def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
 
 
 def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
-    """All files below a folder, in order, without hidden ones."""
+    """All files below a folder, in order, except hidden ones."""
     for place, folders, files in os.walk(folder):
         folders[:] = sorted(f for f in folders if f[0] != ".")
         for file in sorted(f for f in files if f[0] != "."):

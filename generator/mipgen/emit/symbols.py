@@ -10,7 +10,7 @@ from mipgen import model as m
 
 @dataclass(frozen=True, slots=True)
 class Symbols:
-    """The type of a field, or a type, in a language; and its functions and constants."""
+    """The name of a field's type, or of a type, in a language, with its functions and constants."""
 
     thing: m.Type | m.Field
     name: str
@@ -18,7 +18,7 @@ class Symbols:
 
 
 def things(model: m.Model) -> Iterator[m.Type | m.Field]:
-    """Types and fields, those of the protocol first, then set by set."""
+    """Types and fields, first those of the protocol, then set by set."""
     protocol = (model.protocol.function_selector, *model.types, model.protocol.acknowledge)
     for group in (protocol, *((*x.types, *x.fields) for x in model.families)):
         yield from sorted(group, key=lambda x: x.name)
@@ -34,7 +34,7 @@ def records(model: m.Model) -> list[Record]:
 
 
 def parameters(model: m.Model) -> list[str]:
-    """The names of all parameters, those of unions too."""
+    """The names of all parameters, including those in unions."""
     every = (q for r in records(model) for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q)
     return sorted({q.name for q in every})
 
@@ -54,5 +54,5 @@ def parts(t: m.Type) -> Iterable[m.EnumValue | m.Bits]:
 
 
 def others(names: Iterable[str], of: Callable[[str], str], usual: Callable[[str], str] = str) -> dict[str, str]:
-    """The names that a language writes in another way than is usual."""
+    """The names whose spelling in a language differs from the usual one."""
     return {name: of(name) for name in names if of(name) != usual(name)}

@@ -25,7 +25,7 @@ class WrongTarget(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class File:
-    """One file to make: its path, its template, and the template's variables."""
+    """A file to make: its path, its template, and the template's variables."""
 
     path: str
     template: str
@@ -46,34 +46,34 @@ def _no_identifiers(_: Model) -> Iterable[Identifier]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
-    """A language, a format or a document that is made of a specification. `TARGET` of its module is one."""
+    """A language, a format or a document that is made from a specification; `TARGET` of a target's module."""
 
-    #: A description in few words: "C99". `mipgen generate` shows it.
+    #: A short description, such as "C99", which `mipgen generate` shows.
     title: str
     #: Yields the files to make.
     files: Callable[[Model], Iterable[File]]
     #: The filters of its templates, by name: names in the case of the language, literals, comments.
     filters: Callable[[Model], Mapping[str, Callable[..., Any]]] = _no_filters
-    #: Selects the files that are copied, by path; without it, all are.
+    #: Selects the files to copy, by path; by default all.
     runtime: Callable[[Mapping[str, bytes], Model], Mapping[str, bytes]] = _all
     #: Yields every name that the output defines, with its scope, so that impossible names are found before anything
     #: is written.
     identifiers: Callable[[Model], Iterable[Identifier]] = _no_identifiers
-    #: The names that the language accepts; without it, all are accepted.
+    #: The names that the language accepts; by default all.
     grammar: Grammar | None = None
-    #: Formats the output, so that templates need not care where lines break.
+    #: Formats the output, so that templates need not care about line breaks.
     formatter: Formatter | None = None
-    #: Puts the names of a package into a text that is written for the package `mip`; see `package`.
+    #: Replaces the names of the package `mip` in a text by those of another package; see `package`.
     rename: Callable[[str, str], str] | None = None
-    #: Does it take longer than most? Then it is begun first.
+    #: True for a target that takes longer than most and is therefore started first.
     slow: bool = False
-    #: Another target, which is made in the same process, because both derive the same from the model.
+    #: Another target to make in the same process, because both derive the same from the model.
     beside: str = ""
     #: The operations that its conformance driver offers; empty if it has no driver.
     conformance: tuple[str, ...] = ()
-    #: Requirements of the driver besides Python, a C compiler and cargo, in few words; `make test-all` then tests it.
+    #: Short description of the driver's needs besides Python, a C compiler and cargo; `make test-all` then tests it.
     needs: str = ""
-    #: The program that runs the driver, if it is another one: "node". The driver is tested where the program is.
+    #: The program that runs the driver, if it needs one: "node". The driver is tested if the program is installed.
     program: str = ""
 
     def __new__(cls, *positional: object, **given: object) -> Target:
@@ -94,7 +94,7 @@ class Target:
                 raise WrongTarget(f"{name} must be {what}, not {value!r}")
 
     def renaming(self, package: str) -> Callable[[str], str] | None:
-        """Puts the names of a package into a text that does not have them yet."""
+        """Returns a function that puts the names of a package into a text; None if nothing is to be renamed."""
         from mipgen.model import OWN_PACKAGE
 
         rename = self.rename

@@ -40,7 +40,7 @@ class Templates:
         self.environment.globals.update(known, piece=_piece)
 
     def render(self, template: str, context: Mapping[str, Any], path: str) -> str:
-        """The text of the file `path`."""
+        """Renders the text of the file `path`."""
         try:
             return self.environment.get_template(template).render(context)
         except jinja2.TemplateNotFound as error:
@@ -66,7 +66,7 @@ class Templates:
 
 
 class _Compiled(jinja2.BytecodeCache):
-    """Caches compiled templates. The compiled code depends on which filters exist, and on their kinds."""
+    """Caches compiled templates. Compiled code depends on which filters exist, and on their kinds."""
 
     def __init__(self, filters: Filters) -> None:
         kinds = sorted((name, str(getattr(function, "jinja_pass_arg", ""))) for name, function in filters.items())
@@ -88,7 +88,7 @@ def _piece(macro: Any, thing: object, *texts: str) -> str:
 
 
 def _at_run_time(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The filter, protected from calls at compile time: Jinja would store the result in the cached code."""
+    """Protects a filter from calls at compile time, when Jinja would store the result in the cached code."""
     if hasattr(function, "jinja_pass_arg"):
         return function
 

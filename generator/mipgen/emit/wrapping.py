@@ -1,4 +1,4 @@
-"""Lines: where a paragraph breaks, and an expression of a programming language."""
+"""Line breaking of paragraphs, and of expressions in programming languages."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
-#: Other than single spaces between words.
+#: Whitespace other than single spaces between words.
 _UNEVEN = re.compile(r"[\t\n\v\f\r]|^ |  | $")
 
 
 def wrapped(text: str, width: int, hang: str = "") -> list[str]:
-    """The lines of a paragraph; those after the first begin with `hang`. Words are never broken.
+    """Breaks a paragraph into lines; all but the first begin with `hang`. Words are never broken.
 
     >>> wrapped("one two three", 9, "  "), wrapped("one two", 9), wrapped("", 9)
     (['one two', '  three'], ['one two'], [])
@@ -42,25 +42,25 @@ class Brackets:
     head: str  # up to the opening bracket
     items: Sequence[Expression]
     tail: str  # from the closing bracket on
-    comma: str = ","  # after the last item, if each has a line
-    alone: str = ""  # after the only item, in one line
-    pad: str = ""  # inside the brackets, in one line
+    comma: str = ","  # after the last item, if each item has its own line
+    alone: str = ""  # after the only item, on one line
+    pad: str = ""  # inside the brackets, on one line
 
     def after(self, text: str) -> Brackets:
         return replace(self, head=text + self.head)
 
 
-#: A text that no line breaks, or brackets.
+#: A text that is never broken, or brackets.
 Expression: TypeAlias = "str | Brackets"
 
 
 def after(text: str, expression: Expression) -> Expression:
-    """An expression after a text: `x = [1]`."""
+    """Puts a text before an expression: `x = [1]`."""
     return text + expression if isinstance(expression, str) else expression.after(text)
 
 
 def flat(expression: Expression) -> str:
-    """An expression in one line.
+    """Writes an expression on one line.
 
     >>> flat(Brackets("f(", ["a", Brackets("[", ["b"], "]")], ")")), flat(Brackets("(", ["a"], ")", alone=","))
     ('f(a, [b])', '(a,)')
@@ -75,7 +75,7 @@ def flat(expression: Expression) -> str:
 
 
 def laid_out(expression: Expression, width: int) -> str:
-    """An expression; if one line is too long, its items are on a line of their own, or on one for each.
+    """Writes an expression. If it does not fit on one line, its items are on a separate line, or on one line each.
 
     >>> inner = Brackets("f(", ["3", "')'"], ")")
     >>> print(laid_out(Brackets("x = {", [Brackets("{", ["1", "2"], "}"), inner], "};"), 14))

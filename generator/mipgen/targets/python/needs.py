@@ -15,7 +15,7 @@ from mipgen.lower.session import session
 
 from .names import NEEDS
 
-#: Fact -> does a specification have it?
+#: Fact -> predicate: True if the specification has it.
 FACTS: dict[str, Callable[[m.Model], bool]] = {
     "baud rates": lambda model: _names_rates(model) or _changes_rate(model),
     "session": lambda model: session(model) is not None,

@@ -154,7 +154,7 @@ def words(name: str) -> str:
 
 @cache
 def prose(text: str) -> str:
-    """Words as Markdown: nothing in them is markup, except for code.
+    """Escapes words for Markdown: only code in backticks remains markup.
 
     >>> prose("a[1] < `b[2]`")
     'a\\\\[1\\\\] \\\\< `b[2]`'
