@@ -5,8 +5,8 @@
 
 // The macros are in `src/macros`; `cargo doc` shows what they generate. `open_enum!` and
 // `bitfield!`: types of values; `record!`: a structure with its codec; `union!`: its alternatives;
-// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill it;
-// `field!`: its sets and descriptor; `command!` and `responses!`: the answers to it.
+// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill the
+// structure; `field!`: its sets and descriptor; `command!` and `responses!`: the replies to it.
 
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;

@@ -5,8 +5,8 @@
 
 // The macros are in `src/macros`; `cargo doc` shows what they generate. `open_enum!` and
 // `bitfield!`: types of values; `record!`: a structure with its codec; `union!`: its alternatives;
-// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill it;
-// `field!`: its sets and descriptor; `command!` and `responses!`: the answers to it.
+// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill the
+// structure; `field!`: its sets and descriptor; `command!` and `responses!`: the replies to it.
 
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
@@ -217,7 +217,7 @@ record! {
     ///
     /// Runs the self test of the device and gets its result.
     ///
-    /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to answer. Supported by
+    /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to reply. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -394,7 +394,7 @@ record! {
         /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`types::CommInterface`]; only
         /// [`types::CommInterface::MAIN`], [`types::CommInterface::UART_1`],
         /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`]. On the
-        /// [3DM-RTK](crate::devices::RTK): the values are not known.
+        /// [3DM-RTK](crate::devices::RTK): the values are unknown.
         pub port: Option<u8>,
         /// Baud rate; one that the port supports.
         ///
@@ -545,7 +545,7 @@ command! {
 }
 
 responses! {
-    /// The answer to [`GpsTimeUpdate`].
+    /// The response to [`GpsTimeUpdate`].
     #[derive(Copy, Eq, Hash)]
     pub enum GpsTimeUpdateResponses {
         /// The response [`GpsTimeUpdateWeekNumberResponse`].
@@ -687,7 +687,7 @@ record! {
         /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-35](crate::devices::GX5_35),
         /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT),
         /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU):
-        /// the values are not known. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// the values are unknown. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
         /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
         /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
         /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
@@ -957,7 +957,7 @@ record! {
         /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`types::CommInterface`]; only
         /// [`types::CommInterface::MAIN`], [`types::CommInterface::UART_1`],
         /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`]. On the
-        /// [3DM-RTK](crate::devices::RTK): the values are not known.
+        /// [3DM-RTK](crate::devices::RTK): the values are unknown.
         pub port: u8,
         /// Baud rate of the port.
         ///

@@ -5,8 +5,8 @@
 
 // The macros are in `src/macros`; `cargo doc` shows what they generate. `open_enum!` and
 // `bitfield!`: types of values; `record!`: a structure with its codec; `union!`: its alternatives;
-// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill it;
-// `field!`: its sets and descriptor; `command!` and `responses!`: the answers to it.
+// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill the
+// structure; `field!`: its sets and descriptor; `command!` and `responses!`: the replies to it.
 
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
@@ -30,7 +30,8 @@ record! {
     ///
     /// Displacement in counts of the converter.
     ///
-    /// No device is certain to support it. Known only from the MicroStrain Communication Library.
+    /// No device is known for certain to support it. Known only from the MicroStrain Communication
+    /// Library.
     ///
     /// Source: mscl: Raw displacement (0x90,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -64,7 +65,8 @@ record! {
     ///
     /// Displacement of the sensor, computed with its calibration.
     ///
-    /// No device is certain to support it. Known only from the MicroStrain Communication Library.
+    /// No device is known for certain to support it. Known only from the MicroStrain Communication
+    /// Library.
     ///
     /// Source: mscl: Displacement (0x90,0x02).
     #[derive(Copy, Default)]
@@ -99,8 +101,8 @@ record! {
     ///
     /// Time of the measurement by the clock of the device.
     ///
-    /// No device is certain to support it. Also called `displacement_timestamp`. Known only from
-    /// the MicroStrain Communication Library.
+    /// No device is known for certain to support it. Also called `displacement_timestamp`. Known
+    /// only from the MicroStrain Communication Library.
     ///
     /// Source: mscl: Displacement Device Timestamp (0x90,0x04).
     #[derive(Copy, Default, Eq, Hash)]

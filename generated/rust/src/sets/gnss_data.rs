@@ -6,8 +6,8 @@
 
 // The macros are in `src/macros`; `cargo doc` shows what they generate. `open_enum!` and
 // `bitfield!`: types of values; `record!`: a structure with its codec; `union!`: its alternatives;
-// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill it;
-// `field!`: its sets and descriptor; `command!` and `responses!`: the answers to it.
+// `view!`: methods that read single values; `constructors!` and `setters!`: functions that fill the
+// structure; `field!`: its sets and descriptor; `command!` and `responses!`: the replies to it.
 
 #[allow(unused_imports)] // some families name a type in comments only, or none
 use crate::types;
@@ -1417,9 +1417,9 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// No device is certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2
-    /// (0x92), gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only
-    /// from the MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91),
+    /// gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - Clock info 2 supersedes it and is more detailed.
     ///
