@@ -62,6 +62,19 @@ mip_error mip_decode(const struct mip_codec *of, void *value, const struct mip_f
     return (mip_error)up_to(MIP_ERROR_LAYOUT);
 }
 
+/* The command that begins at `length` has this many bytes; one that selects a function has it in the third. */
+static bool selects;
+mip_error mip_encode(const struct mip_codec *of, const void *value, struct mip_builder *packet) {
+    const size_t size = up_to(packet->capacity - MIP_CHECKSUM_SIZE - packet->length);
+    assert(of == &codec && value == &response);
+    if (nondet_bool() || size < (selects ? 3 : 2) || size > 255) {
+        return MIP_ERROR_LENGTH;
+    }
+    packet->buffer[packet->length] = (uint8_t)size;
+    packet->length += size;
+    return MIP_OK;
+}
+
 /* A barrier is represented by the payload size of its reply: none, or at least two commands. */
 static bool is_barrier(uint8_t payload) {
     return payload == 0 || (payload >= FIRST_BARRIER && payload <= 252 && payload % 4 == 0);
@@ -210,3 +223,21 @@ IN_ANY_STATE(next)
 IN_ANY_STATE(cancel)
 IN_ANY_STATE(wait)
 IN_ANY_STATE(barrier)
+
+/* A command is added to a packet. Its request waits already, or not; that it is removed from a longer list, and added to
+ * one, has proofs of its own. */
+void client_add(void) {
+    any_state(nondet_bool() ? 1U << (REQUESTS - 1) : 0);
+    struct mip_request *request = requests[REQUESTS - 1];
+    const struct mip_command command = {&codec, request->exchange, selects = nondet_bool()};
+    const size_t capacity = up_to(MIP_MAX_PACKET);
+    struct mip_builder packet;
+    __CPROVER_assume(mip_builder_start(&packet, any_bytes(capacity), capacity, nondet_byte()) == MIP_OK);
+    packet.length += up_to(packet.capacity - MIP_CHECKSUM_SIZE - packet.length);
+    const size_t before = packet.length;
+    const mip_error error = mip_client_add(&client, request, &packet, &command, &response, nondet_32());
+    assert(error == MIP_OK ? packet.length > before : packet.length == before);
+    assert((error == MIP_OK) == (request->state == MIP_REQUEST_WAITING || request->state == MIP_REQUEST_SILENT));
+    mip_client_expect(request, &codec, nondet_bool() ? &response : NULL);
+    check();
+}

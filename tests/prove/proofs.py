@@ -73,6 +73,7 @@ CLIENT = {
     "client_next": ("up to three requests, any fields", ""),
     "client_cancel": ("up to three requests", ""),
     "client_wait": ("up to three requests", ""),
+    "client_add": ("a request that waits or not, any packet that is being built", ""),
     "client_barrier": ("up to three requests", "mip_client_barrier.1:65"),
 }
 #: The same for the interpreter of programs, one step of it at a time.
@@ -328,6 +329,8 @@ PLANTS = [
     ("client.c", "MIP_REQUEST_SILENT;\n        return;", "MIP_REQUEST_SILENT;", "client_wait"),
     ("client.c", "size == 0 || packet->descriptor_set", "packet->descriptor_set", "client_passes"),
     ("client.c", "field += 4;\n        if", "field += 5;\n        if", "client_passes"),
+    ("client.c", "&& packet->buffer[before + 2] == 0", "&& packet->buffer[before + 300] == 0", "client_add"),
+    ("client.c", "r->at < field[0] ? field[r->at] : 0", "field[r->at]", "client_add"),
     ("client.c", "*answered = NULL;", "", "client_next"),
     ("client.c", "r->behind != 0 || r->exchange", "r->exchange", "client_next"),
     ("program.c", "size > (size_t)(s->end - bytes)", "size > (size_t)(s->end - bytes) + 1", "step_of_numbers"),

@@ -3227,7 +3227,7 @@ GX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "transcribed",
-            "Transcribed from the manual by others (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018).",
+            "Listed by others after the manual (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018).",
             {
                 0x80: bytes.fromhex("04 05 06 07 08 09 0A 0C 10 11 12 17"),
                 0x82: bytes.fromhex(
@@ -3924,17 +3924,17 @@ DEVICES: dict[str, Device] = {
 
 
 def by_name(name: str) -> Device:
-    """Finds a device by its id, title, other name or last words ("gx5 15"), in any spelling; raises UnknownName."""
+    """A device by its id, title, other name or last words ("gx5 15"), in any spelling; raises UnknownName."""
     return DEVICES[device_id(name)]
 
 
 def by_model(number: int) -> Device | None:
-    """Finds a device by its model number; None if the number is unknown, for example of a newer device."""
+    """A device by its model number; None if it is unknown, for example that of a newer device."""
     return next((d for d in DEVICES.values() if d.model_number == number), None)
 
 
 def identify(info: DeviceInfo) -> Device | None:
-    """Finds the device that sent this device information; None if it is unknown."""
+    """The device that sent this device information; None if it is unknown."""
     number = model_number(info.model_number) or model_number(info.serial_number)
     return by_model(number) if number else None
 

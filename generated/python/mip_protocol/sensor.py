@@ -897,7 +897,7 @@ class Odometer(Data):
         self.valid_flags = valid_flags
 
 
-#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (RawAccel,),
     0x02: (RawGyro,),

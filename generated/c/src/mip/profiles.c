@@ -4535,8 +4535,8 @@ static const char *const gx5_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Transcribed from the manual by others (Public programs of users: "
-                           "Parser of 3DM-GX5-25 data in MATLAB, 2018)."},
+    {MIP_SUPPORT_PROBABLE, "Listed by others after the manual (Public programs of users: Parser of "
+                           "3DM-GX5-25 data in MATLAB, 2018)."},
     {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
                            "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,

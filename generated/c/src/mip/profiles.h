@@ -9,7 +9,7 @@
 #include "mip/profile.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/profiles.h and mip/constants.h have different versions"
+#error "mip/profiles.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus

@@ -1144,7 +1144,7 @@ pub static CV5_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3421,7 +3421,7 @@ pub static CX5_35: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3628,7 +3628,7 @@ pub static CX5_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -4658,7 +4658,7 @@ pub static GQ4_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -5971,7 +5971,7 @@ pub static GX3_15: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6085,7 +6085,7 @@ pub static GX3_25: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6177,7 +6177,7 @@ pub static GX3_35: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6286,7 +6286,7 @@ pub static GX3_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6450,7 +6450,7 @@ pub static GX4_15: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6638,7 +6638,7 @@ pub static GX4_25: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6834,7 +6834,7 @@ pub static GX4_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6951,7 +6951,7 @@ pub static GX4_IMU: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
     ],
     ack_codes: &[
@@ -7366,7 +7366,7 @@ pub static GX5_15: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Transcribed from the manual by others (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018)." };
+    &Evidence { answer: Support::Probable, why: "Listed by others after the manual (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018)." };
 #[rustfmt::skip]
 const GX5_25_2: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
@@ -7714,7 +7714,7 @@ pub static GX5_35: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -8031,7 +8031,7 @@ pub static GX5_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -8300,7 +8300,7 @@ pub static RQ1_45_LT: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -8474,7 +8474,7 @@ pub static RQ1_45_ST: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -8574,7 +8574,7 @@ pub static RQ1_IMU: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
     ],
     ack_codes: &[
@@ -8638,7 +8638,7 @@ pub static RTK: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -8648,7 +8648,7 @@ pub static RTK: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: None,
-            difference: "the values are unknown",
+            difference: "the values are not known",
         },
     ],
     ack_codes: &[
