@@ -19,9 +19,9 @@ pub struct Bits {
 
 /// The storage of a bitfield.
 pub(crate) trait Storage: Copy {
-    /// The bits `first` to `last`, in place.
+    /// Returns the bits `first` to `last`, in place.
     fn part(self, first: u16, last: u16) -> Self;
-    /// The bits `first` to `last` as a number.
+    /// Returns the bits `first` to `last` as a number.
     fn get(self, first: u16, last: u16) -> u64;
     /// Sets the bits `first` to `last` to a number; its excess bits are dropped.
     fn set(&mut self, first: u16, last: u16, value: u64);
@@ -33,13 +33,13 @@ pub(crate) trait Number: Copy {
     fn to_bits(self) -> u64;
 }
 
-/// The bits `first` to `last` of a number.
+/// Returns a mask of the bits `first` to `last` of a number.
 pub(crate) const fn number_mask(first: u16, last: u16) -> u64 {
     let unused = 63_u16.saturating_sub(last.saturating_sub(first));
     (u64::MAX >> unused).wrapping_shl(first as u32)
 }
 
-/// The bits `first` to `last` of bytes.
+/// Returns a mask of the bits `first` to `last` of bytes.
 #[allow(clippy::arithmetic_side_effects, clippy::indexing_slicing)] // used in constants only
 pub(crate) const fn bytes_mask<const N: usize>(first: u16, last: u16) -> [u8; N] {
     let mut bytes = [0; N];
@@ -278,7 +278,7 @@ impl<const N: usize> Storage for [u8; N] {
 
 /// The operations of a bitfield that its iterators need.
 pub trait BitSet: Copy {
-    /// The bits `first` to `last`, in place.
+    /// Returns the bits `first` to `last`, in place.
     #[must_use]
     fn part(self, first: u16, last: u16) -> Self;
     /// Returns the bits that are set here and not in `other`.

@@ -461,7 +461,7 @@ impl<const N: usize> Client<N> {
         },
     };
 
-    /// The number of commands that wait for a reply.
+    /// Returns the number of commands that wait for a reply.
     #[must_use]
     pub fn pending(&self) -> usize {
         self.table().waiting().count()

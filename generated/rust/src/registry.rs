@@ -426,7 +426,7 @@ const fn rows(ranges: &[&[(u8, u8)]]) -> [u8; 256] {
     rows
 }
 
-/// The number of rows.
+/// Returns the number of rows.
 #[allow(clippy::indexing_slicing, clippy::arithmetic_side_effects)] // evaluated at compile time
 const fn count(ranges: &[&[(u8, u8)]]) -> usize {
     let (mut count, mut family) = (0, 0);

@@ -68,7 +68,7 @@ impl<'a> Reader<'a> {
         Self { data, length: data.len(), ended: false, kind, need: 0, got: 0 }
     }
 
-    /// The number of bytes left.
+    /// Returns the number of bytes left.
     #[inline]
     #[must_use]
     pub const fn remaining(&self) -> usize {
@@ -259,7 +259,7 @@ impl<'a> Writer<'a> {
         kind
     }
 
-    /// The number of bytes written.
+    /// Returns the number of bytes written.
     #[inline]
     #[must_use]
     pub const fn length(&self) -> usize {

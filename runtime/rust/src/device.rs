@@ -397,7 +397,7 @@ impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
         &self.core.parser
     }
 
-    /// The number of packets dropped because there was no room for them while a command waited.
+    /// Returns the number of packets dropped for lack of room while a command waited.
     pub const fn dropped(&self) -> u32 {
         self.core.data.dropped
     }

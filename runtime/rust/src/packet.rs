@@ -204,7 +204,7 @@ impl<'a> Packet<'a> {
         self.bytes
     }
 
-    /// The descriptor set.
+    /// Returns the descriptor set.
     #[must_use]
     pub fn set(&self) -> u8 {
         self.bytes.get(2).copied().unwrap_or_default()
@@ -301,7 +301,7 @@ impl<'a> Fields<'a> {
         Self { set, payload }
     }
 
-    /// The descriptor set.
+    /// Returns the descriptor set.
     pub(crate) const fn set(&self) -> u8 {
         self.set
     }
@@ -419,7 +419,7 @@ impl PacketBuilder {
         Ok(builder)
     }
 
-    /// The descriptor set.
+    /// Returns the descriptor set.
     #[must_use]
     pub const fn set(&self) -> u8 {
         let [_, _, set, ..] = self.bytes;

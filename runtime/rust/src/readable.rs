@@ -19,7 +19,7 @@ pub(crate) trait Readable: Sized {
     fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error>;
 }
 
-/// For `serde(with = …)`.
+/// Serializes a value, for `serde(with = …)`.
 pub(crate) fn serialize<T: Readable, S: Serializer>(
     value: &T,
     serializer: S,
@@ -27,7 +27,7 @@ pub(crate) fn serialize<T: Readable, S: Serializer>(
     value.write(serializer)
 }
 
-/// For `serde(with = …)`.
+/// Deserializes a value, for `serde(with = …)`.
 pub(crate) fn deserialize<'de, T: Readable, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<T, D::Error> {

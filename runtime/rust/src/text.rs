@@ -24,7 +24,7 @@ pub struct Text<const N: usize>(pub [u8; N]);
 pub struct VarText<const N: usize>(pub List<u8, N>);
 
 impl<const N: usize> Text<N> {
-    /// The text, padded with spaces; `None` if it is too long or not Latin-1.
+    /// Pads a text with spaces; returns `None` if it is too long or not Latin-1.
     #[must_use]
     pub fn padded(text: &str) -> Option<Self> {
         let mut bytes = [b' '; N];
@@ -35,18 +35,18 @@ impl<const N: usize> Text<N> {
         Some(Self(bytes))
     }
 
-    /// The text without the spaces and zeros at its end; an error if it is not ASCII or UTF-8.
+    /// Returns the text without the spaces and zeros at its end.
     ///
-    /// Spaces in front remain; some devices align serial numbers with them.
+    /// Leading spaces remain; some devices align serial numbers with them.
     ///
     /// # Errors
     ///
-    /// A character is not ASCII or part of UTF-8.
+    /// The text is neither ASCII nor UTF-8.
     pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
         str::from_utf8(trimmed(&self.0))
     }
 
-    /// All characters, with the padding.
+    /// Returns all characters, including the padding.
     #[must_use]
     pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
         self.0.iter().map(|b| char::from(*b))
@@ -54,7 +54,7 @@ impl<const N: usize> Text<N> {
 }
 
 impl<const N: usize> VarText<N> {
-    /// The text; `None` if it is too long or not Latin-1.
+    /// Converts a text; returns `None` if it is too long or not Latin-1.
     #[must_use]
     pub fn new(text: &str) -> Option<Self> {
         let mut list = List::new();
@@ -64,7 +64,7 @@ impl<const N: usize> VarText<N> {
         Some(Self(list))
     }
 
-    /// The same text with exactly `N` characters: padded with spaces.
+    /// Pads the text with spaces to exactly `N` characters.
     #[must_use]
     pub fn padded(&self) -> Text<N> {
         let mut bytes = [b' '; N];
@@ -72,7 +72,7 @@ impl<const N: usize> VarText<N> {
         Text(bytes)
     }
 
-    /// The number of characters.
+    /// Returns the number of characters.
     #[must_use]
     pub fn len(&self) -> usize {
         self.0.len()
@@ -84,18 +84,18 @@ impl<const N: usize> VarText<N> {
         self.0.is_empty()
     }
 
-    /// The text without the spaces and zeros at its end; an error if it is not ASCII or UTF-8.
+    /// Returns the text without the spaces and zeros at its end.
     ///
-    /// Spaces in front remain; some devices align serial numbers with them.
+    /// Leading spaces remain; some devices align serial numbers with them.
     ///
     /// # Errors
     ///
-    /// A character is not ASCII or part of UTF-8.
+    /// The text is neither ASCII nor UTF-8.
     pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
         str::from_utf8(trimmed(&self.0))
     }
 
-    /// All characters, with the padding.
+    /// Returns all characters, including the padding.
     #[must_use]
     pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
         self.0.iter().map(|b| char::from(*b))
@@ -171,7 +171,7 @@ impl<const N: usize> Wire for Text<N> {
     }
 }
 
-/// The characters only. If they are counted, the count is another value of the field.
+/// Encodes only the characters. A counter is another value of the field.
 impl<const N: usize> Wire for VarText<N> {
     const SIZE: usize = N;
 
@@ -195,7 +195,7 @@ mod serde_text {
     use super::{fmt, Text, VarText};
     use serde::{de, Deserialize, Deserializer, Serialize, Serializer};
 
-    /// All characters, with the padding, so that decoding restores the text exactly.
+    /// All characters, including the padding, so that decoding restores the text exactly.
     struct Whole<'a>(&'a [u8]);
 
     impl fmt::Display for Whole<'_> {

@@ -196,7 +196,7 @@ impl Record {
         self.values.iter().map(|(name, value)| (name.as_ref(), value))
     }
 
-    /// The number of values.
+    /// Returns the number of values.
     #[must_use]
     pub fn len(&self) -> usize {
         self.values.len()
