@@ -379,7 +379,7 @@ record! {
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: ned. At rest and
         /// level: m13 0, m23 0, m31 0, m32 0, m33 1. On the [3DM-GX5-15](crate::devices::GX5_15):
-        /// From the NED frame to the sensor frame.
+        /// Rotation from the NED frame to the sensor frame.
         pub m: types::Matrix3f,
     }
 }
@@ -420,7 +420,8 @@ record! {
         /// Rotation between the NED frame and the vehicle frame.
         ///
         /// Elements: w, x, y, z. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the
-        /// [3DM-GX5-15](crate::devices::GX5_15): Between NED and the sensor frame.
+        /// [3DM-GX5-15](crate::devices::GX5_15): Rotation between the NED frame and the sensor
+        /// frame.
         pub q: types::Quatf,
     }
 }
