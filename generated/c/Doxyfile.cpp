@@ -1,4 +1,4 @@
-# The reference of the headers of C++, and of those of C: run doxygen Doxyfile.cpp, and open html_cpp/index.html.
+# The reference of the C++ and C headers: run doxygen Doxyfile.cpp, and open html_cpp/index.html.
 @INCLUDE = Doxyfile
 PROJECT_NAME = "mip for C++"
 FILE_PATTERNS = *.h *.hpp README.md

@@ -501,8 +501,8 @@ export declare class DataStreamControlResponse extends Response {
 /**
  * IMU signal conditioning response (0x0C,0x86).
  *
- * No device is certain to support it. Answers `ImuSignalConditioning`. Known only from the MIP SDK of 2014 and
- * MicroStrain Communication Library.
+ * No device is known for certain to support it. Answers `ImuSignalConditioning`. Known only from the MIP SDK of 2014
+ * and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
  * - mscl: IMU signal conditioning (0x0C,0x35)
@@ -545,8 +545,8 @@ export declare class UartBaudRateResponse extends Response {
 /**
  * Data stream format response (0x0C,0x88).
  *
- * No device is certain to support it. Answers `DataStreamFormat`. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library.
+ * No device is known for certain to support it. Answers `DataStreamFormat`. Known only from the MIP SDK of 2014 and
+ * MicroStrain Communication Library.
  *
  * - mip-sdk-2014: Data stream format (0x0C,0x60)
  * - mscl: Data stream format (0x0C,0x60)
@@ -562,8 +562,8 @@ export declare class DataStreamFormatResponse extends Response {
 /**
  * Device power state response (0x0C,0x89).
  *
- * No device is certain to support it. Answers `DevicePowerState`. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library.
+ * No device is known for certain to support it. Answers `DevicePowerState`. Known only from the MIP SDK of 2014 and
+ * MicroStrain Communication Library.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
  * - mscl: Device power state (0x0C,0x61)
@@ -666,9 +666,9 @@ export declare class MessageFormatResponse extends Response {
  *
  * Timer only, in microseconds.
  *
- * No device is certain to support it. Answers `DeviceStatus`. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
- * Uncertain: The SDK of 2014 lists the names of the values and the unit of the timer; the descriptions are inferred
- * from the names.
+ * No device is known for certain to support it. Answers `DeviceStatus`. Sent if `statusSelector` is
+ * `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 lists the names of the values and the unit of the timer; the
+ * descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -721,8 +721,8 @@ export declare class DeviceStatusBasicResponse extends Response {
  *
  * Timer only.
  *
- * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
- * `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
+ * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse`
+ * and `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
  * Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the
  * 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
  * Uncertain: The manual of the 3DM-GX5-45 has it too, but for the model number of another device; MSCL has the layout
@@ -1019,13 +1019,13 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
  *
  * Timer, and counters of pulses, streams, port and USB.
  *
- * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
- * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
- * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
- * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known manual documents it for these devices; the offsets 49 to 69 in
- * the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only the names of the values, from which the descriptions
- * are inferred; the times are assumed to be in ms like the system timer.
+ * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
+ * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
+ * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
+ * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: No known manual documents it for these devices; the
+ * offsets 49 to 69 in the manual of the 3DM-GX5-45 agree. Uncertain: MSCL lists only the names of the values, from
+ * which the descriptions are inferred; the times are assumed to be in ms like the system timer.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1082,13 +1082,14 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
- * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
- * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
- * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known
- * manual documents it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred;
- * the times are assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known.
+ * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
+ * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`,
+ * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
+ * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and
+ * 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the values, from which the
+ * descriptions are inferred; the times are assumed to be in ms like the system timer. Uncertain: The units of the
+ * ranges are not known.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1145,13 +1146,13 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
  *
  * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.
  *
- * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
- * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
- * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
- * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and the units of
- * temperature and times; the descriptions are inferred from the names. Uncertain: The units of the ranges are not
- * known.
+ * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
+ * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+ * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
+ * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and
+ * the units of temperature and times; the descriptions are inferred from the names. Uncertain: The units of the ranges
+ * are not known.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1208,12 +1209,12 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
  *
  * Timer, temperature and supply, and the counters of pulses, stream and port.
  *
- * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
- * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
- * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
- * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and the units of
- * temperature and times; the descriptions are inferred from the names.
+ * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
+ * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+ * `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
+ * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: The SDK of 2014 lists the names of the values and
+ * the units of temperature and times; the descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1266,8 +1267,8 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
  *
  * State of the port.
  *
- * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` and
- * `DeviceStatusBasicWithoutStateResponse` by the size of its data. Sent if `statusSelector` is
+ * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse`
+ * and `DeviceStatusBasicWithoutStateResponse` by the size of its data. Sent if `statusSelector` is
  * `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has it, with the names of the values; the descriptions
  * are inferred from the names.
  *
@@ -1298,12 +1299,12 @@ export declare class DeviceStatusBasicGx3Response extends Response {
  *
  * State of the port, and the counters of the port, USB, receiver and IMU.
  *
- * No device is certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
- * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
- * `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse` and
- * `DeviceStatusDiagnosticRq1ImuResponse` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 has it, with the names of the values; the
- * descriptions are inferred from the names.
+ * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
+ * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
+ * `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse` by the size of its data. Sent if
+ * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 has it, with the names of the
+ * values; the descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1380,8 +1381,8 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
 /**
  * GPS dynamics mode response (0x0C,0x92).
  *
- * No device is certain to support it. Answers `GpsDynamicsMode`. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library.
+ * No device is known for certain to support it. Answers `GpsDynamicsMode`. Known only from the MIP SDK of 2014 and
+ * MicroStrain Communication Library.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
  * - mscl: GPS dynamics mode (0x0C,0x34)
@@ -1395,7 +1396,7 @@ export declare class GpsDynamicsModeResponse extends Response {
 /**
  * IMU timestamp response (0x0C,0x93).
  *
- * No device is certain to support it. Answers `ImuTimestamp`. Known only from the MIP SDK of 2014.
+ * No device is known for certain to support it. Answers `ImuTimestamp`. Known only from the MIP SDK of 2014.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -2694,8 +2695,8 @@ export declare class EventActionConfig<R extends Response | undefined = undefine
  *
  * Saves, loads or resets all settings of the device at once.
  *
- * Functions: `save`, `load` and `default`. The device may take 2 s to answer. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Functions: `save`, `load` and `default`. The device may take 2 s to reply. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * A save may disturb the data output for a short time. A save may take up to 1 s. Use a reply time-out of at least 2 s.
  *
@@ -2841,7 +2842,7 @@ export declare class SensorToVehicleTransformDcm<R extends Response | undefined 
  *
  * Sets the dynamics that the GNSS receiver assumes of the vehicle.
  *
- * No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. Known only from the
  * MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in
  * its example for the 3DM-GX3-35 only.
@@ -2872,7 +2873,7 @@ export declare class GpsDynamicsMode<R extends Response | undefined = undefined 
  *
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
- * No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.DeltaTheta`,
  * `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`.
  * Probably changes `sensor.ScaledMag`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
@@ -2928,9 +2929,9 @@ export declare class ImuSignalConditioning<R extends Response | undefined = unde
  *
  * Sets or reads a time counter of the sensor data.
  *
- * No device is certain to support it. Functions: `write` and `read`. Answered by `ImuTimestampResponse`. Known only
- * from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35
- * only. Uncertain: Whether a read includes `time`, which is ignored, or omits it, as is assumed.
+ * No device is known for certain to support it. Functions: `write` and `read`. Answered by `ImuTimestampResponse`.
+ * Known only from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+ * 3DM-GX3-35 only. Uncertain: Whether a read includes `time`, which is ignored, or omits it, as is assumed.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -3027,7 +3028,7 @@ export declare class GyroBias<R extends Response | undefined = undefined | GyroB
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
  * Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`,
- * `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to answer. Supported by 3DM-CV7-AHRS,
+ * `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to reply. Supported by 3DM-CV7-AHRS,
  * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time. The reply arrives after the
@@ -3508,7 +3509,7 @@ export declare class LowPassFilter<R extends Response | undefined = undefined | 
  *
  * Selects MIP data or the raw data of a sensor for a stream.
  *
- * No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain:
  * Which devices have it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions
  * other than write require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
@@ -3545,8 +3546,8 @@ export declare class DataStreamFormat<R extends Response | undefined = undefined
  *
  * Sets the power state of an internal sensor.
  *
- * No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
- * `DevicePowerStateResponse`. The device may take 5 s to answer. Known only from the MIP SDK of 2014 and MicroStrain
+ * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * `DevicePowerStateResponse`. The device may take 5 s to reply. Known only from the MIP SDK of 2014 and MicroStrain
  * Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the
  * 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether
  * `state` may be omitted with functions other than write. The SDK of 2014 sends `device` with every function, and a 0
@@ -3580,9 +3581,9 @@ export declare class DevicePowerState<R extends Response | undefined = undefined
  *
  * Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
  *
- * No device is certain to support it. For advanced use. Functions: `save`, `load` and `default`. Known only from the
- * MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014
- * names the 3DM-GX3-35.
+ * No device is known for certain to support it. For advanced use. Functions: `save`, `load` and `default`. Known only
+ * from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
+ * SDK of 2014 names the 3DM-GX3-35.
  *
  * In direct mode, your program configures the u-blox receiver with its own protocol; see `system.CommMode`.
  *

@@ -88,7 +88,7 @@ export declare class BuiltInTestResponse extends Response {
      *   3DM-CX5-25, 3DM-GX5-10 and 3DM-GX5-25: values of `types.Gx5BuiltInTest`. Inferred: The 3DM-GX5-15 has it.
      * - On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
      *   3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and
-     *   3DM-RQ1-IMU: the values are not known.
+     *   3DM-RQ1-IMU: the values are unknown.
      * - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GQ7-GNSS/INS,
      *   3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of `types.Cv7BuiltInTest`. Inferred: The
      *   3DM-CV7-GNSS/INS has it.
@@ -190,7 +190,7 @@ export declare class CommSpeedResponse extends Response {
      * - On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
      * - On the 3DM-GV7-INS: values of `types.CommInterface`; only `types.CommInterface.MAIN`,
      *   `types.CommInterface.UART_1`, `types.CommInterface.UART_2` and `types.CommInterface.USB_1`.
-     * - On the 3DM-RTK: the values are not known.
+     * - On the 3DM-RTK: the values are unknown.
      */
     port: number;
     /** Baud rate of the port. Unit: Bd. */
@@ -266,7 +266,7 @@ export declare class GetDeviceDescriptors extends Command<GetDeviceDescriptorsRe
  *
  * Runs the self test of the device and gets its result.
  *
- * Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+ * Answered by `BuiltInTestResponse`. The device may take 10 s to reply. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: The maximum duration of the test. The manual of
  * the 3DM-CV7 states several seconds; 10 s leaves room for that.
  *
@@ -363,7 +363,7 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
      * - On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
      * - On the 3DM-GV7-INS: values of `types.CommInterface`; only `types.CommInterface.MAIN`,
      *   `types.CommInterface.UART_1`, `types.CommInterface.UART_2` and `types.CommInterface.USB_1`.
-     * - On the 3DM-RTK: the values are not known.
+     * - On the 3DM-RTK: the values are unknown.
      */
     port?: number;
     /** Baud rate; one that the port supports. Unit: Bd. Required for `write`. */

@@ -12,7 +12,7 @@ import type * as types from "./types.mjs";
 /**
  * Get Analog to Displacement Calibration response (0x11,0x81).
  *
- * No device is certain to support it. Also called `get_analog_displacement_calibration_response`. Answers
+ * No device is known for certain to support it. Also called `get_analog_displacement_calibration_response`. Answers
  * `GetCalibration`. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
@@ -28,8 +28,8 @@ export declare class GetCalibrationResponse extends Response {
 /**
  * Displacement Output Data Rate response (0x11,0x82).
  *
- * No device is certain to support it. Also called `displacement_output_rate_response`. Answers `OutputRate`. Known only
- * from the MicroStrain Communication Library.
+ * No device is known for certain to support it. Also called `displacement_output_rate_response`. Answers `OutputRate`.
+ * Known only from the MicroStrain Communication Library.
  *
  * - mscl: Displacement Output Data Rate (0x11,0x02)
  */
@@ -44,7 +44,7 @@ export declare class OutputRateResponse extends Response {
  *
  * Reads the linear function with which the device converts the counts of its converter to a displacement.
  *
- * No device is certain to support it. Also called `get_analog_displacement_calibration`. Answered by
+ * No device is known for certain to support it. Also called `get_analog_displacement_calibration`. Answered by
  * `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
@@ -58,7 +58,7 @@ export declare class GetCalibration extends Command<GetCalibrationResponse> {
  *
  * Reads the rate at which displacement is measured.
  *
- * No device is certain to support it. Also called `displacement_output_rate`. Functions: `read`. Answered by
+ * No device is known for certain to support it. Also called `displacement_output_rate`. Functions: `read`. Answered by
  * `OutputRateResponse`. Known only from the MicroStrain Communication Library. Uncertain: Whether the rate can be
  * written. MSCL only reads it.
  *
@@ -77,7 +77,7 @@ export declare class OutputRate extends Command<OutputRateResponse> {
  *
  * Sets the clock of the device, from which `displacement_data.Timestamp` is taken.
  *
- * No device is certain to support it. Also called `displacement_device_time`. Functions: `write`. Changes
+ * No device is known for certain to support it. Also called `displacement_device_time`. Functions: `write`. Changes
  * `displacement_data.Timestamp`. Known only from the MicroStrain Communication Library. Uncertain: Whether the time can
  * be read. MSCL only writes it.
  *

@@ -24,7 +24,7 @@ export declare const TimestampFlags: Bitfield<TimestampFlags> & {
  *
  * Displacement in counts of the converter.
  *
- * No device is certain to support it. Known only from the MicroStrain Communication Library.
+ * No device is known for certain to support it. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Raw displacement (0x90,0x01)
  */
@@ -39,7 +39,7 @@ export declare class DisplacementRaw extends Data {
  *
  * Displacement of the sensor, computed with its calibration.
  *
- * No device is certain to support it. Known only from the MicroStrain Communication Library.
+ * No device is known for certain to support it. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Displacement (0x90,0x02)
  */
@@ -54,7 +54,7 @@ export declare class Displacement extends Data {
  *
  * Time of the measurement by the clock of the device.
  *
- * No device is certain to support it. Also called `displacement_timestamp`. Known only from the MicroStrain
+ * No device is known for certain to support it. Also called `displacement_timestamp`. Known only from the MicroStrain
  * Communication Library.
  *
  * - mscl: Displacement Device Timestamp (0x90,0x04)

@@ -584,8 +584,8 @@ export declare class SoftIronMatrixNoiseResponse extends Response {
 /**
  * Tare orientation response (0x0D,0xA1).
  *
- * No device is certain to support it. Answers `TareOrientation`. Uncertain: Which devices send it. The SDK reads the
- * setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
+ * No device is known for certain to support it. Answers `TareOrientation`. Uncertain: Which devices send it. The SDK
+ * reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -1099,7 +1099,7 @@ export declare class SetInitialHeading extends Command<undefined> {
  *
  * Initializes the attitude of the filter with that of the complementary filter.
  *
- * No device is certain to support it. Also called `set_initial_heading_from_mag`. Changes
+ * No device is known for certain to support it. Also called `set_initial_heading_from_mag`. Changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Known only from the MIP
  * SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set
  * initial heading from mag, and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45.

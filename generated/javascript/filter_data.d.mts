@@ -1042,7 +1042,7 @@ export declare class CompAccel extends Data {
  *
  * US Standard Atmosphere of 1976 at the altitude of the device.
  *
- * No device is certain to support it. Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Known only from the MicroStrain MIP SDK.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -1124,7 +1124,8 @@ export declare class DensityAltitude extends Data {
  *
  * Estimated hard iron offset of the magnetometer.
  *
- * No device is certain to support it. Also called `magnetometer_offset`. Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `magnetometer_offset`. Known only from the MicroStrain MIP
+ * SDK.
  *
  * The filter adds it to the stored offset of `3dm.MagHardIronOffset`.
  *
@@ -1146,7 +1147,8 @@ export declare class MagOffset extends Data {
  *
  * Estimated soft iron matrix of the magnetometer.
  *
- * No device is certain to support it. Also called `magnetometer_matrix`. Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `magnetometer_matrix`. Known only from the MicroStrain MIP
+ * SDK.
  *
  * The filter multiplies the stored matrix of `3dm.MagSoftIronMatrix` by it, from the right.
  *
@@ -1168,8 +1170,8 @@ export declare class MagMatrix extends Data {
  *
  * Standard deviation of the estimated hard iron offset.
  *
- * No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known only from the MicroStrain
- * MIP SDK.
+ * No device is known for certain to support it. Also called `magnetometer_offset_uncertainty`. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
  */
@@ -1189,8 +1191,8 @@ export declare class MagOffsetUncertainty extends Data {
  *
  * Standard deviation of the estimated soft iron matrix.
  *
- * No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only from the MicroStrain
- * MIP SDK.
+ * No device is known for certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
  */

@@ -192,8 +192,8 @@ export declare class RtkConfigResponse extends Response {
 /**
  * RTK dongle configuration response (0x0E,0x90).
  *
- * No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Known
- * only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `rtk_dongle_configuration_response`. Answers
+ * `RtkDongleConfig`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */
@@ -348,9 +348,9 @@ export declare class RtkConfig<R extends Response | undefined = undefined | RtkC
  *
  * Switches the communication with a connected RTK dongle on or off.
  *
- * No device is certain to support it. Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`,
- * `load` and `default`. Answered by `RtkDongleConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Known
- * only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `rtk_dongle_configuration`. Functions: `write`, `read`,
+ * `save`, `load` and `default`. Answered by `RtkDongleConfigResponse`. Probably changes
+ * `gnss_data.RtkCorrectionsStatus`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */

@@ -894,8 +894,8 @@ export declare class GpsTime extends Data {
  *
  * Bias and drift of the receiver clock.
  *
- * No device is certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections
- * (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92),
+ * gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only from the MicroStrain MIP SDK.
  *
  * Clock info 2 supersedes it and is more detailed.
  *

@@ -1,15 +1,15 @@
-// Common to all command sets: function selectors and the acknowledge.
+// Common to all command sets: function selectors and the acknowledge field.
 
 import type { Enumeration, Flavor, Response, Values } from "./mip/index.mjs";
 import type * as types from "./types.mjs";
 
 export { AckCode } from "./types.mjs";
 
-/** Set and descriptor of the command that a barrier of `Client` consists of; zeros if the specification names none. */
+/** Set and descriptor of the command of which a barrier of `Client` consists; zeros if the specification names none. */
 export declare const BARRIER: readonly [set: number, descriptor: number];
 
 export type FunctionSelector = Flavor<number, "function_selector">;
-/** What a settings command is asked to do. */
+/** The operation that a settings command requests. */
 export declare const FunctionSelector: Enumeration<FunctionSelector> & {
     /** Apply the new setting. */
     readonly WRITE: FunctionSelector & 1;

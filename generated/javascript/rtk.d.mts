@@ -69,7 +69,7 @@ export declare const LedAction: Enumeration<LedAction> & {
 /**
  * Get status flags response (0x0F,0x81).
  *
- * No device is certain to support it. Answers `GetStatusFlags`. Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Answers `GetStatusFlags`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
@@ -152,8 +152,8 @@ export declare class ConnectedDeviceTypeResponse extends Response {
 /**
  * Get activation code response (0x0F,0x87).
  *
- * No device is certain to support it. Also called `get_act_code_response`. Answers `GetActivationCode`. Known only from
- * the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `get_act_code_response`. Answers `GetActivationCode`. Known
+ * only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -202,7 +202,8 @@ export declare class ServiceStatusResponse extends Response {
  *
  * Gets the state of the modem and of the corrections.
  *
- * No device is certain to support it. Answered by `GetStatusFlagsResponse`. Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Answered by `GetStatusFlagsResponse`. Known only from the MicroStrain
+ * MIP SDK.
  *
  * The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
  *
@@ -297,8 +298,8 @@ export declare class ConnectedDeviceType<R extends Response | undefined = undefi
  *
  * Reads the code that activates the modem for its service.
  *
- * No device is certain to support it. Also called `get_act_code`. Answered by `GetActivationCodeResponse`. Known only
- * from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `get_act_code`. Answered by `GetActivationCodeResponse`.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -325,7 +326,7 @@ export declare class GetModemFirmwareVersion extends Command<GetModemFirmwareVer
  *
  * Queries a correction server about the connection, which also keeps it open.
  *
- * Answered by `ServiceStatusResponse`. Sent by the device; the host answers. Not listed in any device profile. Known
+ * Answered by `ServiceStatusResponse`. Sent by the device; the host replies. Not listed in any device profile. Known
  * only from the MicroStrain MIP SDK.
  *
  * The modem sends it as a host would, and the server replies as a device would.

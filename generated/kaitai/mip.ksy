@@ -30,7 +30,7 @@ types:
         value: _io.pos
       has_frame:
         value: _io.size - start >= 6
-        doc: Are there enough bytes for an empty packet?
+        doc: True if there are enough bytes for an empty packet.
       sync:
         pos: start
         type: u2
@@ -45,7 +45,7 @@ types:
         if: has_frame
       is_packet:
         value: has_frame and sync == 0x7565 and set != 0 and set != 255 and _io.size - start >= length + 6
-        doc: Do the following bytes look like a whole packet? The checksum is not computed.
+        doc: True if the following bytes look like a whole packet. The checksum is not computed.
   skipped:
     seq:
       - id: first
@@ -71,7 +71,7 @@ types:
         type: payload(set)
       - id: checksum
         type: u2
-        doc: Two sums over all bytes before, a += byte and b += a, modulo 256; a, then b. Kaitai does not verify it.
+        doc: Two sums over all previous bytes, a += byte and b += a, modulo 256; a, then b. Not verified by Kaitai.
   payload:
     params:
       - id: set
@@ -102,7 +102,7 @@ types:
     instances:
       is_sound:
         value: length >= 2 and length - 1 <= _io.size - _io.pos
-        doc: Is the length possible, so that a descriptor and data follow?
+        doc: True if the length is possible, so that a descriptor and data follow.
       kind:
         value: "set < 0x80 and descriptor == 0xf1 ? 0x00f1 : set >= 0x80 and descriptor >= 0xd0 and descriptor <= 0xd8 ? 0xff00 | descriptor : set << 8 | descriptor"
         enum: kind
@@ -112,7 +112,7 @@ types:
         pos: 0
         size-eos: true
         if: is_sound
-        doc: Decoded on access; bytes if the specification does not know the descriptor.
+        doc: Decoded on access; bytes if the specification does not define the descriptor.
         type:
           switch-on: kind
           cases:
@@ -668,7 +668,7 @@ types:
         size-eos: true
   mip_3dm_device_status_basic_response_layouts:
     -kind: layouts
-    doc: The layout of the data, chosen by its constants and its size.
+    doc: The layout of the data, selected by its constants and its size.
     seq:
       - id: layout
         size-eos: true
@@ -731,7 +731,7 @@ types:
         value: "fits_12 and _io.size >= 105 ? 12 : fits_6 and _io.size >= 86 ? 6 : fits_5 and _io.size >= 80 ? 5 : fits_4 and _io.size >= 77 ? 4 : fits_7 and _io.size >= 73 ? 7 : fits_9 and _io.size >= 62 ? 9 : fits_10 and _io.size >= 61 ? 10 : fits_8 and _io.size >= 60 ? 8 : fits_3 and _io.size >= 51 ? 3 : fits_0 and _io.size >= 15 ? 0 : fits_11 and _io.size >= 15 ? 11 : fits_1 and _io.size >= 13 ? 1 : fits_2 and _io.size >= 11 ? 2 : fits_2 ? 2 : fits_1 ? 1 : fits_0 ? 0 : fits_11 ? 11 : fits_3 ? 3 : fits_8 ? 8 : fits_10 ? 10 : fits_9 ? 9 : fits_7 ? 7 : fits_4 ? 4 : fits_5 ? 5 : fits_6 ? 6 : fits_12 ? 12 : -1"
   sensor_pps_timestamp_layouts:
     -kind: layouts
-    doc: The layout of the data, chosen by its constants and its size.
+    doc: The layout of the data, selected by its constants and its size.
     seq:
       - id: layout
         size-eos: true
@@ -749,7 +749,7 @@ types:
         value: "fits_1 and _io.size >= 9 ? 1 : fits_0 and _io.size >= 8 ? 0 : fits_0 ? 0 : fits_1 ? 1 : -1"
   gnss_data_dgps_info_layouts:
     -kind: layouts
-    doc: The layout of the data, chosen by its constants and its size.
+    doc: The layout of the data, selected by its constants and its size.
     seq:
       - id: layout
         size-eos: true

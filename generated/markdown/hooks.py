@@ -96,8 +96,8 @@ def on_post_page(output: str, **_: Any) -> str:
 
 
 def on_post_build(config: Any) -> None:
-    """Writes the texts of all pages and the whole programs as scripts, which pages from disk may load too, and adds the
-    workbench."""
+    """Writes the texts of all pages and the complete programs as scripts, which pages from disk may load too, and adds
+    the workbench."""
     assets = Path(config["site_dir"], "assets")
     text = json.dumps([_texts[url] for url in sorted(_texts)], ensure_ascii=False, separators=(",", ":"))
     (assets / "text.js").write_text(f"globalThis.mipText = {text};\n", "utf-8")

@@ -1,4 +1,4 @@
-# Version and sources of the mip library, for all build systems that are written in CMake.
+# Version and sources of the mip library, for all CMake-based build systems.
 set(MIP_VERSION 0.1.0)
 get_filename_component(MIP_FOLDER ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 set(MIP_SOURCES

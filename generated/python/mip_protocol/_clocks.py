@@ -5,7 +5,7 @@ from __future__ import annotations
 #: Clock -> the day of its epoch; None if it has none. Preferred clocks come first.
 CLOCKS: dict[str, str | None] = {"gps": "1980-01-06", "external": None, "reference": None}
 
-#: Set and descriptor of the fields that hold the time of their packet -> its clock.
+#: Set and descriptor of the fields that contain the time of their packet -> the clock.
 TIMESTAMPS: dict[tuple[int, int], str] = {
     (0xFF, 0xD3): "gps",
     (0x80, 0x12): "gps",
@@ -19,7 +19,7 @@ TIMESTAMPS: dict[tuple[int, int], str] = {
     (0xFF, 0xD5): "reference",
 }
 
-#: Day -> the seconds by which clocks with an epoch are ahead of UTC, from 00:00 UTC of that day.
+#: Day -> the seconds by which clocks with an epoch are ahead of UTC, from 00:00 UTC on that day.
 LEAP_SECONDS: tuple[tuple[str, int], ...] = (
     ("1981-07-01", 1),
     ("1982-07-01", 2),

@@ -25,7 +25,7 @@ SETS: dict[int, tuple[str, ...]] = {
     0xFF: ("shared", "Shared data"),
 }
 
-#: Names of sets -> the family, with which the names of their fields begin, if it has another name.
+#: Names of sets -> the family, which is the prefix of their fields' names, if its name differs.
 FAMILIES: dict[str, str] = {
     "gnss_1": "gnss_data",
     "gnss_2": "gnss_data",

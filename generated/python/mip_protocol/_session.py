@@ -6,7 +6,7 @@ from .streaming import Older, Session
 
 
 def session() -> Session | None:
-    """Imports the modules of these commands. None if the specification names none."""
+    """Imports the modules of these commands and returns the commands; None if the specification names none."""
     from . import base, mip_3dm, types
 
     return Session(

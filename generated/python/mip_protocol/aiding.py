@@ -1009,7 +1009,7 @@ class Pressure(Command[None]):
 FrameConfigResponse.COMMANDS = (FrameConfig,)
 EchoControlResponse.COMMANDS = (EchoControl,)
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (FrameConfig,),
     0x1F: (EchoControl,),

@@ -173,7 +173,7 @@ class BuiltInTestResponse(Response):
       The 3DM-GX5-15 has it.
     - On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
       3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU, 3DM-GX5-35, 3DM-GX5-45,
-      3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are not known.
+      3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are unknown.
     - On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
       3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
       `types.Cv7BuiltInTest`. Inferred: The 3DM-CV7-GNSS/INS has it.
@@ -339,7 +339,7 @@ class CommSpeedResponse(Response):
     - On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
     - On the 3DM-GV7-INS: values of `types.CommInterface`; only `types.CommInterface.MAIN`,
       `types.CommInterface.UART_1`, `types.CommInterface.UART_2` and `types.CommInterface.USB_1`.
-    - On the 3DM-RTK: the values are not known.
+    - On the 3DM-RTK: the values are unknown.
     """
     baud: int
     """Baud rate of the port. Unit: Bd."""
@@ -448,7 +448,7 @@ class BuiltInTest(Command[BuiltInTestResponse]):
 
     Runs the self test of the device and gets its result.
 
-    Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by
+    Answered by `BuiltInTestResponse`. The device may take 10 s to reply. Supported by
     3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     Uncertain: The maximum duration of the test. The manual of the 3DM-CV7 states several seconds;
     10 s leaves room for that.
@@ -588,7 +588,7 @@ class CommSpeed(Command[R]):
     - On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
     - On the 3DM-GV7-INS: values of `types.CommInterface`; only `types.CommInterface.MAIN`,
       `types.CommInterface.UART_1`, `types.CommInterface.UART_2` and `types.CommInterface.USB_1`.
-    - On the 3DM-RTK: the values are not known.
+    - On the 3DM-RTK: the values are unknown.
     """
     baud: int | None
     """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
@@ -757,7 +757,7 @@ GetExtendedDescriptorsResponse.COMMANDS = (GetExtendedDescriptors,)
 ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
 CommSpeedResponse.COMMANDS = (CommSpeed,)
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
     0x02: (SetIdle,),

@@ -1103,7 +1103,7 @@ Uncertain: The manual warns of a bug in the NMEA input, and does not describe it
 CV7_INS = Device(
     id="3dm-cv7-ins",
     title="3DM-CV7-INS",
-    description="Inertial navigation system without a GNSS receiver of its own.",
+    description="Inertial navigation system without an internal GNSS receiver.",
     model_number=6291,
     evidence=(
         Evidence(Support.YES, "documented", "Documented.", {0x0D: bytes.fromhex("13 20")}),
@@ -1214,7 +1214,7 @@ CV7_INS = Device(
         "aiding_frames": Limit(
             4, None, "Frames that the aiding frame configuration can define, according to MSCL."
         ),
-        "antenna_offset": Limit(10, "m", "Greatest distance of the antenna from the device."),
+        "antenna_offset": Limit(10, "m", "Maximum distance of the antenna from the device."),
     },
     notes={
         "anti_aliasing": Note(
@@ -1248,7 +1248,7 @@ CV7_INS = Device(
             ),
         ),
         "receivers": Note(
-            "GNSS sets", "The sets 0x94 and 0x95 have data of two receivers of the user.", ()
+            "GNSS sets", "The sets 0x94 and 0x95 contain the data of two external receivers.", ()
         ),
     },
     readings={
@@ -1268,7 +1268,7 @@ CV7_INS = Device(
     generation=7,
     manual="3dm-cv7-ins",
 )
-"""Inertial navigation system without a GNSS receiver of its own. Generation 7. Model number 6291.
+"""Inertial navigation system without an internal GNSS receiver. Generation 7. Model number 6291.
 Manual: MicroStrain 3DM-CV7-INS Documentation, online, known from some pages. This profile is
 incomplete: Only some pages of the manual are known, so it has more commands and data. This profile
 is incomplete: It has the data sets 0x80, 0x82, 0x94, 0x95, 0xA0 and 0xFF. Uncertain: Only a test
@@ -2027,7 +2027,7 @@ GQ4_45 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -2209,7 +2209,7 @@ GQ7 = Device(
         ),
         "receivers": Note(
             "GNSS sets",
-            "The set 0x91 is that of the first receiver and 0x92 that of the second; 0x93 contains the RTK corrections.",
+            "The set 0x91 belongs to the first receiver and 0x92 to the second; 0x93 contains the RTK corrections.",
             (),
         ),
     },
@@ -2858,7 +2858,7 @@ GX4_15 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -2939,7 +2939,7 @@ GX4_25 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -3004,7 +3004,7 @@ GX4_45 = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -3227,7 +3227,7 @@ GX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "transcribed",
-            "Listed by others after the manual (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018).",
+            "Transcribed from the manual by others (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018).",
             {
                 0x80: bytes.fromhex("04 05 06 07 08 09 0A 0C 10 11 12 17"),
                 0x82: bytes.fromhex(
@@ -3555,7 +3555,7 @@ GX5_45 = Device(
     },
     incomplete=(
         "Only some pages of the manual are known, so it has more commands and data.",
-        "Only four fields of the filter data are listed; the manual has 27 or more.",
+        "Only four fields of the filter data are listed; the manual documents 27 or more.",
     ),
     also=("3DM-GX5-GNSS/INS",),
     generation=5,
@@ -3565,8 +3565,8 @@ GX5_45 = Device(
 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP Manual, 8500-0064
 rev. C, known from some pages. This profile is incomplete: Only some pages of the manual are known,
 so it has more commands and data. This profile is incomplete: Only four fields of the filter data
-are listed; the manual has 27 or more. Uncertain: The values of `filter.GnssSource` are those that
-MSCL offers. Uncertain: The base rates are those that the manuals of the 3DM-GX5-35 and the
+are listed; the manual documents 27 or more. Uncertain: The values of `filter.GnssSource` are those
+that MSCL offers. Uncertain: The base rates are those that the manuals of the 3DM-GX5-35 and the
 3DM-GX5-45 state for all 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz for
 the sensor data. Uncertain: The manual states the length of
 `mip_3dm.DeviceStatusBasicWithoutStateResponse` and offsets of
@@ -3664,7 +3664,7 @@ RQ1_45_LT = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -3739,7 +3739,7 @@ RQ1_45_ST = Device(
     notes={
         "direct_mode": Note(
             "Direct modes",
-            "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
+            "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.",
             (),
         ),
         "device_status": Note(
@@ -3832,7 +3832,7 @@ RTK = Device(
     notes={
         "versions": Note(
             "Versions",
-            "Model numbers that end in 0000 are of version 1, those in 0100 of version 2, according to MSCL. Their status words in `rtk.get_status_flags` differ.",
+            "According to MSCL, model numbers that end in 0000 denote version 1, and those that end in 0100 version 2. Their status words in `rtk.get_status_flags` differ.",
             (),
         )
     },
@@ -3924,17 +3924,17 @@ DEVICES: dict[str, Device] = {
 
 
 def by_name(name: str) -> Device:
-    """A device by its id, title, other name or last words ("gx5 15"), in any spelling; raises UnknownName."""
+    """Finds a device by its id, title, other name or last words ("gx5 15"), in any spelling; raises UnknownName."""
     return DEVICES[device_id(name)]
 
 
 def by_model(number: int) -> Device | None:
-    """A device by its model number; None if it is unknown, for example that of a newer device."""
+    """Finds a device by its model number; None if the number is unknown, for example of a newer device."""
     return next((d for d in DEVICES.values() if d.model_number == number), None)
 
 
 def identify(info: DeviceInfo) -> Device | None:
-    """The device that sent this device information; None if it is unknown."""
+    """Finds the device that sent this device information; None if it is unknown."""
     number = model_number(info.model_number) or model_number(info.serial_number)
     return by_model(number) if number else None
 

@@ -15,8 +15,9 @@ from .protocol import FunctionSelector
 class GetCalibrationResponse(Response):
     """Get Analog to Displacement Calibration response (0x11,0x81).
 
-    No device is certain to support it. Also called `get_analog_displacement_calibration_response`.
-    Answers `GetCalibration`. Known only from the MicroStrain Communication Library.
+    No device is known for certain to support it. Also called
+    `get_analog_displacement_calibration_response`. Answers `GetCalibration`. Known only from the
+    MicroStrain Communication Library.
 
     - mscl: Get Analog to Displacement Calibration (0x11,0x01)
     """
@@ -44,8 +45,8 @@ class GetCalibrationResponse(Response):
 class OutputRateResponse(Response):
     """Displacement Output Data Rate response (0x11,0x82).
 
-    No device is certain to support it. Also called `displacement_output_rate_response`. Answers
-    `OutputRate`. Known only from the MicroStrain Communication Library.
+    No device is known for certain to support it. Also called `displacement_output_rate_response`.
+    Answers `OutputRate`. Known only from the MicroStrain Communication Library.
 
     - mscl: Displacement Output Data Rate (0x11,0x02)
     """
@@ -73,8 +74,8 @@ class GetCalibration(Command[GetCalibrationResponse]):
     Reads the linear function with which the device converts the counts of its converter to a
     displacement.
 
-    No device is certain to support it. Also called `get_analog_displacement_calibration`. Answered
-    by `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.
+    No device is known for certain to support it. Also called `get_analog_displacement_calibration`.
+    Answered by `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.
 
     - mscl: Get Analog to Displacement Calibration (0x11,0x01)
     """
@@ -94,8 +95,8 @@ class OutputRate(Command[OutputRateResponse]):
 
     Reads the rate at which displacement is measured.
 
-    No device is certain to support it. Also called `displacement_output_rate`. Functions: `read`.
-    Answered by `OutputRateResponse`. Known only from the MicroStrain Communication Library.
+    No device is known for certain to support it. Also called `displacement_output_rate`. Functions:
+    `read`. Answered by `OutputRateResponse`. Known only from the MicroStrain Communication Library.
     Uncertain: Whether the rate can be written. MSCL only reads it.
 
     - mscl: Displacement Output Data Rate (0x11,0x02)
@@ -136,9 +137,9 @@ class DeviceTime(Command[None]):
 
     Sets the clock of the device, from which `displacement_data.Timestamp` is taken.
 
-    No device is certain to support it. Also called `displacement_device_time`. Functions: `write`.
-    Changes `displacement_data.Timestamp`. Known only from the MicroStrain Communication Library.
-    Uncertain: Whether the time can be read. MSCL only writes it.
+    No device is known for certain to support it. Also called `displacement_device_time`. Functions:
+    `write`. Changes `displacement_data.Timestamp`. Known only from the MicroStrain Communication
+    Library. Uncertain: Whether the time can be read. MSCL only writes it.
 
     - mscl: Displacement Device Time (0x11,0x04)
     """
@@ -173,7 +174,7 @@ class DeviceTime(Command[None]):
 GetCalibrationResponse.COMMANDS = (GetCalibration,)
 OutputRateResponse.COMMANDS = (OutputRate,)
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (GetCalibration,),
     0x02: (OutputRate,),

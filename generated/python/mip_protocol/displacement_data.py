@@ -28,7 +28,8 @@ class DisplacementRaw(Data):
 
     Displacement in counts of the converter.
 
-    No device is certain to support it. Known only from the MicroStrain Communication Library.
+    No device is known for certain to support it. Known only from the MicroStrain Communication
+    Library.
 
     - mscl: Raw displacement (0x90,0x01)
     """
@@ -55,7 +56,8 @@ class Displacement(Data):
 
     Displacement of the sensor, computed with its calibration.
 
-    No device is certain to support it. Known only from the MicroStrain Communication Library.
+    No device is known for certain to support it. Known only from the MicroStrain Communication
+    Library.
 
     - mscl: Displacement (0x90,0x02)
     """
@@ -82,8 +84,8 @@ class Timestamp(Data):
 
     Time of the measurement by the clock of the device.
 
-    No device is certain to support it. Also called `displacement_timestamp`. Known only from the
-    MicroStrain Communication Library.
+    No device is known for certain to support it. Also called `displacement_timestamp`. Known only
+    from the MicroStrain Communication Library.
 
     - mscl: Displacement Device Timestamp (0x90,0x04)
     """
@@ -110,7 +112,7 @@ class Timestamp(Data):
         self.time = time
 
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (DisplacementRaw,),
     0x02: (Displacement,),

@@ -347,7 +347,7 @@ class Cv7StatusFlags(IntFlag):
         return FilterCondition((self >> 0) & 0x3)
 
     def with_filter_condition(self, value: int) -> Cv7StatusFlags:
-        """A copy with bits 0 to 1 set to a number."""
+        """Returns a copy with bits 0 to 1 set to a number."""
         value = codec.fits("filter_condition", value, 2)
         return Cv7StatusFlags(int(self) & ~0x3 | value << 0)
 
@@ -357,7 +357,7 @@ class Cv7StatusFlags(IntFlag):
         return int((self >> 12) & 0xF)
 
     def with_solution_error(self, value: int) -> Cv7StatusFlags:
-        """A copy with bits 12 to 15 set to a number."""
+        """Returns a copy with bits 12 to 15 set to a number."""
         value = codec.fits("solution_error", value, 4)
         return Cv7StatusFlags(int(self) & ~0xF000 | value << 12)
 
@@ -1569,7 +1569,7 @@ class StandardAtmosphere(Data):
 
     US Standard Atmosphere of 1976 at the altitude of the device.
 
-    No device is certain to support it. Known only from the MicroStrain MIP SDK.
+    No device is known for certain to support it. Known only from the MicroStrain MIP SDK.
 
     It is valid only with a valid GNSS position.
 
@@ -1719,8 +1719,8 @@ class MagOffset(Data):
 
     Estimated hard iron offset of the magnetometer.
 
-    No device is certain to support it. Also called `magnetometer_offset`. Known only from the
-    MicroStrain MIP SDK.
+    No device is known for certain to support it. Also called `magnetometer_offset`. Known only from
+    the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
@@ -1756,8 +1756,8 @@ class MagMatrix(Data):
 
     Estimated soft iron matrix of the magnetometer.
 
-    No device is certain to support it. Also called `magnetometer_matrix`. Known only from the
-    MicroStrain MIP SDK.
+    No device is known for certain to support it. Also called `magnetometer_matrix`. Known only from
+    the MicroStrain MIP SDK.
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
@@ -1793,8 +1793,8 @@ class MagOffsetUncertainty(Data):
 
     Standard deviation of the estimated hard iron offset.
 
-    No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known only
-    from the MicroStrain MIP SDK.
+    No device is known for certain to support it. Also called `magnetometer_offset_uncertainty`.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
     """
@@ -1830,8 +1830,8 @@ class MagMatrixUncertainty(Data):
 
     Standard deviation of the estimated soft iron matrix.
 
-    No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only
-    from the MicroStrain MIP SDK.
+    No device is known for certain to support it. Also called `magnetometer_matrix_uncertainty`.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
     """
@@ -2781,7 +2781,7 @@ class AidingFrameConfigErrorUncertainty(Data):
         self.attitude_uncertainty = codec.vector(attitude_uncertainty, types.Vector3f)
 
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (LlhPosition,),
     0x02: (NedVelocity,),

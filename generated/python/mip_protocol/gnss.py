@@ -276,8 +276,8 @@ class RtkConfigResponse(Response):
 class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers
-    `RtkDongleConfig`. Known only from the MicroStrain MIP SDK.
+    No device is known for certain to support it. Also called `rtk_dongle_configuration_response`.
+    Answers `RtkDongleConfig`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
     """
@@ -658,9 +658,9 @@ class RtkDongleConfig(Command[R]):
 
     Switches the communication with a connected RTK dongle on or off.
 
-    No device is certain to support it. Also called `rtk_dongle_configuration`. Functions: `write`,
-    `read`, `save`, `load` and `default`. Answered by `RtkDongleConfigResponse`. Probably changes
-    `gnss_data.RtkCorrectionsStatus`. Known only from the MicroStrain MIP SDK.
+    No device is known for certain to support it. Also called `rtk_dongle_configuration`. Functions:
+    `write`, `read`, `save`, `load` and `default`. Answered by `RtkDongleConfigResponse`. Probably
+    changes `gnss_data.RtkCorrectionsStatus`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
     """
@@ -892,7 +892,7 @@ RtkConfigResponse.COMMANDS = (RtkConfig,)
 RtkDongleConfigResponse.COMMANDS = (RtkDongleConfig,)
 SpartnConfigResponse.COMMANDS = (SpartnConfig,)
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ReceiverInfo,),
     0x02: (SignalConfig,),

@@ -1187,9 +1187,9 @@ class ClockInfo(Shared, Data):
 
     Bias and drift of the receiver clock.
 
-    No device is certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92),
-    gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only from the
-    MicroStrain MIP SDK.
+    No device is known for certain to support it. Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2
+    (0x92), gnss_corrections (0x93), gnss_external (0x94) and gnss_external_2 (0x95). Known only
+    from the MicroStrain MIP SDK.
 
     Clock info 2 supersedes it and is more detailed.
 
@@ -3981,7 +3981,7 @@ class BeidouIonoCorrection(Shared, Data):
         self.valid_flags = valid_flags
 
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x03: (LlhPosition,),
     0x04: (EcefPosition,),

@@ -665,8 +665,8 @@ class DataStreamControlResponse(Response):
 class ImuSignalConditioningResponse(Response):
     """IMU signal conditioning response (0x0C,0x86).
 
-    No device is certain to support it. Answers `ImuSignalConditioning`. Known only from the MIP SDK
-    of 2014 and MicroStrain Communication Library.
+    No device is known for certain to support it. Answers `ImuSignalConditioning`. Known only from
+    the MIP SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
     - mscl: IMU signal conditioning (0x0C,0x35)
@@ -781,8 +781,8 @@ class UartBaudRateResponse(Response):
 class DataStreamFormatResponse(Response):
     """Data stream format response (0x0C,0x88).
 
-    No device is certain to support it. Answers `DataStreamFormat`. Known only from the MIP SDK of
-    2014 and MicroStrain Communication Library.
+    No device is known for certain to support it. Answers `DataStreamFormat`. Known only from the
+    MIP SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Data stream format (0x0C,0x60)
     - mscl: Data stream format (0x0C,0x60)
@@ -811,8 +811,8 @@ class DataStreamFormatResponse(Response):
 class DevicePowerStateResponse(Response):
     """Device power state response (0x0C,0x89).
 
-    No device is certain to support it. Answers `DevicePowerState`. Known only from the MIP SDK of
-    2014 and MicroStrain Communication Library.
+    No device is known for certain to support it. Answers `DevicePowerState`. Known only from the
+    MIP SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Device power state (0x0C,0x61)
     - mscl: Device power state (0x0C,0x61)
@@ -1010,9 +1010,9 @@ class DeviceStatusBasicRq1ImuResponse(Response):
 
     Timer only, in microseconds.
 
-    No device is certain to support it. Answers `DeviceStatus`. Sent if `status_selector` is
-    `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 lists the names of the values and the
-    unit of the timer; the descriptions are inferred from the names.
+    No device is known for certain to support it. Answers `DeviceStatus`. Sent if `status_selector`
+    is `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 lists the names of the values and
+    the unit of the timer; the descriptions are inferred from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1114,7 +1114,7 @@ class DeviceStatusBasicWithoutStateResponse(Response):
 
     Timer only.
 
-    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
     `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response` by the size of its data. Sent if
     `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: MSCL has it for the 3DM-GX4-15,
     3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the
@@ -1975,7 +1975,7 @@ class DeviceStatusDiagnosticGx4Response(Response):
 
     Timer, and counters of pulses, streams, port and USB.
 
-    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
@@ -2161,7 +2161,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
 
     Timer, available sensors, temperature, and the counters of pulses, stream and port.
 
-    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`,
@@ -2348,7 +2348,7 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
     port.
 
-    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
@@ -2533,7 +2533,7 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
 
     Timer, temperature and supply, and the counters of pulses, stream and port.
 
-    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
@@ -2704,7 +2704,7 @@ class DeviceStatusBasicGx3Response(Response):
 
     State of the port.
 
-    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
     `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse` by the size of its data.
     Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has
     it, with the names of the values; the descriptions are inferred from the names.
@@ -2787,7 +2787,7 @@ class DeviceStatusDiagnosticGx3Response(Response):
 
     State of the port, and the counters of the port, USB, receiver and IMU.
 
-    No device is certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
@@ -3046,8 +3046,8 @@ class DeviceStatusDiagnosticGx3Response(Response):
 class GpsDynamicsModeResponse(Response):
     """GPS dynamics mode response (0x0C,0x92).
 
-    No device is certain to support it. Answers `GpsDynamicsMode`. Known only from the MIP SDK of
-    2014 and MicroStrain Communication Library.
+    No device is known for certain to support it. Answers `GpsDynamicsMode`. Known only from the MIP
+    SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
     - mscl: GPS dynamics mode (0x0C,0x34)
@@ -3073,7 +3073,8 @@ class GpsDynamicsModeResponse(Response):
 class ImuTimestampResponse(Response):
     """IMU timestamp response (0x0C,0x93).
 
-    No device is certain to support it. Answers `ImuTimestamp`. Known only from the MIP SDK of 2014.
+    No device is known for certain to support it. Answers `ImuTimestamp`. Known only from the MIP
+    SDK of 2014.
 
     - mip-sdk-2014: IMU timestamp (0x0C,0x36)
     """
@@ -5815,7 +5816,7 @@ class DeviceSettings(Command[None]):
 
     Saves, loads or resets all settings of the device at once.
 
-    Functions: `save`, `load` and `default`. The device may take 2 s to answer. Supported by
+    Functions: `save`, `load` and `default`. The device may take 2 s to reply. Supported by
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST.
 
@@ -6151,8 +6152,8 @@ class GpsDynamicsMode(Command[R]):
 
     Sets the dynamics that the GNSS receiver assumes of the vehicle.
 
-    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and
+    No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and
     `gnss_data.NedVelocity`. Known only from the MIP SDK of 2014 and MicroStrain Communication
     Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
     3DM-GX3-35 only.
@@ -6220,15 +6221,15 @@ class ImuSignalConditioning(Command[R]):
 
     Configures the filters and the orientation algorithm of 3-series devices.
 
-    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
-    `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`,
-    `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes `sensor.ScaledMag`. Known
-    only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: The ranges, the
-    defaults, and some of the flags. They are those of the single-byte protocol of the 3DM-GX3,
-    which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its
-    example for the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the
-    response. MSCL reads it without.
+    No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`,
+    `sensor.ScaledGyro`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
+    `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably
+    changes `sensor.ScaledMag`. Known only from the MIP SDK of 2014 and MicroStrain Communication
+    Library. Uncertain: The ranges, the defaults, and some of the flags. They are those of the
+    single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices have
+    it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every
+    device sends `reserved` in the response. MSCL reads it without.
 
     The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
     width.
@@ -6389,7 +6390,7 @@ class ImuTimestamp(Command[R]):
 
     Sets or reads a time counter of the sensor data.
 
-    No device is certain to support it. Functions: `write` and `read`. Answered by
+    No device is known for certain to support it. Functions: `write` and `read`. Answered by
     `ImuTimestampResponse`. Known only from the MIP SDK of 2014. Uncertain: Which devices have it.
     The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read
     includes `time`, which is ignored, or omits it, as is assumed.
@@ -6633,8 +6634,8 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
 
     Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes
     `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s
-    to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    to reply. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
     arrives after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
@@ -7780,11 +7781,12 @@ class DataStreamFormat(Command[R]):
 
     Selects MIP data or the raw data of a sensor for a stream.
 
-    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and MicroStrain
-    Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 restricts
-    it to the 3DM-GX3-35. Uncertain: Whether functions other than write require `format`. The SDK of
-    2014 sends both parameters with every function, and a 0 in place of `format`.
+    No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and
+    MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
+    2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write require
+    `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
+    `format`.
 
     In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp`
     and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -7874,13 +7876,13 @@ class DevicePowerState(Command[R]):
 
     Sets the power state of an internal sensor.
 
-    No device is certain to support it. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `DevicePowerStateResponse`. The device may take 5 s to answer. Known only from the
-    MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A
-    comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The
-    SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether `state` may be
-    omitted with functions other than write. The SDK of 2014 sends `device` with every function, and
-    a 0 in place of `state`.
+    No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `DevicePowerStateResponse`. The device may take 5 s to reply. Known only
+    from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have
+    it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The
+    time-out. The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether `state`
+    may be omitted with functions other than write. The SDK of 2014 sends `device` with every
+    function, and a 0 in place of `state`.
 
     - mip-sdk-2014: Device power state (0x0C,0x61)
     - mscl: Device power state (0x0C,0x61)
@@ -7964,9 +7966,9 @@ class GpsAdvancedSettings(Command[None]):
 
     Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
 
-    No device is certain to support it. For advanced use. Functions: `save`, `load` and `default`.
-    Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
-    devices have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
+    No device is known for certain to support it. For advanced use. Functions: `save`, `load` and
+    `default`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain:
+    Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
 
     In direct mode, your program configures the u-blox receiver with its own protocol; see
     `system.CommMode`.
@@ -8167,7 +8169,7 @@ SensorRangeResponse.COMMANDS = (SensorRange,)
 GetCalibratedSensorRangesResponse.COMMANDS = (GetCalibratedSensorRanges,)
 LowPassFilterResponse.COMMANDS = (LowPassFilter,)
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (PollImuData,),
     0x02: (PollGnssData,),

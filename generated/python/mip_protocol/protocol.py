@@ -9,13 +9,13 @@ from .types import AckCode
 #: The version of the specification that this package was generated from.
 VERSION = "0.1.0"
 
-#: Set and descriptor of the command that a barrier of `Client` consists of; 0, 0 if the
+#: Set and descriptor of the command of which a barrier of `Client` consists; 0, 0 if the
 #: specification names none.
 BARRIER = (0x01, 0x01)
 
 
 class FunctionSelector(codec.OpenEnum):
-    """What a settings command is asked to do."""
+    """The operation that a settings command requests."""
 
     WRITE = 1
     """Apply the new setting."""

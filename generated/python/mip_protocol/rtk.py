@@ -73,8 +73,8 @@ class LedAction(codec.OpenEnum):
 class GetStatusFlagsResponse(Response):
     """Get status flags response (0x0F,0x81).
 
-    No device is certain to support it. Answers `GetStatusFlags`. Known only from the MicroStrain
-    MIP SDK.
+    No device is known for certain to support it. Answers `GetStatusFlags`. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Get status flags (0x0F,0x01)
     """
@@ -231,7 +231,7 @@ class ConnectedDeviceTypeResponse(Response):
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
-    No device is certain to support it. Also called `get_act_code_response`. Answers
+    No device is known for certain to support it. Also called `get_act_code_response`. Answers
     `GetActivationCode`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -328,8 +328,8 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
 
     Gets the state of the modem and of the corrections.
 
-    No device is certain to support it. Answered by `GetStatusFlagsResponse`. Known only from the
-    MicroStrain MIP SDK.
+    No device is known for certain to support it. Answered by `GetStatusFlagsResponse`. Known only
+    from the MicroStrain MIP SDK.
 
     The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
 
@@ -507,7 +507,7 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
 
     Reads the code that activates the modem for its service.
 
-    No device is certain to support it. Also called `get_act_code`. Answered by
+    No device is known for certain to support it. Also called `get_act_code`. Answered by
     `GetActivationCodeResponse`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -549,7 +549,7 @@ class ServiceStatus(Command[ServiceStatusResponse]):
 
     Queries a correction server about the connection, which also keeps it open.
 
-    Answered by `ServiceStatusResponse`. Sent by the device; the host answers. Not listed in any
+    Answered by `ServiceStatusResponse`. Sent by the device; the host replies. Not listed in any
     device profile. Known only from the MicroStrain MIP SDK.
 
     The modem sends it as a host would, and the server replies as a device would.
@@ -688,7 +688,7 @@ GetActivationCodeResponse.COMMANDS = (GetActivationCode,)
 GetModemFirmwareVersionResponse.COMMANDS = (GetModemFirmwareVersion,)
 ServiceStatusResponse.COMMANDS = (ServiceStatus,)
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (GetStatusFlags,),
     0x02: (GetImei,),

@@ -336,7 +336,7 @@ class CompOrientationMatrix(Data):
     """Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
     m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1.
 
-    - On the 3DM-GX5-15: From the NED frame to the sensor frame.
+    - On the 3DM-GX5-15: Rotation from the NED frame to the sensor frame.
     """
 
     def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
@@ -373,7 +373,7 @@ class CompQuaternion(Data):
     """Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame:
     ned. At rest and level: x 0, y 0.
 
-    - On the 3DM-GX5-15: Between NED and the sensor frame.
+    - On the 3DM-GX5-15: Rotation between the NED frame and the sensor frame.
     """
 
     def __init__(self, q: types.Quatf | codec.Numbers) -> None:
@@ -897,7 +897,7 @@ class Odometer(Data):
         self.valid_flags = valid_flags
 
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (RawAccel,),
     0x02: (RawGyro,),

@@ -346,7 +346,7 @@ class ExternalTimeDelta(Shared, Data):
         self.valid_flags = valid_flags
 
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0xD0: (EventSource,),
     0xD1: (Ticks,),

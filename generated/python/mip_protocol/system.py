@@ -293,7 +293,7 @@ class CommMode(Command[R]):
 InterfaceControlResponse.COMMANDS = (InterfaceControl,)
 CommModeResponse.COMMANDS = (CommMode,)
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x02: (InterfaceControl,),
     0x10: (CommMode,),

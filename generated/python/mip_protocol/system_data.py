@@ -163,7 +163,7 @@ class GpioAnalogValue(Data):
         self.value = value
 
 
-#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
+#: Descriptor -> its types; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (BuiltInTest,),
     0x02: (TimeSyncStatus,),

@@ -406,7 +406,7 @@ class Gq7ContinuousBuiltInTest(IntFlag):
         return int((self >> 16) & 0xF)
 
     def with_imu_ipc_fault(self, value: int) -> Gq7ContinuousBuiltInTest:
-        """A copy with bits 16 to 19 set to a number."""
+        """Returns a copy with bits 16 to 19 set to a number."""
         value = codec.fits("imu_ipc_fault", value, 4)
         return Gq7ContinuousBuiltInTest(int(self) & ~0xF0000 | value << 16)
 
@@ -416,7 +416,7 @@ class Gq7ContinuousBuiltInTest(IntFlag):
         return int((self >> 20) & 0xF)
 
     def with_filter_ipc_fault(self, value: int) -> Gq7ContinuousBuiltInTest:
-        """A copy with bits 20 to 23 set to a number."""
+        """Returns a copy with bits 20 to 23 set to a number."""
         value = codec.fits("filter_ipc_fault", value, 4)
         return Gq7ContinuousBuiltInTest(int(self) & ~0xF00000 | value << 20)
 
@@ -426,7 +426,7 @@ class Gq7ContinuousBuiltInTest(IntFlag):
         return int((self >> 24) & 0xF)
 
     def with_gnss_ipc_fault(self, value: int) -> Gq7ContinuousBuiltInTest:
-        """A copy with bits 24 to 27 set to a number."""
+        """Returns a copy with bits 24 to 27 set to a number."""
         value = codec.fits("gnss_ipc_fault", value, 4)
         return Gq7ContinuousBuiltInTest(int(self) & ~0xF000000 | value << 24)
 
@@ -436,7 +436,7 @@ class Gq7ContinuousBuiltInTest(IntFlag):
         return int((self >> 68) & 0xF)
 
     def with_filter_comm_error(self, value: int) -> Gq7ContinuousBuiltInTest:
-        """A copy with bits 68 to 71 set to a number."""
+        """Returns a copy with bits 68 to 71 set to a number."""
         value = codec.fits("filter_comm_error", value, 4)
         return Gq7ContinuousBuiltInTest(int(self) & ~0xF00000000000000000 | value << 68)
 
@@ -446,7 +446,7 @@ class Gq7ContinuousBuiltInTest(IntFlag):
         return int((self >> 98) & 0x7)
 
     def with_gnss_comm_error(self, value: int) -> Gq7ContinuousBuiltInTest:
-        """A copy with bits 98 to 100 set to a number."""
+        """Returns a copy with bits 98 to 100 set to a number."""
         value = codec.fits("gnss_comm_error", value, 3)
         return Gq7ContinuousBuiltInTest(int(self) & ~0x1C000000000000000000000000 | value << 98)
 
@@ -1218,7 +1218,7 @@ class RtkStatusFlags(IntFlag):
         return int((self >> 0) & 0xF)
 
     def with_modem_state(self, value: int) -> RtkStatusFlags:
-        """A copy with bits 0 to 3 set to a number."""
+        """Returns a copy with bits 0 to 3 set to a number."""
         value = codec.fits("modem_state", value, 4)
         return RtkStatusFlags(int(self) & ~0xF | value << 0)
 
@@ -1228,7 +1228,7 @@ class RtkStatusFlags(IntFlag):
         return int((self >> 4) & 0xF)
 
     def with_connection_type(self, value: int) -> RtkStatusFlags:
-        """A copy with bits 4 to 7 set to a number."""
+        """Returns a copy with bits 4 to 7 set to a number."""
         value = codec.fits("connection_type", value, 4)
         return RtkStatusFlags(int(self) & ~0xF0 | value << 4)
 
@@ -1238,7 +1238,7 @@ class RtkStatusFlags(IntFlag):
         return int((self >> 8) & 0xFF)
 
     def with_rssi(self, value: int) -> RtkStatusFlags:
-        """A copy with bits 8 to 15 set to a number."""
+        """Returns a copy with bits 8 to 15 set to a number."""
         value = codec.fits("rssi", value, 8)
         return RtkStatusFlags(int(self) & ~0xFF00 | value << 8)
 
@@ -1248,7 +1248,7 @@ class RtkStatusFlags(IntFlag):
         return int((self >> 16) & 0xF)
 
     def with_signal_quality(self, value: int) -> RtkStatusFlags:
-        """A copy with bits 16 to 19 set to a number."""
+        """Returns a copy with bits 16 to 19 set to a number."""
         value = codec.fits("signal_quality", value, 4)
         return RtkStatusFlags(int(self) & ~0xF0000 | value << 16)
 
@@ -1258,7 +1258,7 @@ class RtkStatusFlags(IntFlag):
         return int((self >> 20) & 0xF)
 
     def with_tower_change_indicator(self, value: int) -> RtkStatusFlags:
-        """A copy with bits 20 to 23 set to a number."""
+        """Returns a copy with bits 20 to 23 set to a number."""
         value = codec.fits("tower_change_indicator", value, 4)
         return RtkStatusFlags(int(self) & ~0xF00000 | value << 20)
 
@@ -1268,7 +1268,7 @@ class RtkStatusFlags(IntFlag):
         return int((self >> 30) & 0x3)
 
     def with_version(self, value: int) -> RtkStatusFlags:
-        """A copy with bits 30 to 31 set to a number."""
+        """Returns a copy with bits 30 to 31 set to a number."""
         value = codec.fits("version", value, 2)
         return RtkStatusFlags(int(self) & ~0xC0000000 | value << 30)
 
@@ -1310,7 +1310,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 0) & 0x7)
 
     def with_controller_state(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 0 to 2 set to a number."""
+        """Returns a copy with bits 0 to 2 set to a number."""
         value = codec.fits("controller_state", value, 3)
         return RtkStatusFlagsLegacy(int(self) & ~0x7 | value << 0)
 
@@ -1320,7 +1320,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 3) & 0x1F)
 
     def with_platform_state(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 3 to 7 set to a number."""
+        """Returns a copy with bits 3 to 7 set to a number."""
         value = codec.fits("platform_state", value, 5)
         return RtkStatusFlagsLegacy(int(self) & ~0xF8 | value << 3)
 
@@ -1330,7 +1330,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 8) & 0x7)
 
     def with_controller_status_code(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 8 to 10 set to a number."""
+        """Returns a copy with bits 8 to 10 set to a number."""
         value = codec.fits("controller_status_code", value, 3)
         return RtkStatusFlagsLegacy(int(self) & ~0x700 | value << 8)
 
@@ -1340,7 +1340,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 11) & 0x7)
 
     def with_platform_status_code(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 11 to 13 set to a number."""
+        """Returns a copy with bits 11 to 13 set to a number."""
         value = codec.fits("platform_status_code", value, 3)
         return RtkStatusFlagsLegacy(int(self) & ~0x3800 | value << 11)
 
@@ -1350,7 +1350,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 14) & 0x3)
 
     def with_reset_code(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 14 to 15 set to a number."""
+        """Returns a copy with bits 14 to 15 set to a number."""
         value = codec.fits("reset_code", value, 2)
         return RtkStatusFlagsLegacy(int(self) & ~0xC000 | value << 14)
 
@@ -1360,7 +1360,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 16) & 0xF)
 
     def with_signal_quality(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 16 to 19 set to a number."""
+        """Returns a copy with bits 16 to 19 set to a number."""
         value = codec.fits("signal_quality", value, 4)
         return RtkStatusFlagsLegacy(int(self) & ~0xF0000 | value << 16)
 
@@ -1370,7 +1370,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 20) & 0x3F)
 
     def with_rssi(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 20 to 25 set to a number."""
+        """Returns a copy with bits 20 to 25 set to a number."""
         value = codec.fits("rssi", value, 6)
         return RtkStatusFlagsLegacy(int(self) & ~0x3F00000 | value << 20)
 
@@ -1380,7 +1380,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 26) & 0x3)
 
     def with_rsrp(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 26 to 27 set to a number."""
+        """Returns a copy with bits 26 to 27 set to a number."""
         value = codec.fits("rsrp", value, 2)
         return RtkStatusFlagsLegacy(int(self) & ~0xC000000 | value << 26)
 
@@ -1390,7 +1390,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 28) & 0x3)
 
     def with_rsrq(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 28 to 29 set to a number."""
+        """Returns a copy with bits 28 to 29 set to a number."""
         value = codec.fits("rsrq", value, 2)
         return RtkStatusFlagsLegacy(int(self) & ~0x30000000 | value << 28)
 
@@ -1400,7 +1400,7 @@ class RtkStatusFlagsLegacy(IntFlag):
         return int((self >> 30) & 0x3)
 
     def with_sinr(self, value: int) -> RtkStatusFlagsLegacy:
-        """A copy with bits 30 to 31 set to a number."""
+        """Returns a copy with bits 30 to 31 set to a number."""
         value = codec.fits("sinr", value, 2)
         return RtkStatusFlagsLegacy(int(self) & ~0xC0000000 | value << 30)
 
@@ -1452,7 +1452,7 @@ class Matrix3f(NamedTuple):
 
     @property
     def rows(self) -> tuple[tuple[float, ...], ...]:
-        """Its rows."""
+        """The rows of the matrix."""
         return tuple([tuple(self[i : i + 3]) for i in range(0, 9, 3)])
 
     @overload

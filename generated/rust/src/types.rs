@@ -1,7 +1,7 @@
 //! Types that several descriptor sets share.
 
 open_enum! {
-    /// What a settings command is asked to do.
+    /// The operation that a settings command requests.
     FunctionSelector: u8 {
         /// Apply the new setting.
         WRITE = 1, "write";

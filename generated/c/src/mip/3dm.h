@@ -11,7 +11,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/3dm.h and mip/constants.h are not of one version"
+#error "mip/3dm.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -50,7 +50,7 @@ enum mip_3dm_factory_streaming_action MIP_ENUM_8 {
     MIP_3DM_FACTORY_STREAMING_ACTION_ADD = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_factory_streaming_action_name(uint8_t value);
 
 /**
@@ -74,7 +74,7 @@ enum mip_3dm_constellation_id MIP_ENUM_8 {
     MIP_3DM_CONSTELLATION_ID_GLONASS = 6
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_constellation_id_name(uint8_t value);
 
 /**
@@ -129,7 +129,7 @@ enum mip_3dm_assisted_fix_option MIP_ENUM_8 {
     MIP_3DM_ASSISTED_FIX_OPTION_ENABLED = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
 
 /**
@@ -157,7 +157,7 @@ enum mip_3dm_pps_source MIP_ENUM_8 {
     MIP_3DM_PPS_SOURCE_GENERATED = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
 
 /**
@@ -172,7 +172,7 @@ enum mip_3dm_event_support_query MIP_ENUM_8 {
     MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_event_support_query_name(uint8_t value);
 
 /**
@@ -239,7 +239,7 @@ enum mip_3dm_receiver_dynamics MIP_ENUM_8 {
     MIP_3DM_RECEIVER_DYNAMICS_AIRBORNE_4G = 8
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_receiver_dynamics_name(uint8_t value);
 
 /**
@@ -285,7 +285,7 @@ enum mip_3dm_mag_bandwidth MIP_ENUM_8 {
     MIP_3DM_MAG_BANDWIDTH_LOW = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_mag_bandwidth_name(uint8_t value);
 
 /**
@@ -305,7 +305,7 @@ enum mip_3dm_imu_timestamp_selector MIP_ENUM_8 {
     MIP_3DM_IMU_TIMESTAMP_SELECTOR_INTERNAL_TICKS = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_imu_timestamp_selector_name(uint8_t value);
 
 /**
@@ -320,7 +320,7 @@ enum mip_3dm_odometer_mode MIP_ENUM_8 {
     MIP_3DM_ODOMETER_MODE_QUADRATURE = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_odometer_mode_name(uint8_t value);
 
 /**
@@ -341,7 +341,7 @@ enum mip_3dm_sensor_range_type MIP_ENUM_8 {
     MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_sensor_range_type_name(uint8_t value);
 
 /**
@@ -368,7 +368,7 @@ enum mip_3dm_internal_sensor MIP_ENUM_8 {
     MIP_3DM_INTERNAL_SENSOR_GNSS = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_internal_sensor_name(uint8_t value);
 
 /**
@@ -383,7 +383,7 @@ enum mip_3dm_stream_format MIP_ENUM_8 {
     MIP_3DM_STREAM_FORMAT_WRAPPED_RAW = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_stream_format_name(uint8_t value);
 
 /**
@@ -402,7 +402,7 @@ enum mip_3dm_sensor_power_state MIP_ENUM_8 {
     MIP_3DM_SENSOR_POWER_STATE_OFF = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_sensor_power_state_name(uint8_t value);
 
 /**
@@ -417,7 +417,7 @@ enum mip_3dm_device_status_selector MIP_ENUM_8 {
     MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_device_status_selector_name(uint8_t value);
 
 /**
@@ -436,7 +436,7 @@ enum mip_3dm_legacy_data_stream MIP_ENUM_8 {
     MIP_3DM_LEGACY_DATA_STREAM_FILTER = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
 
 /**
@@ -453,7 +453,7 @@ enum mip_3dm_gx4_system_state MIP_ENUM_16 {
     MIP_3DM_GX4_SYSTEM_STATE_RUNNING = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_gx4_system_state_name(uint16_t value);
 
 /**
@@ -489,16 +489,16 @@ struct mip_3dm_poll_imu_data {
 /** Its name in the specification. */
 #define MIP_3DM_POLL_IMU_DATA_NAME "3dm.poll_imu_data"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_poll_imu_data_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_poll_imu_data_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_poll_imu_data_encode(
     const struct mip_3dm_poll_imu_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
@@ -558,16 +558,16 @@ struct mip_3dm_poll_gnss_data {
 /** Its name in the specification. */
 #define MIP_3DM_POLL_GNSS_DATA_NAME "3dm.poll_gnss_data"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_poll_gnss_data_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_poll_gnss_data_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_poll_gnss_data_encode(
     const struct mip_3dm_poll_gnss_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
@@ -625,16 +625,16 @@ struct mip_3dm_poll_filter_data {
 /** Its name in the specification. */
 #define MIP_3DM_POLL_FILTER_DATA_NAME "3dm.poll_filter_data"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_poll_filter_data_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_poll_filter_data_codec, 0x03, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_poll_filter_data_encode(
     const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
@@ -691,16 +691,16 @@ struct mip_3dm_poll_nmea_data {
 /** Its name in the specification. */
 #define MIP_3DM_POLL_NMEA_DATA_NAME "3dm.poll_nmea_data"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_poll_nmea_data_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_poll_nmea_data_codec, 0x04, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_poll_nmea_data_encode(
     const struct mip_3dm_poll_nmea_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
@@ -746,16 +746,16 @@ struct mip_3dm_get_imu_base_rate {
 /** Its name in the specification. */
 #define MIP_3DM_GET_IMU_BASE_RATE_NAME "3dm.get_imu_base_rate"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_imu_base_rate_codec, 0x06, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_encode(
     const struct mip_3dm_get_imu_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_codec, value, builder);
@@ -781,17 +781,17 @@ struct mip_3dm_get_imu_base_rate_response {
 /** Its name in the specification. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_NAME "3dm.get_imu_base_rate_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_imu_base_rate_response_decode(
     struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_imu_base_rate_response_codec, 0x83, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
     const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_response_codec, value, builder);
@@ -820,16 +820,16 @@ struct mip_3dm_get_gnss_base_rate {
 /** Its name in the specification. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_NAME "3dm.get_gnss_base_rate"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_gnss_base_rate_codec, 0x07, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_encode(
     const struct mip_3dm_get_gnss_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_codec, value, builder);
@@ -856,17 +856,17 @@ struct mip_3dm_get_gnss_base_rate_response {
 /** Its name in the specification. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_NAME "3dm.get_gnss_base_rate_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_gnss_base_rate_response_decode(
     struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_gnss_base_rate_response_codec, 0x84, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
     const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_response_codec, value, builder);
@@ -910,16 +910,16 @@ struct mip_3dm_imu_message_format {
 /** Its name in the specification. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_NAME "3dm.imu_message_format"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_imu_message_format_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_imu_message_format_codec, 0x08, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_encode(
     const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
@@ -996,17 +996,17 @@ struct mip_3dm_imu_message_format_response {
 /** Its name in the specification. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_NAME "3dm.imu_message_format_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_imu_message_format_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_message_format_response_decode(
     struct mip_3dm_imu_message_format_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_imu_message_format_response_codec, 0x80, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_response_codec, value, builder);
@@ -1049,16 +1049,16 @@ struct mip_3dm_gnss_message_format {
 /** Its name in the specification. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_NAME "3dm.gnss_message_format"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_message_format_decode(
     struct mip_3dm_gnss_message_format *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gnss_message_format_codec, 0x09, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_encode(
     const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
@@ -1137,17 +1137,17 @@ struct mip_3dm_gnss_message_format_response {
 /** Its name in the specification. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_NAME "3dm.gnss_message_format_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_message_format_response_decode(
     struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gnss_message_format_response_codec, 0x81, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
     const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_response_codec, value, builder);
@@ -1191,17 +1191,17 @@ struct mip_3dm_filter_message_format {
 /** Its name in the specification. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_NAME "3dm.filter_message_format"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_filter_message_format_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_filter_message_format_decode(
     struct mip_3dm_filter_message_format *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_filter_message_format_codec, 0x0A, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_encode(
     const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
@@ -1279,17 +1279,17 @@ struct mip_3dm_filter_message_format_response {
 /** Its name in the specification. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_NAME "3dm.filter_message_format_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_filter_message_format_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_filter_message_format_response_decode(
     struct mip_3dm_filter_message_format_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_filter_message_format_response_codec, 0x82, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_response_encode(
     const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_response_codec, value, builder);
@@ -1317,16 +1317,16 @@ struct mip_3dm_get_filter_base_rate {
 /** Its name in the specification. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_NAME "3dm.get_filter_base_rate"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_filter_base_rate_decode(
     struct mip_3dm_get_filter_base_rate *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_filter_base_rate_codec, 0x0B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_encode(
     const struct mip_3dm_get_filter_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_codec, value, builder);
@@ -1352,17 +1352,17 @@ struct mip_3dm_get_filter_base_rate_response {
 /** Its name in the specification. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_NAME "3dm.get_filter_base_rate_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_filter_base_rate_response_decode(
     struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_filter_base_rate_response_codec, 0x8A, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode(
     const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_response_codec, value, builder);
@@ -1406,16 +1406,16 @@ struct mip_3dm_nmea_message_format {
 /** Its name in the specification. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_NAME "3dm.nmea_message_format"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_nmea_message_format_decode(
     struct mip_3dm_nmea_message_format *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_nmea_message_format_codec, 0x0C, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_encode(
     const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
@@ -1491,17 +1491,17 @@ struct mip_3dm_nmea_message_format_response {
 /** Its name in the specification. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_NAME "3dm.nmea_message_format_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_nmea_message_format_response_decode(
     struct mip_3dm_nmea_message_format_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_nmea_message_format_response_codec, 0x8C, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_response_encode(
     const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_response_codec, value, builder);
@@ -1543,16 +1543,16 @@ struct mip_3dm_poll_data {
 /** Its name in the specification. */
 #define MIP_3DM_POLL_DATA_NAME "3dm.poll_data"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_poll_data_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value,
                                                  const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_poll_data_codec, 0x0D, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_data_codec, value, builder);
@@ -1602,16 +1602,16 @@ struct mip_3dm_get_base_rate {
 /** Its name in the specification. */
 #define MIP_3DM_GET_BASE_RATE_NAME "3dm.get_base_rate"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_base_rate_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_base_rate_codec, 0x0E, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_encode(
     const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_codec, value, builder);
@@ -1651,17 +1651,17 @@ struct mip_3dm_get_base_rate_response {
 /** Its name in the specification. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE_NAME "3dm.get_base_rate_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_base_rate_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_base_rate_response_decode(
     struct mip_3dm_get_base_rate_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_base_rate_response_codec, 0x8E, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
     const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_base_rate_response_codec, value, builder);
@@ -1706,16 +1706,16 @@ struct mip_3dm_message_format {
 /** Its name in the specification. */
 #define MIP_3DM_MESSAGE_FORMAT_NAME "3dm.message_format"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_message_format_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_message_format_codec, 0x0F, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_message_format_encode(
     const struct mip_3dm_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_codec, value, builder);
@@ -1815,17 +1815,17 @@ struct mip_3dm_message_format_response {
 /** Its name in the specification. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE_NAME "3dm.message_format_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_message_format_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_message_format_response_decode(
     struct mip_3dm_message_format_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_message_format_response_codec, 0x8F, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_message_format_response_encode(
     const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_response_codec, value, builder);
@@ -1854,16 +1854,16 @@ struct mip_3dm_factory_streaming {
 /** Its name in the specification. */
 #define MIP_3DM_FACTORY_STREAMING_NAME "3dm.factory_streaming"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_factory_streaming_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_factory_streaming_codec, 0x10, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_factory_streaming_encode(
     const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_factory_streaming_codec, value, builder);
@@ -1931,16 +1931,16 @@ struct mip_3dm_data_stream_control {
 /** Its name in the specification. */
 #define MIP_3DM_DATA_STREAM_CONTROL_NAME "3dm.data_stream_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_data_stream_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_control_decode(
     struct mip_3dm_data_stream_control *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_data_stream_control_codec, 0x11, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_encode(
     const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
@@ -2076,17 +2076,17 @@ struct mip_3dm_data_stream_control_response {
 /** Its name in the specification. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_NAME "3dm.data_stream_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_data_stream_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_control_response_decode(
     struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_data_stream_control_response_codec, 0x85, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_control_response_encode(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_response_codec, value, builder);
@@ -2121,16 +2121,16 @@ struct mip_3dm_raw_rtcm_2_3_message {
 /** Its name in the specification. */
 #define MIP_3DM_RAW_RTCM_2_3_MESSAGE_NAME "3dm.raw_rtcm_2_3_message"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_raw_rtcm_2_3_message_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_raw_rtcm_2_3_message_decode(
     struct mip_3dm_raw_rtcm_2_3_message *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_raw_rtcm_2_3_message_codec, 0x20, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_raw_rtcm_2_3_message_encode(
     const struct mip_3dm_raw_rtcm_2_3_message *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_raw_rtcm_2_3_message_codec, value, builder);
@@ -2206,17 +2206,17 @@ struct mip_3dm_constellation_settings {
 /** Its name in the specification. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_NAME "3dm.constellation_settings"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_constellation_settings_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_constellation_settings_decode(
     struct mip_3dm_constellation_settings *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_constellation_settings_codec, 0x21, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_encode(
     const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
@@ -2303,17 +2303,17 @@ struct mip_3dm_constellation_settings_response {
 /** Its name in the specification. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_NAME "3dm.constellation_settings_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_constellation_settings_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_constellation_settings_response_decode(
     struct mip_3dm_constellation_settings_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_constellation_settings_response_codec, 0xA0, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_encode(
     const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_response_codec, value, builder);
@@ -2363,16 +2363,16 @@ struct mip_3dm_gnss_sbas_settings {
 /** Its name in the specification. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_NAME "3dm.gnss_sbas_settings"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gnss_sbas_settings_codec, 0x22, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_encode(
     const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
@@ -2459,17 +2459,17 @@ struct mip_3dm_gnss_sbas_settings_response {
 /** Its name in the specification. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_NAME "3dm.gnss_sbas_settings_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_sbas_settings_response_decode(
     struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gnss_sbas_settings_response_codec, 0xA1, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_response_codec, value, builder);
@@ -2521,16 +2521,16 @@ struct mip_3dm_gnss_assisted_fix {
 /** Its name in the specification. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_NAME "3dm.gnss_assisted_fix"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gnss_assisted_fix_codec, 0x23, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_encode(
     const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
@@ -2613,17 +2613,17 @@ struct mip_3dm_gnss_assisted_fix_response {
 /** Its name in the specification. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_NAME "3dm.gnss_assisted_fix_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_assisted_fix_response_decode(
     struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gnss_assisted_fix_response_codec, 0xA2, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
     const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_response_codec, value, builder);
@@ -2666,16 +2666,16 @@ struct mip_3dm_gnss_time_assistance {
 /** Its name in the specification. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_NAME "3dm.gnss_time_assistance"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_time_assistance_decode(
     struct mip_3dm_gnss_time_assistance *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gnss_time_assistance_codec, 0x24, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_encode(
     const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
@@ -2732,17 +2732,17 @@ struct mip_3dm_gnss_time_assistance_response {
 /** Its name in the specification. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_NAME "3dm.gnss_time_assistance_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gnss_time_assistance_response_decode(
     struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gnss_time_assistance_response_codec, 0xA3, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode(
     const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_response_codec, value, builder);
@@ -2790,16 +2790,16 @@ struct mip_3dm_pps_source_control {
 /** Its name in the specification. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_NAME "3dm.pps_source_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_pps_source_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_pps_source_control_codec, 0x28, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_encode(
     const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
@@ -2875,17 +2875,17 @@ struct mip_3dm_pps_source_control_response {
 /** Its name in the specification. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_NAME "3dm.pps_source_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_pps_source_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_pps_source_control_response_decode(
     struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_pps_source_control_response_codec, 0xA8, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode(
     const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_response_codec, value, builder);
@@ -2912,16 +2912,16 @@ struct mip_3dm_get_event_support {
 /** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_SUPPORT_NAME "3dm.get_event_support"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_event_support_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_event_support_codec, 0x2A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_event_support_encode(
     const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_codec, value, builder);
@@ -2968,17 +2968,17 @@ struct mip_3dm_get_event_support_response {
 /** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_NAME "3dm.get_event_support_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_event_support_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_support_response_decode(
     struct mip_3dm_get_event_support_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_event_support_response_codec, 0xB4, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_event_support_response_encode(
     const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_response_codec, value, builder);
@@ -3022,16 +3022,16 @@ struct mip_3dm_event_control {
 /** Its name in the specification. */
 #define MIP_3DM_EVENT_CONTROL_NAME "3dm.event_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_event_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_event_control_codec, 0x2B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_event_control_encode(
     const struct mip_3dm_event_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_codec, value, builder);
@@ -3129,17 +3129,17 @@ struct mip_3dm_event_control_response {
 /** Its name in the specification. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE_NAME "3dm.event_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_event_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_control_response_decode(
     struct mip_3dm_event_control_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_event_control_response_codec, 0xB5, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode(
     const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_response_codec, value, builder);
@@ -3171,17 +3171,17 @@ struct mip_3dm_get_event_trigger_status {
 /** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_NAME "3dm.get_event_trigger_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_trigger_status_decode(
     struct mip_3dm_get_event_trigger_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_event_trigger_status_codec, 0x2C, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
@@ -3226,17 +3226,17 @@ struct mip_3dm_get_event_trigger_status_response {
 /** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_NAME "3dm.get_event_trigger_status_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_trigger_status_response_decode(
     struct mip_3dm_get_event_trigger_status_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_event_trigger_status_response_codec, 0xB6, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
     const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_response_codec, value, builder);
@@ -3268,17 +3268,17 @@ struct mip_3dm_get_event_action_status {
 /** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_NAME "3dm.get_event_action_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_action_status_decode(
     struct mip_3dm_get_event_action_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_event_action_status_codec, 0x2D, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
@@ -3323,17 +3323,17 @@ struct mip_3dm_get_event_action_status_response {
 /** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_NAME "3dm.get_event_action_status_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_event_action_status_response_decode(
     struct mip_3dm_get_event_action_status_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_event_action_status_response_codec, 0xB7, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_response_encode(
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_response_codec, value, builder);
@@ -3399,16 +3399,16 @@ struct mip_3dm_event_trigger_config {
 /** Its name in the specification. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_NAME "3dm.event_trigger_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_trigger_config_decode(
     struct mip_3dm_event_trigger_config *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_event_trigger_config_codec, 0x2E, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_encode(
     const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
@@ -3532,17 +3532,17 @@ struct mip_3dm_event_trigger_config_response {
 /** Its name in the specification. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_NAME "3dm.event_trigger_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_trigger_config_response_decode(
     struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_event_trigger_config_response_codec, 0xB8, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_event_trigger_config_response_encode(
     const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_response_codec, value, builder);
@@ -3605,16 +3605,16 @@ struct mip_3dm_event_action_config {
 /** Its name in the specification. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_NAME "3dm.event_action_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_event_action_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_action_config_decode(
     struct mip_3dm_event_action_config *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_event_action_config_codec, 0x2F, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_event_action_config_encode(
     const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
@@ -3734,17 +3734,17 @@ struct mip_3dm_event_action_config_response {
 /** Its name in the specification. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_NAME "3dm.event_action_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_event_action_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_event_action_config_response_decode(
     struct mip_3dm_event_action_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_event_action_config_response_codec, 0xB9, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_event_action_config_response_encode(
     const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_response_codec, value, builder);
@@ -3755,7 +3755,7 @@ MIP_CHECKED static inline mip_error mip_3dm_event_action_config_response_encode(
  *
  * Saves, loads or resets all settings of the device at once.
  *
- * Functions: save, load and default. The device may take 2 s to answer. Supported by
+ * Functions: save, load and default. The device may take 2 s to reply. Supported by
  * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
@@ -3778,16 +3778,16 @@ struct mip_3dm_device_settings {
 /** Its name in the specification. */
 #define MIP_3DM_DEVICE_SETTINGS_NAME "3dm.device_settings"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_settings_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_settings_codec, 0x30, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_settings_encode(
     const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_settings_codec, value, builder);
@@ -3868,17 +3868,17 @@ struct mip_3dm_sensor_to_vehicle_transform_euler {
 /** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
     struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_euler_codec, 0x31, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_codec, value, builder);
@@ -3963,10 +3963,10 @@ struct mip_3dm_sensor_to_vehicle_transform_euler_response {
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_euler_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
     struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
     const struct mip_field *field) {
@@ -3974,7 +3974,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decod
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
     struct mip_builder *builder) {
@@ -4028,17 +4028,17 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion {
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_NAME \
     "3dm.sensor_to_vehicle_transform_quaternion"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
     struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, 0x32, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
     struct mip_builder *builder) {
@@ -4120,10 +4120,10 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_quaternion_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
     struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     const struct mip_field *field) {
@@ -4131,7 +4131,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_
                            value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
     struct mip_builder *builder) {
@@ -4185,17 +4185,17 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm {
 /** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
     struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, 0x33, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, value, builder);
@@ -4276,17 +4276,17 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_dcm_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
     struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, 0xB3, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
     struct mip_builder *builder) {
@@ -4298,8 +4298,8 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_resp
  *
  * Sets the dynamics that the GNSS receiver assumes of the vehicle.
  *
- * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_3dm_gps_dynamics_mode_response. Probably changes mip_gnss_data_llh_position and
+ * No device is known for certain to support it. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_gps_dynamics_mode_response. Probably changes mip_gnss_data_llh_position and
  * mip_gnss_data_ned_velocity. Known only from the MIP SDK of 2014 and MicroStrain Communication
  * Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
  * 3DM-GX3-35 only.
@@ -4326,16 +4326,16 @@ struct mip_3dm_gps_dynamics_mode {
 /** Its name in the specification. */
 #define MIP_3DM_GPS_DYNAMICS_MODE_NAME "3dm.gps_dynamics_mode"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_dynamics_mode_decode(struct mip_3dm_gps_dynamics_mode *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gps_dynamics_mode_codec, 0x34, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_encode(
     const struct mip_3dm_gps_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_codec, value, builder);
@@ -4389,8 +4389,8 @@ mip_3dm_gps_dynamics_mode_default(struct mip_3dm_gps_dynamics_mode *command) {
 /**
  * GPS dynamics mode response: response (0x0C,0x92).
  *
- * No device is certain to support it. Answers mip_3dm_gps_dynamics_mode. Known only from the MIP
- * SDK of 2014 and MicroStrain Communication Library.
+ * No device is known for certain to support it. Answers mip_3dm_gps_dynamics_mode. Known only from
+ * the MIP SDK of 2014 and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
  * - mscl: GPS dynamics mode (0x0C,0x34)
@@ -4407,17 +4407,17 @@ struct mip_3dm_gps_dynamics_mode_response {
 /** Its name in the specification. */
 #define MIP_3DM_GPS_DYNAMICS_MODE_RESPONSE_NAME "3dm.gps_dynamics_mode_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gps_dynamics_mode_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_dynamics_mode_response_decode(
     struct mip_3dm_gps_dynamics_mode_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gps_dynamics_mode_response_codec, 0x92, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
     const struct mip_3dm_gps_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_dynamics_mode_response_codec, value, builder);
@@ -4428,8 +4428,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
  *
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
- * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_3dm_imu_signal_conditioning_response. Changes mip_sensor_scaled_accel,
+ * No device is known for certain to support it. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_imu_signal_conditioning_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion and mip_sensor_comp_euler_angles.
  * Probably changes mip_sensor_scaled_mag. Known only from the MIP SDK of 2014 and MicroStrain
@@ -4495,17 +4495,17 @@ struct mip_3dm_imu_signal_conditioning {
 /** Its name in the specification. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING_NAME "3dm.imu_signal_conditioning"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_signal_conditioning_decode(
     struct mip_3dm_imu_signal_conditioning *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_imu_signal_conditioning_codec, 0x35, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_encode(
     const struct mip_3dm_imu_signal_conditioning *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_codec, value, builder);
@@ -4580,8 +4580,8 @@ mip_3dm_imu_signal_conditioning_default(struct mip_3dm_imu_signal_conditioning *
 /**
  * IMU signal conditioning response: response (0x0C,0x86).
  *
- * No device is certain to support it. Answers mip_3dm_imu_signal_conditioning. Known only from the
- * MIP SDK of 2014 and MicroStrain Communication Library.
+ * No device is known for certain to support it. Answers mip_3dm_imu_signal_conditioning. Known only
+ * from the MIP SDK of 2014 and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
  * - mscl: IMU signal conditioning (0x0C,0x35)
@@ -4618,17 +4618,17 @@ struct mip_3dm_imu_signal_conditioning_response {
 /** Its name in the specification. */
 #define MIP_3DM_IMU_SIGNAL_CONDITIONING_RESPONSE_NAME "3dm.imu_signal_conditioning_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_imu_signal_conditioning_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_signal_conditioning_response_decode(
     struct mip_3dm_imu_signal_conditioning_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_imu_signal_conditioning_response_codec, 0x86, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_encode(
     const struct mip_3dm_imu_signal_conditioning_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_signal_conditioning_response_codec, value, builder);
@@ -4639,7 +4639,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_enc
  *
  * Sets or reads a time counter of the sensor data.
  *
- * No device is certain to support it. Functions: write and read. Answered by
+ * No device is known for certain to support it. Functions: write and read. Answered by
  * mip_3dm_imu_timestamp_response. Known only from the MIP SDK of 2014. Uncertain: Which devices
  * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read
  * includes `time`, which is ignored, or omits it, as is assumed.
@@ -4667,16 +4667,16 @@ struct mip_3dm_imu_timestamp {
 /** Its name in the specification. */
 #define MIP_3DM_IMU_TIMESTAMP_NAME "3dm.imu_timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_timestamp_decode(struct mip_3dm_imu_timestamp *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_imu_timestamp_codec, 0x36, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_encode(
     const struct mip_3dm_imu_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_codec, value, builder);
@@ -4714,8 +4714,8 @@ static inline struct mip_3dm_imu_timestamp *mip_3dm_imu_timestamp_read(
 /**
  * IMU timestamp response: response (0x0C,0x93).
  *
- * No device is certain to support it. Answers mip_3dm_imu_timestamp. Known only from the MIP SDK of
- * 2014.
+ * No device is known for certain to support it. Answers mip_3dm_imu_timestamp. Known only from the
+ * MIP SDK of 2014.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -4733,17 +4733,17 @@ struct mip_3dm_imu_timestamp_response {
 /** Its name in the specification. */
 #define MIP_3DM_IMU_TIMESTAMP_RESPONSE_NAME "3dm.imu_timestamp_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_imu_timestamp_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_timestamp_response_decode(
     struct mip_3dm_imu_timestamp_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_imu_timestamp_response_codec, 0x93, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode(
     const struct mip_3dm_imu_timestamp_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_timestamp_response_codec, value, builder);
@@ -4785,16 +4785,16 @@ struct mip_3dm_accel_bias {
 /** Its name in the specification. */
 #define MIP_3DM_ACCEL_BIAS_NAME "3dm.accel_bias"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_accel_bias_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
                                                   const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_accel_bias_codec, 0x37, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
@@ -4885,16 +4885,16 @@ struct mip_3dm_accel_bias_response {
 /** Its name in the specification. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE_NAME "3dm.accel_bias_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_accel_bias_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_accel_bias_response_decode(
     struct mip_3dm_accel_bias_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_accel_bias_response_codec, 0x9A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
     const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_response_codec, value, builder);
@@ -4938,16 +4938,16 @@ struct mip_3dm_gyro_bias {
 /** Its name in the specification. */
 #define MIP_3DM_GYRO_BIAS_NAME "3dm.gyro_bias"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gyro_bias_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value,
                                                  const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gyro_bias_codec, 0x38, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
@@ -5038,16 +5038,16 @@ struct mip_3dm_gyro_bias_response {
 /** Its name in the specification. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE_NAME "3dm.gyro_bias_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gyro_bias_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gyro_bias_response_codec, 0x9B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
     const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_response_codec, value, builder);
@@ -5060,7 +5060,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
  *
  * Answered by mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
  * mip_sensor_delta_theta, mip_filter_data_gyro_bias and mip_filter_data_status. The device may take
- * 31 s to answer. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 31 s to reply. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device must be at rest, with as little vibration as possible, for the whole time.
@@ -5086,16 +5086,16 @@ struct mip_3dm_capture_gyro_bias {
 /** Its name in the specification. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS_NAME "3dm.capture_gyro_bias"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_capture_gyro_bias_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_capture_gyro_bias_codec, 0x39, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_capture_gyro_bias_encode(
     const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_capture_gyro_bias_codec, value, builder);
@@ -5156,16 +5156,16 @@ struct mip_3dm_mag_hard_iron_offset {
 /** Its name in the specification. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_NAME "3dm.mag_hard_iron_offset"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_hard_iron_offset_decode(
     struct mip_3dm_mag_hard_iron_offset *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_mag_hard_iron_offset_codec, 0x3A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
     const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
@@ -5256,17 +5256,17 @@ struct mip_3dm_mag_hard_iron_offset_response {
 /** Its name in the specification. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_NAME "3dm.mag_hard_iron_offset_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode(
     struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_mag_hard_iron_offset_response_codec, 0x9C, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode(
     const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_response_codec, value, builder);
@@ -5315,16 +5315,16 @@ struct mip_3dm_mag_soft_iron_matrix {
 /** Its name in the specification. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_NAME "3dm.mag_soft_iron_matrix"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_soft_iron_matrix_decode(
     struct mip_3dm_mag_soft_iron_matrix *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_mag_soft_iron_matrix_codec, 0x3B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
     const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
@@ -5415,17 +5415,17 @@ struct mip_3dm_mag_soft_iron_matrix_response {
 /** Its name in the specification. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_NAME "3dm.mag_soft_iron_matrix_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
     struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_mag_soft_iron_matrix_response_codec, 0x9D, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
     const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, builder);
@@ -5461,17 +5461,17 @@ struct mip_3dm_coning_sculling_enable {
 /** Its name in the specification. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_NAME "3dm.coning_sculling_enable"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_coning_sculling_enable_decode(
     struct mip_3dm_coning_sculling_enable *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_coning_sculling_enable_codec, 0x3E, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_encode(
     const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
@@ -5542,17 +5542,17 @@ struct mip_3dm_coning_sculling_enable_response {
 /** Its name in the specification. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_sculling_enable_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_coning_sculling_enable_response_decode(
     struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_coning_sculling_enable_response_codec, 0x9E, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_encode(
     const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_response_codec, value, builder);
@@ -5599,16 +5599,16 @@ struct mip_3dm_uart_baud_rate {
 /** Its name in the specification. */
 #define MIP_3DM_UART_BAUD_RATE_NAME "3dm.uart_baud_rate"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_uart_baud_rate_codec, 0x40, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_encode(
     const struct mip_3dm_uart_baud_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
@@ -5681,17 +5681,17 @@ struct mip_3dm_uart_baud_rate_response {
 /** Its name in the specification. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE_NAME "3dm.uart_baud_rate_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_uart_baud_rate_response_decode(
     struct mip_3dm_uart_baud_rate_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_uart_baud_rate_response_codec, 0x87, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
     const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_response_codec, value, builder);
@@ -5756,16 +5756,16 @@ struct mip_3dm_gpio_config {
 /** Its name in the specification. */
 #define MIP_3DM_GPIO_CONFIG_NAME "3dm.gpio_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gpio_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
                                                    const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gpio_config_codec, 0x41, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
@@ -5883,16 +5883,16 @@ struct mip_3dm_gpio_config_response {
 /** Its name in the specification. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE_NAME "3dm.gpio_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gpio_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_config_response_decode(
     struct mip_3dm_gpio_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gpio_config_response_codec, 0xC1, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode(
     const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_response_codec, value, builder);
@@ -5939,16 +5939,16 @@ struct mip_3dm_gpio_state {
 /** Its name in the specification. */
 #define MIP_3DM_GPIO_STATE_NAME "3dm.gpio_state"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gpio_state_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
                                                   const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gpio_state_codec, 0x42, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
@@ -6003,16 +6003,16 @@ struct mip_3dm_gpio_state_response {
 /** Its name in the specification. */
 #define MIP_3DM_GPIO_STATE_RESPONSE_NAME "3dm.gpio_state_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gpio_state_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gpio_state_response_decode(
     struct mip_3dm_gpio_state_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gpio_state_response_codec, 0xC2, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode(
     const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_response_codec, value, builder);
@@ -6058,16 +6058,16 @@ struct mip_3dm_odometer_config {
 /** Its name in the specification. */
 #define MIP_3DM_ODOMETER_CONFIG_NAME "3dm.odometer_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_odometer_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_odometer_config_codec, 0x43, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_odometer_config_encode(
     const struct mip_3dm_odometer_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
@@ -6153,17 +6153,17 @@ struct mip_3dm_odometer_config_response {
 /** Its name in the specification. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE_NAME "3dm.odometer_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_odometer_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_odometer_config_response_decode(
     struct mip_3dm_odometer_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_odometer_config_response_codec, 0xC3, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
     const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_response_codec, value, builder);
@@ -6228,16 +6228,16 @@ struct mip_3dm_imu_low_pass_filter {
 /** Its name in the specification. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_NAME "3dm.imu_low_pass_filter"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_low_pass_filter_decode(
     struct mip_3dm_imu_low_pass_filter *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_imu_low_pass_filter_codec, 0x50, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_encode(
     const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
@@ -6365,17 +6365,17 @@ struct mip_3dm_imu_low_pass_filter_response {
 /** Its name in the specification. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_NAME "3dm.imu_low_pass_filter_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_imu_low_pass_filter_response_decode(
     struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_imu_low_pass_filter_response_codec, 0x8B, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
     const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_response_codec, value, builder);
@@ -6443,16 +6443,16 @@ struct mip_3dm_complementary_filter {
 /** Its name in the specification. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_NAME "3dm.complementary_filter"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_complementary_filter_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_complementary_filter_decode(
     struct mip_3dm_complementary_filter *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_complementary_filter_codec, 0x51, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_encode(
     const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
@@ -6542,17 +6542,17 @@ struct mip_3dm_complementary_filter_response {
 /** Its name in the specification. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_NAME "3dm.complementary_filter_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_complementary_filter_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_complementary_filter_response_decode(
     struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_complementary_filter_response_codec, 0x97, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode(
     const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_response_codec, value, builder);
@@ -6593,16 +6593,16 @@ struct mip_3dm_sensor_range {
 /** Its name in the specification. */
 #define MIP_3DM_SENSOR_RANGE_NAME "3dm.sensor_range"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_sensor_range_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
                                                     const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_sensor_range_codec, 0x52, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
@@ -6696,17 +6696,17 @@ struct mip_3dm_sensor_range_response {
 /** Its name in the specification. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE_NAME "3dm.sensor_range_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_sensor_range_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_sensor_range_response_decode(
     struct mip_3dm_sensor_range_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_sensor_range_response_codec, 0xD2, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode(
     const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_response_codec, value, builder);
@@ -6734,17 +6734,17 @@ struct mip_3dm_get_calibrated_sensor_ranges {
 /** Its name in the specification. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_NAME "3dm.get_calibrated_sensor_ranges"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
     struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_calibrated_sensor_ranges_codec, 0x53, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, builder);
@@ -6793,17 +6793,17 @@ struct mip_3dm_get_calibrated_sensor_ranges_response {
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_NAME \
     "3dm.get_calibrated_sensor_ranges_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
     struct mip_3dm_get_calibrated_sensor_ranges_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_get_calibrated_sensor_ranges_response_codec, 0xD3, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges_response *value,
     struct mip_builder *builder) {
@@ -6860,16 +6860,16 @@ struct mip_3dm_low_pass_filter {
 /** Its name in the specification. */
 #define MIP_3DM_LOW_PASS_FILTER_NAME "3dm.low_pass_filter"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_low_pass_filter_codec, 0x54, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_encode(
     const struct mip_3dm_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
@@ -6987,17 +6987,17 @@ struct mip_3dm_low_pass_filter_response {
 /** Its name in the specification. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE_NAME "3dm.low_pass_filter_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_low_pass_filter_response_decode(
     struct mip_3dm_low_pass_filter_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_low_pass_filter_response_codec, 0xD4, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
     const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_response_codec, value, builder);
@@ -7008,11 +7008,11 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
  *
  * Selects MIP data or the raw data of a sensor for a stream.
  *
- * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_3dm_data_stream_format_response. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 restricts
- * it to the 3DM-GX3-35. Uncertain: Whether functions other than write require `format`. The SDK of
- * 2014 sends both parameters with every function, and a 0 in place of `format`.
+ * No device is known for certain to support it. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_data_stream_format_response. Known only from the MIP SDK of 2014 and
+ * MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014
+ * restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write require `format`.
+ * The SDK of 2014 sends both parameters with every function, and a 0 in place of `format`.
  *
  * In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and
  * `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -7041,16 +7041,16 @@ struct mip_3dm_data_stream_format {
 /** Its name in the specification. */
 #define MIP_3DM_DATA_STREAM_FORMAT_NAME "3dm.data_stream_format"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_data_stream_format_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_format_decode(struct mip_3dm_data_stream_format *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_data_stream_format_codec, 0x60, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_encode(
     const struct mip_3dm_data_stream_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_codec, value, builder);
@@ -7139,8 +7139,8 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_defa
 /**
  * Data stream format response: response (0x0C,0x88).
  *
- * No device is certain to support it. Answers mip_3dm_data_stream_format. Known only from the MIP
- * SDK of 2014 and MicroStrain Communication Library.
+ * No device is known for certain to support it. Answers mip_3dm_data_stream_format. Known only from
+ * the MIP SDK of 2014 and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: Data stream format (0x0C,0x60)
  * - mscl: Data stream format (0x0C,0x60)
@@ -7159,17 +7159,17 @@ struct mip_3dm_data_stream_format_response {
 /** Its name in the specification. */
 #define MIP_3DM_DATA_STREAM_FORMAT_RESPONSE_NAME "3dm.data_stream_format_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_data_stream_format_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_data_stream_format_response_decode(
     struct mip_3dm_data_stream_format_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_data_stream_format_response_codec, 0x88, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
     const struct mip_3dm_data_stream_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_format_response_codec, value, builder);
@@ -7180,13 +7180,13 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
  *
  * Sets the power state of an internal sensor.
  *
- * No device is certain to support it. Functions: write, read, save, load and default. Answered by
- * mip_3dm_device_power_state_response. The device may take 5 s to answer. Known only from the MIP
- * SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in
- * the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014
- * uses one longer than usual; 5 s is assumed. Uncertain: Whether `state` may be omitted with
- * functions other than write. The SDK of 2014 sends `device` with every function, and a 0 in place
- * of `state`.
+ * No device is known for certain to support it. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_device_power_state_response. The device may take 5 s to reply. Known only
+ * from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it.
+ * A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out.
+ * The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether `state` may be
+ * omitted with functions other than write. The SDK of 2014 sends `device` with every function, and
+ * a 0 in place of `state`.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
  * - mscl: Device power state (0x0C,0x61)
@@ -7215,16 +7215,16 @@ struct mip_3dm_device_power_state {
 /** Its name in the specification. */
 #define MIP_3DM_DEVICE_POWER_STATE_NAME "3dm.device_power_state"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_power_state_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_power_state_decode(struct mip_3dm_device_power_state *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_power_state_codec, 0x61, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_power_state_encode(
     const struct mip_3dm_device_power_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_codec, value, builder);
@@ -7302,8 +7302,8 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_defa
 /**
  * Device power state response: response (0x0C,0x89).
  *
- * No device is certain to support it. Answers mip_3dm_device_power_state. Known only from the MIP
- * SDK of 2014 and MicroStrain Communication Library.
+ * No device is known for certain to support it. Answers mip_3dm_device_power_state. Known only from
+ * the MIP SDK of 2014 and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
  * - mscl: Device power state (0x0C,0x61)
@@ -7322,17 +7322,17 @@ struct mip_3dm_device_power_state_response {
 /** Its name in the specification. */
 #define MIP_3DM_DEVICE_POWER_STATE_RESPONSE_NAME "3dm.device_power_state_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_power_state_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_power_state_response_decode(
     struct mip_3dm_device_power_state_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_power_state_response_codec, 0x89, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
     const struct mip_3dm_device_power_state_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_power_state_response_codec, value, builder);
@@ -7343,9 +7343,9 @@ MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
  *
  * Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
  *
- * No device is certain to support it. For advanced use. Functions: save, load and default. Known
- * only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
- * have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
+ * No device is known for certain to support it. For advanced use. Functions: save, load and
+ * default. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain:
+ * Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
  *
  * In direct mode, your program configures the u-blox receiver with its own protocol; see
  * mip_system_comm_mode.
@@ -7365,17 +7365,17 @@ struct mip_3dm_gps_advanced_settings {
 /** Its name in the specification. */
 #define MIP_3DM_GPS_ADVANCED_SETTINGS_NAME "3dm.gps_advanced_settings"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_gps_advanced_settings_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_gps_advanced_settings_decode(
     struct mip_3dm_gps_advanced_settings *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_gps_advanced_settings_codec, 0x62, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_gps_advanced_settings_encode(
     const struct mip_3dm_gps_advanced_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gps_advanced_settings_codec, value, builder);
@@ -7446,16 +7446,16 @@ struct mip_3dm_device_status {
 /** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_NAME "3dm.device_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_codec, 0x64, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_encode(
     const struct mip_3dm_device_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_codec, value, builder);
@@ -7482,9 +7482,9 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  *
  * Timer only, in microseconds.
  *
- * No device is certain to support it. Answers mip_3dm_device_status. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: The SDK of 2014 lists the names of the values
- * and the unit of the timer; the descriptions are inferred from the names.
+ * No device is known for certain to support it. Answers mip_3dm_device_status. Sent if
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: The SDK of 2014 lists the
+ * names of the values and the unit of the timer; the descriptions are inferred from the names.
  *
  * Parameters without a member, on the wire only:
  * - model_number: Model number of the inertial sensor. Always 6238.
@@ -7512,17 +7512,17 @@ struct mip_3dm_device_status_basic_rq1_imu_response {
 /** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE_NAME "3dm.device_status_basic_rq1_imu_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_basic_rq1_imu_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_basic_rq1_imu_response_decode(
     struct mip_3dm_device_status_basic_rq1_imu_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_basic_rq1_imu_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_rq1_imu_response_encode(
     const struct mip_3dm_device_status_basic_rq1_imu_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_rq1_imu_response_codec, value, builder);
@@ -7570,17 +7570,17 @@ struct mip_3dm_device_status_basic_response {
 /** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_NAME "3dm.device_status_basic_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_basic_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_basic_response_decode(
     struct mip_3dm_device_status_basic_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_basic_response_codec, 0x90, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
     const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_response_codec, value, builder);
@@ -7591,7 +7591,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
  *
  * Timer only.
  *
- * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_gx3_response by the size of
  * its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: MSCL has it
  * for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the
@@ -7627,10 +7627,10 @@ struct mip_3dm_device_status_basic_without_state_response {
 #define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_NAME \
     "3dm.device_status_basic_without_state_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_basic_without_state_response_decode(
     struct mip_3dm_device_status_basic_without_state_response *value,
     const struct mip_field *field) {
@@ -7638,7 +7638,7 @@ static inline mip_error mip_3dm_device_status_basic_without_state_response_decod
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_without_state_response_encode(
     const struct mip_3dm_device_status_basic_without_state_response *value,
     struct mip_builder *builder) {
@@ -7709,17 +7709,17 @@ struct mip_3dm_device_status_diagnostic_response {
 /** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_NAME "3dm.device_status_diagnostic_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_response_decode(
     struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_diagnostic_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_response_codec, value, builder);
@@ -7809,17 +7809,17 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gnss_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
     struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_diagnostic_gnss_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
     const struct mip_3dm_device_status_diagnostic_gnss_response *value,
     struct mip_builder *builder) {
@@ -7915,17 +7915,17 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gq4_45_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
     struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
     const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
     struct mip_builder *builder) {
@@ -8021,17 +8021,17 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_NAME \
     "3dm.device_status_diagnostic_rq1_45_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
     struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
     const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
     struct mip_builder *builder) {
@@ -8043,7 +8043,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_resp
  *
  * Timer, and counters of pulses, streams, port and USB.
  *
- * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_imu_response,
@@ -8117,17 +8117,17 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gx4_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
     struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_diagnostic_gx4_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
     const struct mip_3dm_device_status_diagnostic_gx4_response *value,
     struct mip_builder *builder) {
@@ -8139,7 +8139,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_respons
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
@@ -8213,17 +8213,17 @@ struct mip_3dm_device_status_diagnostic_imu_response {
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_NAME \
     "3dm.device_status_diagnostic_imu_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
     struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_diagnostic_imu_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
     const struct mip_3dm_device_status_diagnostic_imu_response *value,
     struct mip_builder *builder) {
@@ -8236,7 +8236,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_respons
  * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
  * port.
  *
- * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
@@ -8308,10 +8308,10 @@ struct mip_3dm_device_status_diagnostic_gx4_imu_response {
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gx4_imu_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx4_imu_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_response_decode(
     struct mip_3dm_device_status_diagnostic_gx4_imu_response *value,
     const struct mip_field *field) {
@@ -8319,7 +8319,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_response_decode
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_response_encode(
     const struct mip_3dm_device_status_diagnostic_gx4_imu_response *value,
     struct mip_builder *builder) {
@@ -8331,7 +8331,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_res
  *
  * Timer, temperature and supply, and the counters of pulses, stream and port.
  *
- * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
@@ -8399,10 +8399,10 @@ struct mip_3dm_device_status_diagnostic_rq1_imu_response {
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE_NAME \
     "3dm.device_status_diagnostic_rq1_imu_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_rq1_imu_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_response_decode(
     struct mip_3dm_device_status_diagnostic_rq1_imu_response *value,
     const struct mip_field *field) {
@@ -8410,7 +8410,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_response_decode
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_response_encode(
     const struct mip_3dm_device_status_diagnostic_rq1_imu_response *value,
     struct mip_builder *builder) {
@@ -8422,7 +8422,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_res
  *
  * State of the port.
  *
- * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_without_state_response by
  * the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain:
  * Only the SDK of 2014 has it, with the names of the values; the descriptions are inferred from the
@@ -8461,17 +8461,17 @@ struct mip_3dm_device_status_basic_gx3_response {
 /** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE_NAME "3dm.device_status_basic_gx3_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_basic_gx3_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_basic_gx3_response_decode(
     struct mip_3dm_device_status_basic_gx3_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_basic_gx3_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_encode(
     const struct mip_3dm_device_status_basic_gx3_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_gx3_response_codec, value, builder);
@@ -8482,7 +8482,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_enc
  *
  * State of the port, and the counters of the port, USB, receiver and IMU.
  *
- * No device is certain to support it. Answers mip_3dm_device_status. Distinguished from
+ * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
@@ -8575,17 +8575,17 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gx3_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx3_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_3dm_device_status_diagnostic_gx3_response_decode(
     struct mip_3dm_device_status_diagnostic_gx3_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_3dm_device_status_diagnostic_gx3_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx3_response_encode(
     const struct mip_3dm_device_status_diagnostic_gx3_response *value,
     struct mip_builder *builder) {

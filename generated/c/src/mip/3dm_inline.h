@@ -1,7 +1,7 @@
 /**
  * @file
- * The same as _decode and _encode of mip/3dm.h without tables, for speed: the fields whose layout
- * never varies.
+ * The same as _decode and _encode in mip/3dm.h, but without tables, for speed. Only for fields
+ * whose layout never varies.
  */
 #ifndef MIP_3DM_INLINE_H
 #define MIP_3DM_INLINE_H
@@ -9,7 +9,7 @@
 #include "mip/3dm.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/3dm_inline.h and mip/constants.h are not of one version"
+#error "mip/3dm_inline.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus

@@ -12,7 +12,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/aiding.h and mip/constants.h are not of one version"
+#error "mip/aiding.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -37,7 +37,7 @@ enum mip_aiding_frame_format MIP_ENUM_8 {
     MIP_AIDING_FRAME_FORMAT_QUATERNION = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_frame_format_name(uint8_t value);
 
 /**
@@ -54,7 +54,7 @@ enum mip_aiding_echo_mode MIP_ENUM_8 {
     MIP_AIDING_ECHO_MODE_RESPONSE = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_echo_mode_name(uint8_t value);
 
 /** Clock of the time of a measurement. */
@@ -67,7 +67,7 @@ enum mip_aiding_timebase MIP_ENUM_8 {
     MIP_AIDING_TIMEBASE_TIME_OF_ARRIVAL = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_timebase_name(uint8_t value);
 
 /** Time at which a measurement was taken. */
@@ -166,16 +166,16 @@ struct mip_aiding_frame_config {
 /** Its name in the specification. */
 #define MIP_AIDING_FRAME_CONFIG_NAME "aiding.frame_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_frame_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_frame_config_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_frame_config_encode(
     const struct mip_aiding_frame_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_codec, value, builder);
@@ -307,17 +307,17 @@ struct mip_aiding_frame_config_response {
 /** Its name in the specification. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE_NAME "aiding.frame_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_frame_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_frame_config_response_decode(
     struct mip_aiding_frame_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_frame_config_response_codec, 0x81, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
     const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_response_codec, value, builder);
@@ -355,16 +355,16 @@ struct mip_aiding_echo_control {
 /** Its name in the specification. */
 #define MIP_AIDING_ECHO_CONTROL_NAME "aiding.echo_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_echo_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_echo_control_codec, 0x1F, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_echo_control_encode(
     const struct mip_aiding_echo_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_codec, value, builder);
@@ -435,17 +435,17 @@ struct mip_aiding_echo_control_response {
 /** Its name in the specification. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE_NAME "aiding.echo_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_echo_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_echo_control_response_decode(
     struct mip_aiding_echo_control_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_echo_control_response_codec, 0x9F, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
     const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_response_codec, value, builder);
@@ -495,16 +495,16 @@ struct mip_aiding_ecef_position {
 /** Its name in the specification. */
 #define MIP_AIDING_ECEF_POSITION_NAME "aiding.ecef_position"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_ecef_position_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_position *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_ecef_position_codec, 0x21, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode(
     const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_position_codec, value, builder);
@@ -593,16 +593,16 @@ struct mip_aiding_llh_position {
 /** Its name in the specification. */
 #define MIP_AIDING_LLH_POSITION_NAME "aiding.llh_position"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_llh_position_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_llh_position_codec, 0x22, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode(
     const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_llh_position_codec, value, builder);
@@ -673,17 +673,17 @@ struct mip_aiding_height_above_ellipsoid {
 /** Its name in the specification. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_NAME "aiding.height_above_ellipsoid"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_height_above_ellipsoid_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_height_above_ellipsoid_decode(
     struct mip_aiding_height_above_ellipsoid *value, const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_height_above_ellipsoid_codec, 0x23, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode(
     const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_height_above_ellipsoid_codec, value, builder);
@@ -758,16 +758,16 @@ struct mip_aiding_ecef_velocity {
 /** Its name in the specification. */
 #define MIP_AIDING_ECEF_VELOCITY_NAME "aiding.ecef_velocity"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_ecef_velocity_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_ecef_velocity_codec, 0x28, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode(
     const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ecef_velocity_codec, value, builder);
@@ -847,16 +847,16 @@ struct mip_aiding_ned_velocity {
 /** Its name in the specification. */
 #define MIP_AIDING_NED_VELOCITY_NAME "aiding.ned_velocity"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_ned_velocity_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_velocity *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_ned_velocity_codec, 0x29, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode(
     const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_ned_velocity_codec, value, builder);
@@ -943,17 +943,17 @@ struct mip_aiding_body_frame_velocity {
 /** Its name in the specification. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY_NAME "aiding.body_frame_velocity"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_body_frame_velocity_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_body_frame_velocity_decode(
     struct mip_aiding_body_frame_velocity *value, const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_body_frame_velocity_codec, 0x2A, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode(
     const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_body_frame_velocity_codec, value, builder);
@@ -1023,16 +1023,16 @@ struct mip_aiding_true_heading {
 /** Its name in the specification. */
 #define MIP_AIDING_TRUE_HEADING_NAME "aiding.true_heading"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_true_heading_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_heading *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_true_heading_codec, 0x31, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode(
     const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_true_heading_codec, value, builder);
@@ -1105,16 +1105,16 @@ struct mip_aiding_magnetic_field {
 /** Its name in the specification. */
 #define MIP_AIDING_MAGNETIC_FIELD_NAME "aiding.magnetic_field"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_magnetic_field_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_magnetic_field_codec, 0x32, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode(
     const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_magnetic_field_codec, value, builder);
@@ -1181,16 +1181,16 @@ struct mip_aiding_pressure {
 /** Its name in the specification. */
 #define MIP_AIDING_PRESSURE_NAME "aiding.pressure"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_aiding_pressure_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *value,
                                                    const struct mip_field *field) {
     return mip_decode_only(&mip_aiding_pressure_codec, 0x33, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_aiding_pressure_encode(const struct mip_aiding_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_pressure_codec, value, builder);

@@ -12,7 +12,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/base.h and mip/constants.h are not of one version"
+#error "mip/base.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -54,7 +54,7 @@ enum mip_base_gps_time_field MIP_ENUM_8 {
     MIP_BASE_GPS_TIME_FIELD_TOW = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
 
 /**
@@ -82,16 +82,16 @@ struct mip_base_ping {
 /** Its name in the specification. */
 #define MIP_BASE_PING_NAME "base.ping"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_ping_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_ping_decode(struct mip_base_ping *value,
                                              const struct mip_field *field) {
     return mip_decode_only(&mip_base_ping_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
                                                          struct mip_builder *builder) {
     return mip_encode(&mip_base_ping_codec, value, builder);
@@ -124,16 +124,16 @@ struct mip_base_set_idle {
 /** Its name in the specification. */
 #define MIP_BASE_SET_IDLE_NAME "base.set_idle"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_set_idle_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_set_idle_decode(struct mip_base_set_idle *value,
                                                  const struct mip_field *field) {
     return mip_decode_only(&mip_base_set_idle_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_base_set_idle_codec, value, builder);
@@ -163,16 +163,16 @@ struct mip_base_get_device_info {
 /** Its name in the specification. */
 #define MIP_BASE_GET_DEVICE_INFO_NAME "base.get_device_info"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_get_device_info_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_base_get_device_info_codec, 0x03, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_get_device_info_encode(
     const struct mip_base_get_device_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_codec, value, builder);
@@ -199,17 +199,17 @@ struct mip_base_get_device_info_response {
 /** Its name in the specification. */
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE_NAME "base.get_device_info_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_get_device_info_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_info_response_decode(
     struct mip_base_get_device_info_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_get_device_info_response_codec, 0x81, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode(
     const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_response_codec, value, builder);
@@ -242,17 +242,17 @@ struct mip_base_get_device_descriptors {
 /** Its name in the specification. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_NAME "base.get_device_descriptors"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_get_device_descriptors_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_descriptors_decode(
     struct mip_base_get_device_descriptors *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_get_device_descriptors_codec, 0x04, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_encode(
     const struct mip_base_get_device_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_codec, value, builder);
@@ -285,17 +285,17 @@ struct mip_base_get_device_descriptors_response {
 /** Its name in the specification. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_NAME "base.get_device_descriptors_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_get_device_descriptors_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_device_descriptors_response_decode(
     struct mip_base_get_device_descriptors_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_get_device_descriptors_response_codec, 0x82, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_response_encode(
     const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_response_codec, value, builder);
@@ -306,7 +306,7 @@ MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_response_enc
  *
  * Runs the self test of the device and gets its result.
  *
- * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
+ * Answered by mip_base_built_in_test_response. The device may take 10 s to reply. Supported by
  * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain:
  * The maximum duration of the test. The manual of the 3DM-CV7 states several seconds; 10 s leaves
  * room for that.
@@ -333,16 +333,16 @@ struct mip_base_built_in_test {
 /** Its name in the specification. */
 #define MIP_BASE_BUILT_IN_TEST_NAME "base.built_in_test"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_built_in_test_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_base_built_in_test_codec, 0x05, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_built_in_test_encode(
     const struct mip_base_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_codec, value, builder);
@@ -365,8 +365,8 @@ struct mip_base_built_in_test_response {
      * 3DM-CX5-25, 3DM-GX5-10 and 3DM-GX5-25: values of mip_gx5_built_in_test. Inferred: The
      * 3DM-GX5-15 has it. On the 3DM-CV5-45, 3DM-CX5-35, 3DM-CX5-45, 3DM-GQ4-45, 3DM-GX3-15,
      * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX4-IMU,
-     * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are not
-     * known. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
+     * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT, 3DM-RQ1-45-ST and 3DM-RQ1-IMU: the values are unknown.
+     * On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS,
      * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS and 3DM-RTK: values of
      * mip_cv7_built_in_test. Inferred: The 3DM-CV7-GNSS/INS has it. On the 3DM-CV7-GNSS/INS: values
      * of mip_cv7_built_in_test. On the 3DM-GX5-15: values of mip_gx5_built_in_test.
@@ -381,17 +381,17 @@ struct mip_base_built_in_test_response {
 /** Its name in the specification. */
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE_NAME "base.built_in_test_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_built_in_test_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_built_in_test_response_decode(
     struct mip_base_built_in_test_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_built_in_test_response_codec, 0x83, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_built_in_test_response_encode(
     const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_response_codec, value, builder);
@@ -422,16 +422,16 @@ struct mip_base_resume {
 /** Its name in the specification. */
 #define MIP_BASE_RESUME_NAME "base.resume"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_resume_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_resume_decode(struct mip_base_resume *value,
                                                const struct mip_field *field) {
     return mip_decode_only(&mip_base_resume_codec, 0x06, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_resume_encode(const struct mip_base_resume *value,
                                                            struct mip_builder *builder) {
     return mip_encode(&mip_base_resume_codec, value, builder);
@@ -463,17 +463,17 @@ struct mip_base_get_extended_descriptors {
 /** Its name in the specification. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_NAME "base.get_extended_descriptors"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_extended_descriptors_decode(
     struct mip_base_get_extended_descriptors *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_get_extended_descriptors_codec, 0x07, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_encode(
     const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_codec, value, builder);
@@ -505,17 +505,17 @@ struct mip_base_get_extended_descriptors_response {
 /** Its name in the specification. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_NAME "base.get_extended_descriptors_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_get_extended_descriptors_response_decode(
     struct mip_base_get_extended_descriptors_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_get_extended_descriptors_response_codec, 0x86, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_response_encode(
     const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_response_codec, value, builder);
@@ -550,17 +550,17 @@ struct mip_base_continuous_built_in_test {
 /** Its name in the specification. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_NAME "base.continuous_built_in_test"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_continuous_built_in_test_decode(
     struct mip_base_continuous_built_in_test *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_continuous_built_in_test_codec, 0x08, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_encode(
     const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_codec, value, builder);
@@ -591,17 +591,17 @@ struct mip_base_continuous_built_in_test_response {
 /** Its name in the specification. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_NAME "base.continuous_built_in_test_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_continuous_built_in_test_response_decode(
     struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_continuous_built_in_test_response_codec, 0x88, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_encode(
     const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_response_codec, value, builder);
@@ -641,7 +641,7 @@ struct mip_base_comm_speed {
      * MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one.
      * On the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
      * MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
-     * 3DM-RTK: the values are not known.
+     * 3DM-RTK: the values are unknown.
      */
     uint8_t port;
     /** Baud rate; one that the port supports. Unit: Bd. Required for write. */
@@ -655,16 +655,16 @@ struct mip_base_comm_speed {
 /** Its name in the specification. */
 #define MIP_BASE_COMM_SPEED_NAME "base.comm_speed"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_comm_speed_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
                                                    const struct mip_field *field) {
     return mip_decode_only(&mip_base_comm_speed_codec, 0x09, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_base_comm_speed_encode(const struct mip_base_comm_speed *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_codec, value, builder);
@@ -682,7 +682,7 @@ mip_base_comm_speed_encode(const struct mip_base_comm_speed *value, struct mip_b
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
  */
 static inline struct mip_base_comm_speed *
@@ -706,7 +706,7 @@ mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uin
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
@@ -728,7 +728,7 @@ mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
@@ -750,7 +750,7 @@ mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
@@ -772,7 +772,7 @@ mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
@@ -800,8 +800,8 @@ struct mip_base_comm_speed_response {
      * MIP_COMM_INTERFACE_UART_2, MIP_COMM_INTERFACE_UART_3 and MIP_COMM_INTERFACE_USB_1. On the
      * 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of enum
      * mip_comm_interface; only MIP_COMM_INTERFACE_MAIN, MIP_COMM_INTERFACE_UART_1,
-     * MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are not
-     * known.
+     * MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the 3DM-RTK: the values are
+     * unknown.
      */
     uint8_t port;
     /** Baud rate of the port. Unit: Bd. */
@@ -815,16 +815,16 @@ struct mip_base_comm_speed_response {
 /** Its name in the specification. */
 #define MIP_BASE_COMM_SPEED_RESPONSE_NAME "base.comm_speed_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_comm_speed_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_comm_speed_response_decode(
     struct mip_base_comm_speed_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_comm_speed_response_codec, 0x89, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
     const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_response_codec, value, builder);
@@ -884,16 +884,16 @@ struct mip_base_gps_time_update {
 /** Its name in the specification. */
 #define MIP_BASE_GPS_TIME_UPDATE_NAME "base.gps_time_update"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_gps_time_update_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_base_gps_time_update_codec, 0x72, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_gps_time_update_encode(
     const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_codec, value, builder);
@@ -974,17 +974,17 @@ struct mip_base_gps_time_update_week_number_response {
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_NAME \
     "base.gps_time_update_week_number_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_gps_time_update_week_number_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_week_number_response_decode(
     struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_gps_time_update_week_number_response_codec, 0x84, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_response_encode(
     const struct mip_base_gps_time_update_week_number_response *value,
     struct mip_builder *builder) {
@@ -1015,17 +1015,17 @@ struct mip_base_gps_time_update_tow_response {
 /** Its name in the specification. */
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_NAME "base.gps_time_update_tow_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_gps_time_update_tow_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_gps_time_update_tow_response_decode(
     struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_base_gps_time_update_tow_response_codec, 0x85, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_base_gps_time_update_tow_response_encode(
     const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_tow_response_codec, value, builder);
@@ -1054,16 +1054,16 @@ struct mip_base_soft_reset {
 /** Its name in the specification. */
 #define MIP_BASE_SOFT_RESET_NAME "base.soft_reset"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_base_soft_reset_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_base_soft_reset_decode(struct mip_base_soft_reset *value,
                                                    const struct mip_field *field) {
     return mip_decode_only(&mip_base_soft_reset_codec, 0x7E, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_base_soft_reset_encode(const struct mip_base_soft_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_soft_reset_codec, value, builder);

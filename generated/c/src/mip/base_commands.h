@@ -9,7 +9,7 @@
 #include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/base_commands.h and mip/constants.h are not of one version"
+#error "mip/base_commands.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -233,7 +233,7 @@ static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
  */
 static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device *device,
@@ -257,7 +257,7 @@ static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_read(
     struct mip_device *device, uint8_t port, struct mip_base_comm_speed_response *response) {
@@ -280,7 +280,7 @@ static inline struct mip_result mip_call_base_comm_speed_read(
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device *device,
                                                               uint8_t port) {
@@ -302,7 +302,7 @@ static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device 
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device *device,
                                                               uint8_t port) {
@@ -324,7 +324,7 @@ static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device 
  *   MIP_COMM_INTERFACE_USB_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
- *   3DM-RTK: the values are not known.
+ *   3DM-RTK: the values are unknown.
  */
 static inline struct mip_result mip_call_base_comm_speed_default(struct mip_device *device,
                                                                  uint8_t port) {

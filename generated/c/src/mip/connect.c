@@ -1,4 +1,4 @@
-/* Finds a device, and starts its data. */
+/* Finds a device and starts its data. */
 #include "mip/connect.h"
 
 /** The time in milliseconds in which a ping must be answered. Two are sent at each rate, because
@@ -15,7 +15,7 @@ static void hear(void *user, const struct mip_device *device, bool ends) {
     *(bool *)user = true;
 }
 
-/** Pings at the current rate until any packet arrives, and sets `*heard` then. */
+/** Pings at the current rate until any packet arrives; then sets `*heard`. */
 static struct mip_result ping(struct mip_device *device, bool *heard) {
     const struct mip_observer listening = {hear, heard};
     const struct mip_observer *const observer = device->observer;
@@ -93,14 +93,14 @@ struct mip_result mip_device_connect(struct mip_device *device,
 struct plan {
     uint8_t descriptor_set;
     uint8_t count;
-    /* Does the device support only the commands of older devices? */
+    /* True if the device supports only the commands of older devices. */
     bool older;
     struct mip_rate *rates;
     struct mip_3dm_get_base_rate_response base;
     struct mip_descriptor_rate fields[83];
 };
 
-/** The base rate, from a command for this set. */
+/** Reads the base rate with the older command for this set. */
 static struct mip_result older_base_rate(struct mip_device *device, struct plan *plan,
                                          struct mip_result result) {
     switch (plan->descriptor_set) {
@@ -140,7 +140,7 @@ static struct mip_result base_rate(struct mip_device *device, void *shared) {
     return result;
 }
 
-/** The decimation whose rate is nearest to the wanted one, which is not 0. */
+/** Returns the decimation whose rate is nearest to `wanted`, which is not 0. */
 static uint16_t decimation(float base, float wanted) {
     if (!(wanted < base)) {
         return 1;
@@ -154,7 +154,7 @@ static uint16_t decimation(float base, float wanted) {
     return (uint16_t)(faster - wanted <= wanted - slower ? below : below + 1);
 }
 
-/** Sends nothing: computes the decimations, and checks that the device has all rates. */
+/** Computes the decimations, and checks that the device supports all rates. Sends nothing. */
 static struct mip_result divide(struct mip_device *device, void *shared) {
     struct plan *plan = (struct plan *)shared;
     struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK, false};

@@ -17,7 +17,7 @@
 #include "mip/base_commands.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/connect.h and mip/constants.h are not of one version"
+#error "mip/connect.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -30,20 +30,20 @@ extern "C" {
  * Finds a device: tries each baud rate until anything answers a ping, or sends data; then sets the
  * device to idle, and reads its device information. Commands that are not answered are repeated.
  *
- * `set_baud` changes the rate of the port; it returns false if the port cannot have the rate. Its
- * argument `user` is that of the port. Pass NULL if the port has no rate, or the right one. The
- * rates are
+ * `set_baud` changes the baud rate of the port, and returns false if the port does not support it.
+ * Its argument `user` is `port.user`. Pass NULL if the port has no baud rate, or already the right
+ * one. The rates are
  * 115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800.
  * A rate at which no device answers takes about a third of a second.
  *
- * The result is that of the last command. If it is MIP_TIMED_OUT, no device was found, and the port
+ * Returns the result of the last command. If it is MIP_TIMED_OUT, no device was found, and the port
  * has the rate that was tried last.
  */
 MIP_API struct mip_result mip_device_connect(struct mip_device *device,
                                              bool (*set_baud)(void *user, uint32_t baud),
                                              struct mip_base_get_device_info_response *identity);
 
-/** The profile of a device by its device information; NULL if it is not known, for example that of
+/** Finds the profile of a device by its device information. NULL if there is none, for example for
  * a newer device. Links the profiles of all devices. */
 static inline const struct mip_profile *
 mip_device_profile(const struct mip_base_get_device_info_response *identity) {
@@ -59,10 +59,10 @@ mip_device_profile(const struct mip_base_get_device_info_response *identity) {
 struct mip_rate {
     /** The field of the set: MIP_..._DESCRIPTOR. */
     uint8_t descriptor;
-    /** In Hz; 0: as often as the device can. */
+    /** The wanted rate in Hz. 0: the highest rate of the device. */
     float wanted;
-    /** The rate of the device that is nearest to it, in Hz; mip_device_stream sets it. 0: sent as
-     * the data arrives. */
+    /** The nearest rate of the device in Hz, which mip_device_stream sets. 0: the field is sent as
+     * its data arrives. */
     float nearest;
 };
 
@@ -72,10 +72,10 @@ struct mip_rate {
  * share, such as time stamps, come first. If the device rejects the first command, the older
  * commands of the set take its place.
  *
- * A device divides its base rate by whole numbers. If it does not have a wanted rate, nothing is
- * changed, and the outcome is MIP_NO_SUCH_RATE: the rates that it does not have are those that
- * differ from their `nearest`. At most 83 fields fit; with more, the error is
- * MIP_ERROR_COUNT. Commands that are not answered are repeated.
+ * A device divides its base rate by whole numbers. If it does not support a wanted rate, nothing is
+ * changed, and the outcome is MIP_NO_SUCH_RATE: look for the rates whose `wanted` and `nearest`
+ * differ. At most 83 fields fit; with more, the error is MIP_ERROR_COUNT.
+ * Commands that are not answered are repeated.
  */
 MIP_API struct mip_result mip_device_stream(struct mip_device *device, uint8_t descriptor_set,
                                             uint8_t count, struct mip_rate *rates);

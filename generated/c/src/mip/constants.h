@@ -7,7 +7,7 @@
 
 /** Version of the specification and of all files of this binding. */
 #define MIP_VERSION "0.1.0"
-/** The same as a number: 10203 is 1.2.3. */
+/** The version as a number: 10203 is 1.2.3. */
 #define MIP_VERSION_NUMBER 100
 
 /** The first byte of every packet. */
@@ -19,7 +19,7 @@
 #define MIP_MAX_PAYLOAD 255
 /** The maximum size of the data of a field. */
 #define MIP_MAX_FIELD_DATA 253
-/** At least the size of the largest structure of a field, on any machine. */
+/** Large enough for the structure of any field, on any machine. */
 #define MIP_MAX_VALUE_SIZE 408
 /** The descriptor of the acknowledge, in all command sets. */
 #define MIP_ACKNOWLEDGE_DESCRIPTOR 0xF1

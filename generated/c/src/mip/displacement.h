@@ -12,7 +12,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/displacement.h and mip/constants.h are not of one version"
+#error "mip/displacement.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -31,9 +31,9 @@ extern "C" {
  * Reads the linear function with which the device converts the counts of its converter to a
  * displacement.
  *
- * No device is certain to support it. Also called `get_analog_displacement_calibration`. Answered
- * by mip_displacement_get_calibration_response. Known only from the MicroStrain Communication
- * Library.
+ * No device is known for certain to support it. Also called `get_analog_displacement_calibration`.
+ * Answered by mip_displacement_get_calibration_response. Known only from the MicroStrain
+ * Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
  */
@@ -49,17 +49,17 @@ struct mip_displacement_get_calibration {
 /** Its name in the specification. */
 #define MIP_DISPLACEMENT_GET_CALIBRATION_NAME "displacement.get_calibration"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_displacement_get_calibration_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_get_calibration_decode(
     struct mip_displacement_get_calibration *value, const struct mip_field *field) {
     return mip_decode_only(&mip_displacement_get_calibration_codec, 0x01, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_get_calibration_encode(
     const struct mip_displacement_get_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_get_calibration_codec, value, builder);
@@ -68,8 +68,9 @@ MIP_CHECKED static inline mip_error mip_displacement_get_calibration_encode(
 /**
  * Get Analog to Displacement Calibration response: response (0x11,0x81).
  *
- * No device is certain to support it. Also called `get_analog_displacement_calibration_response`.
- * Answers mip_displacement_get_calibration. Known only from the MicroStrain Communication Library.
+ * No device is known for certain to support it. Also called
+ * `get_analog_displacement_calibration_response`. Answers mip_displacement_get_calibration. Known
+ * only from the MicroStrain Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
  */
@@ -87,17 +88,17 @@ struct mip_displacement_get_calibration_response {
 /** Its name in the specification. */
 #define MIP_DISPLACEMENT_GET_CALIBRATION_RESPONSE_NAME "displacement.get_calibration_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_displacement_get_calibration_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_get_calibration_response_decode(
     struct mip_displacement_get_calibration_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_displacement_get_calibration_response_codec, 0x81, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_get_calibration_response_encode(
     const struct mip_displacement_get_calibration_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_get_calibration_response_codec, value, builder);
@@ -108,9 +109,9 @@ MIP_CHECKED static inline mip_error mip_displacement_get_calibration_response_en
  *
  * Reads the rate at which displacement is measured.
  *
- * No device is certain to support it. Also called `displacement_output_rate`. Functions: read.
- * Answered by mip_displacement_output_rate_response. Known only from the MicroStrain Communication
- * Library. Uncertain: Whether the rate can be written. MSCL only reads it.
+ * No device is known for certain to support it. Also called `displacement_output_rate`. Functions:
+ * read. Answered by mip_displacement_output_rate_response. Known only from the MicroStrain
+ * Communication Library. Uncertain: Whether the rate can be written. MSCL only reads it.
  *
  * - mscl: Displacement Output Data Rate (0x11,0x02)
  */
@@ -126,16 +127,16 @@ struct mip_displacement_output_rate {
 /** Its name in the specification. */
 #define MIP_DISPLACEMENT_OUTPUT_RATE_NAME "displacement.output_rate"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_displacement_output_rate_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_output_rate_decode(
     struct mip_displacement_output_rate *value, const struct mip_field *field) {
     return mip_decode_only(&mip_displacement_output_rate_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_output_rate_encode(
     const struct mip_displacement_output_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_output_rate_codec, value, builder);
@@ -152,8 +153,8 @@ mip_displacement_output_rate_read(struct mip_displacement_output_rate *command) 
 /**
  * Displacement Output Data Rate response: response (0x11,0x82).
  *
- * No device is certain to support it. Also called `displacement_output_rate_response`. Answers
- * mip_displacement_output_rate. Known only from the MicroStrain Communication Library.
+ * No device is known for certain to support it. Also called `displacement_output_rate_response`.
+ * Answers mip_displacement_output_rate. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Displacement Output Data Rate (0x11,0x02)
  */
@@ -169,17 +170,17 @@ struct mip_displacement_output_rate_response {
 /** Its name in the specification. */
 #define MIP_DISPLACEMENT_OUTPUT_RATE_RESPONSE_NAME "displacement.output_rate_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_displacement_output_rate_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_output_rate_response_decode(
     struct mip_displacement_output_rate_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_displacement_output_rate_response_codec, 0x82, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_output_rate_response_encode(
     const struct mip_displacement_output_rate_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_output_rate_response_codec, value, builder);
@@ -190,9 +191,9 @@ MIP_CHECKED static inline mip_error mip_displacement_output_rate_response_encode
  *
  * Sets the clock of the device, from which mip_displacement_data_timestamp is taken.
  *
- * No device is certain to support it. Also called `displacement_device_time`. Functions: write.
- * Changes mip_displacement_data_timestamp. Known only from the MicroStrain Communication Library.
- * Uncertain: Whether the time can be read. MSCL only writes it.
+ * No device is known for certain to support it. Also called `displacement_device_time`. Functions:
+ * write. Changes mip_displacement_data_timestamp. Known only from the MicroStrain Communication
+ * Library. Uncertain: Whether the time can be read. MSCL only writes it.
  *
  * - mscl: Displacement Device Time (0x11,0x04)
  */
@@ -215,16 +216,16 @@ struct mip_displacement_device_time {
 /** Its name in the specification. */
 #define MIP_DISPLACEMENT_DEVICE_TIME_NAME "displacement.device_time"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_displacement_device_time_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_device_time_decode(
     struct mip_displacement_device_time *value, const struct mip_field *field) {
     return mip_decode_only(&mip_displacement_device_time_codec, 0x04, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_device_time_encode(
     const struct mip_displacement_device_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_device_time_codec, value, builder);

@@ -9,7 +9,7 @@
 #include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/displacement_commands.h and mip/constants.h are not of one version"
+#error "mip/displacement_commands.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus

@@ -12,7 +12,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/displacement_data.h and mip/constants.h are not of one version"
+#error "mip/displacement_data.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -38,7 +38,8 @@ typedef uint8_t mip_displacement_data_timestamp_flags;
  *
  * Displacement in counts of the converter.
  *
- * No device is certain to support it. Known only from the MicroStrain Communication Library.
+ * No device is known for certain to support it. Known only from the MicroStrain Communication
+ * Library.
  *
  * - mscl: Raw displacement (0x90,0x01)
  */
@@ -54,17 +55,17 @@ struct mip_displacement_data_displacement_raw {
 /** Its name in the specification. */
 #define MIP_DISPLACEMENT_DATA_DISPLACEMENT_RAW_NAME "displacement_data.displacement_raw"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_displacement_data_displacement_raw_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_displacement_raw_decode(
     struct mip_displacement_data_displacement_raw *value, const struct mip_field *field) {
     return mip_decode_only(&mip_displacement_data_displacement_raw_codec, 0x01, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encode(
     const struct mip_displacement_data_displacement_raw *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_raw_codec, value, builder);
@@ -75,7 +76,8 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_raw_encod
  *
  * Displacement of the sensor, computed with its calibration.
  *
- * No device is certain to support it. Known only from the MicroStrain Communication Library.
+ * No device is known for certain to support it. Known only from the MicroStrain Communication
+ * Library.
  *
  * - mscl: Displacement (0x90,0x02)
  */
@@ -91,17 +93,17 @@ struct mip_displacement_data_displacement {
 /** Its name in the specification. */
 #define MIP_DISPLACEMENT_DATA_DISPLACEMENT_NAME "displacement_data.displacement"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_displacement_data_displacement_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_displacement_decode(
     struct mip_displacement_data_displacement *value, const struct mip_field *field) {
     return mip_decode_only(&mip_displacement_data_displacement_codec, 0x02, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode(
     const struct mip_displacement_data_displacement *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_displacement_codec, value, builder);
@@ -112,8 +114,8 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode(
  *
  * Time of the measurement by the clock of the device.
  *
- * No device is certain to support it. Also called `displacement_timestamp`. Known only from the
- * MicroStrain Communication Library.
+ * No device is known for certain to support it. Also called `displacement_timestamp`. Known only
+ * from the MicroStrain Communication Library.
  *
  * - mscl: Displacement Device Timestamp (0x90,0x04)
  */
@@ -134,17 +136,17 @@ struct mip_displacement_data_timestamp {
 /** Its name in the specification. */
 #define MIP_DISPLACEMENT_DATA_TIMESTAMP_NAME "displacement_data.timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_displacement_data_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_displacement_data_timestamp_decode(
     struct mip_displacement_data_timestamp *value, const struct mip_field *field) {
     return mip_decode_only(&mip_displacement_data_timestamp_codec, 0x04, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_displacement_data_timestamp_encode(
     const struct mip_displacement_data_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_displacement_data_timestamp_codec, value, builder);

@@ -11,7 +11,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/filter.h and mip/constants.h are not of one version"
+#error "mip/filter.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -42,7 +42,7 @@ enum mip_filter_dynamics_mode MIP_ENUM_8 {
     MIP_FILTER_DYNAMICS_MODE_AIRBORNE_HIGH_G = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_dynamics_mode_name(uint8_t value);
 
 /**
@@ -79,7 +79,7 @@ enum mip_filter_gnss_aiding_source MIP_ENUM_8 {
     MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_2 = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_gnss_aiding_source_name(uint8_t value);
 
 /** The north that a heading refers to. */
@@ -90,7 +90,7 @@ enum mip_filter_heading_type MIP_ENUM_8 {
     MIP_FILTER_HEADING_TYPE_MAGNETIC_HEADING = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_heading_type_name(uint8_t value);
 
 /**
@@ -119,7 +119,7 @@ enum mip_filter_heading_update_source MIP_ENUM_8 {
     MIP_FILTER_HEADING_UPDATE_SOURCE_ALL = 7
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_heading_update_source_name(uint8_t value);
 
 /** Axes to tare; 0 resets all axes. */
@@ -148,7 +148,7 @@ enum mip_filter_mag_parameter_source MIP_ENUM_8 {
     MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
 
 /** Weighting of measurements whose magnitude is not as expected. */
@@ -161,7 +161,7 @@ enum mip_filter_adaptive_measurement_selector MIP_ENUM_8 {
     MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_adaptive_measurement_selector_name(uint8_t value);
 
 /**
@@ -176,7 +176,7 @@ enum mip_filter_altitude_aiding_source MIP_ENUM_8 {
     MIP_FILTER_ALTITUDE_AIDING_SOURCE_PRESSURE = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_altitude_aiding_source_name(uint8_t value);
 
 /** Source that aids pitch and roll. */
@@ -187,7 +187,7 @@ enum mip_filter_pitch_roll_aiding_source MIP_ENUM_8 {
     MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_GRAVITY_VECTOR = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 
 /**
@@ -215,7 +215,7 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 /** All sources, for save, load and default. */
 #define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
 
 /**
@@ -230,7 +230,7 @@ enum mip_filter_accel_constraint MIP_ENUM_8 {
     MIP_FILTER_ACCEL_CONSTRAINT_ZERO_ACCEL = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
 
 /**
@@ -247,7 +247,7 @@ enum mip_filter_velocity_constraint MIP_ENUM_8 {
     MIP_FILTER_VELOCITY_CONSTRAINT_WHEELED_VEHICLE = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
 
 /**
@@ -262,7 +262,7 @@ enum mip_filter_angular_constraint MIP_ENUM_8 {
     MIP_FILTER_ANGULAR_CONSTRAINT_ZERO_ANGULAR_RATE = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
 
 /** Initial conditions that your program provides instead of the device. */
@@ -277,7 +277,7 @@ enum mip_filter_initial_condition_source MIP_ENUM_8 {
     MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_initial_condition_source_name(uint8_t value);
 
 /** Methods that the device may use to determine its initial heading. */
@@ -299,7 +299,7 @@ enum mip_filter_reference_frame MIP_ENUM_8 {
     MIP_FILTER_REFERENCE_FRAME_LLH = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
 
 /** Strength of the adaptation to inconsistent measurements. */
@@ -314,7 +314,7 @@ enum mip_filter_adaptive_level MIP_ENUM_8 {
     MIP_FILTER_ADAPTIVE_LEVEL_AGGRESSIVE = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
 
 /** Source of the reference of relative positions. */
@@ -325,7 +325,7 @@ enum mip_filter_relative_position_source MIP_ENUM_8 {
     MIP_FILTER_RELATIVE_POSITION_SOURCE_MANUAL = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_relative_position_source_name(uint8_t value);
 
 /** The end of a lever arm. */
@@ -334,7 +334,7 @@ enum mip_filter_reference_point MIP_ENUM_8 {
     MIP_FILTER_REFERENCE_POINT_VEHICLE = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_point_name(uint8_t value);
 
 /**
@@ -366,16 +366,16 @@ struct mip_filter_reset {
 /** Its name in the specification. */
 #define MIP_FILTER_RESET_NAME "filter.reset"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_reset_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reset_decode(struct mip_filter_reset *value,
                                                 const struct mip_field *field) {
     return mip_decode_only(&mip_filter_reset_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_filter_reset_codec, value, builder);
@@ -418,17 +418,17 @@ struct mip_filter_set_initial_attitude {
 /** Its name in the specification. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_NAME "filter.set_initial_attitude"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_attitude_decode(
     struct mip_filter_set_initial_attitude *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_set_initial_attitude_codec, 0x02, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_encode(
     const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_codec, value, builder);
@@ -485,17 +485,17 @@ struct mip_filter_set_initial_heading {
 /** Its name in the specification. */
 #define MIP_FILTER_SET_INITIAL_HEADING_NAME "filter.set_initial_heading"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_set_initial_heading_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_heading_decode(
     struct mip_filter_set_initial_heading *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_set_initial_heading_codec, 0x03, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_set_initial_heading_encode(
     const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_heading_codec, value, builder);
@@ -519,7 +519,7 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
  *
  * Initializes the attitude of the filter with that of the complementary filter.
  *
- * No device is certain to support it. Also called `set_initial_heading_from_mag`. Changes
+ * No device is known for certain to support it. Also called `set_initial_heading_from_mag`. Changes
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Known only from the MIP SDK of 2014, MicroStrain Communication
  * Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set initial heading from
@@ -545,17 +545,17 @@ struct mip_filter_set_initial_attitude_from_imu {
 /** Its name in the specification. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_FROM_IMU_NAME "filter.set_initial_attitude_from_imu"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_from_imu_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_set_initial_attitude_from_imu_decode(
     struct mip_filter_set_initial_attitude_from_imu *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_set_initial_attitude_from_imu_codec, 0x04, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_set_initial_attitude_from_imu_encode(
     const struct mip_filter_set_initial_attitude_from_imu *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_set_initial_attitude_from_imu_codec, value, builder);
@@ -599,16 +599,16 @@ struct mip_filter_run {
 /** Its name in the specification. */
 #define MIP_FILTER_RUN_NAME "filter.run"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_run_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_run_decode(struct mip_filter_run *value,
                                               const struct mip_field *field) {
     return mip_decode_only(&mip_filter_run_codec, 0x05, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value,
                                                           struct mip_builder *builder) {
     return mip_encode(&mip_filter_run_codec, value, builder);
@@ -648,17 +648,17 @@ struct mip_filter_vehicle_dynamics_mode {
 /** Its name in the specification. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_NAME "filter.vehicle_dynamics_mode"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vehicle_dynamics_mode_decode(
     struct mip_filter_vehicle_dynamics_mode *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_vehicle_dynamics_mode_codec, 0x10, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
     const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
@@ -731,17 +731,17 @@ struct mip_filter_vehicle_dynamics_mode_response {
 /** Its name in the specification. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_NAME "filter.vehicle_dynamics_mode_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode(
     struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_vehicle_dynamics_mode_response_codec, 0x80, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode(
     const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_response_codec, value, builder);
@@ -790,17 +790,17 @@ struct mip_filter_sensor_to_vehicle_rotation_euler {
 /** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
     struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_euler_codec, 0x11, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
     const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_codec, value, builder);
@@ -885,10 +885,10 @@ struct mip_filter_sensor_to_vehicle_rotation_euler_response {
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_euler_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
     struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
     const struct mip_field *field) {
@@ -896,7 +896,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_dec
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
     const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
     struct mip_builder *builder) {
@@ -939,17 +939,17 @@ struct mip_filter_sensor_to_vehicle_offset {
 /** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_NAME "filter.sensor_to_vehicle_offset"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_offset_decode(
     struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_sensor_to_vehicle_offset_codec, 0x12, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
     const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
@@ -1024,17 +1024,17 @@ struct mip_filter_sensor_to_vehicle_offset_response {
 /** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_NAME "filter.sensor_to_vehicle_offset_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
     struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_sensor_to_vehicle_offset_response_codec, 0x82, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
     const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, builder);
@@ -1080,16 +1080,16 @@ struct mip_filter_antenna_offset {
 /** Its name in the specification. */
 #define MIP_FILTER_ANTENNA_OFFSET_NAME "filter.antenna_offset"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_antenna_offset_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_filter_antenna_offset_codec, 0x13, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_antenna_offset_encode(
     const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
@@ -1164,17 +1164,17 @@ struct mip_filter_antenna_offset_response {
 /** Its name in the specification. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_NAME "filter.antenna_offset_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_antenna_offset_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_antenna_offset_response_decode(
     struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_antenna_offset_response_codec, 0x83, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
     const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_response_codec, value, builder);
@@ -1230,17 +1230,17 @@ struct mip_filter_estimation_control {
 /** Its name in the specification. */
 #define MIP_FILTER_ESTIMATION_CONTROL_NAME "filter.estimation_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_estimation_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_estimation_control_decode(
     struct mip_filter_estimation_control *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_estimation_control_codec, 0x14, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_estimation_control_encode(
     const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_codec, value, builder);
@@ -1321,17 +1321,17 @@ struct mip_filter_estimation_control_response {
 /** Its name in the specification. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_NAME "filter.estimation_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_estimation_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_estimation_control_response_decode(
     struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_estimation_control_response_codec, 0x84, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encode(
     const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_response_codec, value, builder);
@@ -1376,16 +1376,16 @@ struct mip_filter_gnss_source {
 /** Its name in the specification. */
 #define MIP_FILTER_GNSS_SOURCE_NAME "filter.gnss_source"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gnss_source_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_filter_gnss_source_codec, 0x15, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gnss_source_encode(
     const struct mip_filter_gnss_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_codec, value, builder);
@@ -1457,17 +1457,17 @@ struct mip_filter_gnss_source_response {
 /** Its name in the specification. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE_NAME "filter.gnss_source_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gnss_source_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_source_response_decode(
     struct mip_filter_gnss_source_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_gnss_source_response_codec, 0x86, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
     const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_response_codec, value, builder);
@@ -1518,17 +1518,17 @@ struct mip_filter_external_gnss_update {
 /** Its name in the specification. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE_NAME "filter.external_gnss_update"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_external_gnss_update_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_gnss_update_decode(
     struct mip_filter_external_gnss_update *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_external_gnss_update_codec, 0x16, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_external_gnss_update_encode(
     const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_gnss_update_codec, value, builder);
@@ -1606,17 +1606,17 @@ struct mip_filter_external_heading_update {
 /** Its name in the specification. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_NAME "filter.external_heading_update"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_external_heading_update_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_heading_update_decode(
     struct mip_filter_external_heading_update *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_external_heading_update_codec, 0x17, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode(
     const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_codec, value, builder);
@@ -1689,16 +1689,16 @@ struct mip_filter_heading_source {
 /** Its name in the specification. */
 #define MIP_FILTER_HEADING_SOURCE_NAME "filter.heading_source"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_heading_source_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_filter_heading_source_codec, 0x18, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_heading_source_encode(
     const struct mip_filter_heading_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_codec, value, builder);
@@ -1783,17 +1783,17 @@ struct mip_filter_heading_source_response {
 /** Its name in the specification. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE_NAME "filter.heading_source_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_heading_source_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_heading_source_response_decode(
     struct mip_filter_heading_source_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_heading_source_response_codec, 0x87, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
     const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_response_codec, value, builder);
@@ -1830,17 +1830,17 @@ struct mip_filter_auto_initialization_control {
 /** Its name in the specification. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_NAME "filter.auto_initialization_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_initialization_control_decode(
     struct mip_filter_auto_initialization_control *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_auto_initialization_control_codec, 0x19, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
@@ -1917,17 +1917,17 @@ struct mip_filter_auto_initialization_control_response {
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_NAME \
     "filter.auto_initialization_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_initialization_control_response_decode(
     struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_auto_initialization_control_response_codec, 0x88, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_response_encode(
     const struct mip_filter_auto_initialization_control_response *value,
     struct mip_builder *builder) {
@@ -1972,16 +1972,16 @@ struct mip_filter_accel_noise {
 /** Its name in the specification. */
 #define MIP_FILTER_ACCEL_NOISE_NAME "filter.accel_noise"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_accel_noise_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_filter_accel_noise_codec, 0x1A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_accel_noise_encode(
     const struct mip_filter_accel_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_codec, value, builder);
@@ -2053,17 +2053,17 @@ struct mip_filter_accel_noise_response {
 /** Its name in the specification. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE_NAME "filter.accel_noise_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_accel_noise_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_noise_response_decode(
     struct mip_filter_accel_noise_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_accel_noise_response_codec, 0x89, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
     const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_response_codec, value, builder);
@@ -2106,16 +2106,16 @@ struct mip_filter_gyro_noise {
 /** Its name in the specification. */
 #define MIP_FILTER_GYRO_NOISE_NAME "filter.gyro_noise"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gyro_noise_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_filter_gyro_noise_codec, 0x1B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gyro_noise_encode(
     const struct mip_filter_gyro_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
@@ -2187,17 +2187,17 @@ struct mip_filter_gyro_noise_response {
 /** Its name in the specification. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE_NAME "filter.gyro_noise_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gyro_noise_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_noise_response_decode(
     struct mip_filter_gyro_noise_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_gyro_noise_response_codec, 0x8A, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
     const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_response_codec, value, builder);
@@ -2241,16 +2241,16 @@ struct mip_filter_accel_bias_model {
 /** Its name in the specification. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_NAME "filter.accel_bias_model"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_accel_bias_model_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_bias_model_decode(
     struct mip_filter_accel_bias_model *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_accel_bias_model_codec, 0x1C, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_encode(
     const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
@@ -2329,17 +2329,17 @@ struct mip_filter_accel_bias_model_response {
 /** Its name in the specification. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_NAME "filter.accel_bias_model_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_accel_bias_model_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_bias_model_response_decode(
     struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_accel_bias_model_response_codec, 0x8B, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
     const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_response_codec, value, builder);
@@ -2384,16 +2384,16 @@ struct mip_filter_gyro_bias_model {
 /** Its name in the specification. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_NAME "filter.gyro_bias_model"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_filter_gyro_bias_model_codec, 0x1D, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_encode(
     const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
@@ -2473,17 +2473,17 @@ struct mip_filter_gyro_bias_model_response {
 /** Its name in the specification. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_NAME "filter.gyro_bias_model_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gyro_bias_model_response_decode(
     struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_gyro_bias_model_response_codec, 0x8C, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
     const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_response_codec, value, builder);
@@ -2524,16 +2524,16 @@ struct mip_filter_auto_zupt {
 /** Its name in the specification. */
 #define MIP_FILTER_AUTO_ZUPT_NAME "filter.auto_zupt"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_auto_zupt_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
                                                     const struct mip_field *field) {
     return mip_decode_only(&mip_filter_auto_zupt_codec, 0x1E, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
@@ -2609,17 +2609,17 @@ struct mip_filter_auto_zupt_response {
 /** Its name in the specification. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE_NAME "filter.auto_zupt_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_auto_zupt_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_zupt_response_decode(
     struct mip_filter_auto_zupt_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_auto_zupt_response_codec, 0x8D, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_auto_zupt_response_encode(
     const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_response_codec, value, builder);
@@ -2672,17 +2672,17 @@ struct mip_filter_external_heading_update_with_time {
 /** Its name in the specification. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_NAME "filter.external_heading_update_with_time"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_external_heading_update_with_time_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_external_heading_update_with_time_decode(
     struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_external_heading_update_with_time_codec, 0x1F, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time_encode(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_external_heading_update_with_time_codec, value, builder);
@@ -2752,16 +2752,16 @@ struct mip_filter_auto_angular_zupt {
 /** Its name in the specification. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_NAME "filter.auto_angular_zupt"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_angular_zupt_decode(
     struct mip_filter_auto_angular_zupt *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_auto_angular_zupt_codec, 0x20, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_encode(
     const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
@@ -2838,17 +2838,17 @@ struct mip_filter_auto_angular_zupt_response {
 /** Its name in the specification. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_NAME "filter.auto_angular_zupt_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_auto_angular_zupt_response_decode(
     struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_auto_angular_zupt_response_codec, 0x8E, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode(
     const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_response_codec, value, builder);
@@ -2891,16 +2891,16 @@ struct mip_filter_tare_orientation {
 /** Its name in the specification. */
 #define MIP_FILTER_TARE_ORIENTATION_NAME "filter.tare_orientation"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_tare_orientation_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_tare_orientation_decode(
     struct mip_filter_tare_orientation *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_tare_orientation_codec, 0x21, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_tare_orientation_encode(
     const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
@@ -2954,9 +2954,9 @@ mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command)
 /**
  * Tare orientation response: response (0x0D,0xA1).
  *
- * No device is certain to support it. Answers mip_filter_tare_orientation. Uncertain: Which devices
- * send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have
- * neither the read function nor the response.
+ * No device is known for certain to support it. Answers mip_filter_tare_orientation. Uncertain:
+ * Which devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and
+ * 3DM-GX5-45 have neither the read function nor the response.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -2973,17 +2973,17 @@ struct mip_filter_tare_orientation_response {
 /** Its name in the specification. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE_NAME "filter.tare_orientation_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_tare_orientation_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_tare_orientation_response_decode(
     struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_tare_orientation_response_codec, 0xA1, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode(
     const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_response_codec, value, builder);
@@ -3014,16 +3014,16 @@ struct mip_filter_commanded_zupt {
 /** Its name in the specification. */
 #define MIP_FILTER_COMMANDED_ZUPT_NAME "filter.commanded_zupt"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_commanded_zupt_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_filter_commanded_zupt_codec, 0x22, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_commanded_zupt_encode(
     const struct mip_filter_commanded_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_zupt_codec, value, builder);
@@ -3054,17 +3054,17 @@ struct mip_filter_commanded_angular_zupt {
 /** Its name in the specification. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_NAME "filter.commanded_angular_zupt"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_commanded_angular_zupt_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_commanded_angular_zupt_decode(
     struct mip_filter_commanded_angular_zupt *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_commanded_angular_zupt_codec, 0x23, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
     const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_angular_zupt_codec, value, builder);
@@ -3116,17 +3116,17 @@ struct mip_filter_reference_position {
 /** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POSITION_NAME "filter.reference_position"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_reference_position_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_position_decode(
     struct mip_filter_reference_position *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_reference_position_codec, 0x26, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_reference_position_encode(
     const struct mip_filter_reference_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_codec, value, builder);
@@ -3217,17 +3217,17 @@ struct mip_filter_reference_position_response {
 /** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE_NAME "filter.reference_position_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_reference_position_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_position_response_decode(
     struct mip_filter_reference_position_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_reference_position_response_codec, 0x90, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encode(
     const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_response_codec, value, builder);
@@ -3261,17 +3261,17 @@ struct mip_filter_mag_capture_auto_calibration {
 /** Its name in the specification. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_NAME "filter.mag_capture_auto_calibration"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_mag_capture_auto_calibration_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_capture_auto_calibration_decode(
     struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_mag_capture_auto_calibration_codec, 0x27, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
     const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_capture_auto_calibration_codec, value, builder);
@@ -3332,16 +3332,16 @@ struct mip_filter_gravity_noise {
 /** Its name in the specification. */
 #define MIP_FILTER_GRAVITY_NOISE_NAME "filter.gravity_noise"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gravity_noise_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_filter_gravity_noise_codec, 0x28, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gravity_noise_encode(
     const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
@@ -3413,17 +3413,17 @@ struct mip_filter_gravity_noise_response {
 /** Its name in the specification. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE_NAME "filter.gravity_noise_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gravity_noise_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gravity_noise_response_decode(
     struct mip_filter_gravity_noise_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_gravity_noise_response_codec, 0x93, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
     const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_response_codec, value, builder);
@@ -3466,17 +3466,17 @@ struct mip_filter_pressure_altitude_noise {
 /** Its name in the specification. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_NAME "filter.pressure_altitude_noise"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pressure_altitude_noise_decode(
     struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_pressure_altitude_noise_codec, 0x29, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_encode(
     const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
@@ -3548,17 +3548,17 @@ struct mip_filter_pressure_altitude_noise_response {
 /** Its name in the specification. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_NAME "filter.pressure_altitude_noise_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pressure_altitude_noise_response_decode(
     struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_pressure_altitude_noise_response_codec, 0x94, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_encode(
     const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_response_codec, value, builder);
@@ -3598,17 +3598,17 @@ struct mip_filter_hard_iron_offset_noise {
 /** Its name in the specification. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_NAME "filter.hard_iron_offset_noise"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_hard_iron_offset_noise_decode(
     struct mip_filter_hard_iron_offset_noise *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_hard_iron_offset_noise_codec, 0x2B, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_encode(
     const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
@@ -3680,17 +3680,17 @@ struct mip_filter_hard_iron_offset_noise_response {
 /** Its name in the specification. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_NAME "filter.hard_iron_offset_noise_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_hard_iron_offset_noise_response_decode(
     struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_hard_iron_offset_noise_response_codec, 0x96, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_encode(
     const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_response_codec, value, builder);
@@ -3730,17 +3730,17 @@ struct mip_filter_soft_iron_matrix_noise {
 /** Its name in the specification. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_NAME "filter.soft_iron_matrix_noise"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_soft_iron_matrix_noise_decode(
     struct mip_filter_soft_iron_matrix_noise *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_soft_iron_matrix_noise_codec, 0x2C, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
     const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
@@ -3815,17 +3815,17 @@ struct mip_filter_soft_iron_matrix_noise_response {
 /** Its name in the specification. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_NAME "filter.soft_iron_matrix_noise_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode(
     struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_soft_iron_matrix_noise_response_codec, 0x97, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode(
     const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_response_codec, value, builder);
@@ -3866,17 +3866,17 @@ struct mip_filter_enable_measurements {
 /** Its name in the specification. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_NAME "filter.enable_measurements"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_enable_measurements_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_enable_measurements_decode(
     struct mip_filter_enable_measurements *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_enable_measurements_codec, 0x41, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_enable_measurements_encode(
     const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
@@ -3947,17 +3947,17 @@ struct mip_filter_enable_measurements_response {
 /** Its name in the specification. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_NAME "filter.enable_measurements_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_enable_measurements_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_enable_measurements_response_decode(
     struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_enable_measurements_response_codec, 0xB0, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_encode(
     const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_response_codec, value, builder);
@@ -3998,16 +3998,16 @@ struct mip_filter_mag_noise {
 /** Its name in the specification. */
 #define MIP_FILTER_MAG_NOISE_NAME "filter.mag_noise"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_mag_noise_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
                                                     const struct mip_field *field) {
     return mip_decode_only(&mip_filter_mag_noise_codec, 0x42, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_codec, value, builder);
@@ -4078,17 +4078,17 @@ struct mip_filter_mag_noise_response {
 /** Its name in the specification. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE_NAME "filter.mag_noise_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_mag_noise_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_noise_response_decode(
     struct mip_filter_mag_noise_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_mag_noise_response_codec, 0xB1, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
     const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_response_codec, value, builder);
@@ -4142,17 +4142,17 @@ struct mip_filter_magnetic_declination_source {
 /** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_NAME "filter.magnetic_declination_source"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_declination_source_decode(
     struct mip_filter_magnetic_declination_source *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_magnetic_declination_source_codec, 0x43, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_encode(
     const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
@@ -4247,17 +4247,17 @@ struct mip_filter_magnetic_declination_source_response {
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_NAME \
     "filter.magnetic_declination_source_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_declination_source_response_decode(
     struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_magnetic_declination_source_response_codec, 0xB2, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_response_encode(
     const struct mip_filter_magnetic_declination_source_response *value,
     struct mip_builder *builder) {
@@ -4338,17 +4338,17 @@ struct mip_filter_accel_magnitude_adaptive {
 /** The value of `present` if minimum_uncertainty is the last parameter that is present. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_MINIMUM_UNCERTAINTY 7
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_magnitude_adaptive_decode(
     struct mip_filter_accel_magnitude_adaptive *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_accel_magnitude_adaptive_codec, 0x44, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
     const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
@@ -4438,17 +4438,17 @@ struct mip_filter_accel_magnitude_adaptive_response {
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.accel_magnitude_error_adaptive_measurement_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode(
     struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_accel_magnitude_adaptive_response_codec, 0xB3, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode(
     const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_response_codec, value, builder);
@@ -4533,17 +4533,17 @@ struct mip_filter_mag_magnitude_adaptive {
 /** Its name in the specification. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_NAME "filter.mag_magnitude_error_adaptive_measurement"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_magnitude_adaptive_decode(
     struct mip_filter_mag_magnitude_adaptive *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_mag_magnitude_adaptive_codec, 0x45, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
     const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
@@ -4679,17 +4679,17 @@ struct mip_filter_mag_magnitude_adaptive_response {
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_magnitude_error_adaptive_measurement_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode(
     struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_mag_magnitude_adaptive_response_codec, 0xB4, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode(
     const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_response_codec, value, builder);
@@ -4752,17 +4752,17 @@ struct mip_filter_mag_dip_angle_adaptive {
 /** Its name in the specification. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_NAME "filter.mag_dip_angle_error_adaptive_measurement"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_dip_angle_adaptive_decode(
     struct mip_filter_mag_dip_angle_adaptive *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_mag_dip_angle_adaptive_codec, 0x46, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
     const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
@@ -4867,17 +4867,17 @@ struct mip_filter_mag_dip_angle_adaptive_response {
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_dip_angle_error_adaptive_measurement_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode(
     struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_mag_dip_angle_adaptive_response_codec, 0xB5, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
     const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, builder);
@@ -4919,16 +4919,16 @@ struct mip_filter_altitude_aiding {
 /** Its name in the specification. */
 #define MIP_FILTER_ALTITUDE_AIDING_NAME "filter.altitude_aiding"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_altitude_aiding_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_filter_altitude_aiding_codec, 0x47, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_encode(
     const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
@@ -5000,17 +5000,17 @@ struct mip_filter_altitude_aiding_response {
 /** Its name in the specification. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_NAME "filter.altitude_aiding_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_altitude_aiding_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_altitude_aiding_response_decode(
     struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_altitude_aiding_response_codec, 0xB7, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
     const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_response_codec, value, builder);
@@ -5051,16 +5051,16 @@ struct mip_filter_pitch_roll_aiding {
 /** Its name in the specification. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_NAME "filter.pitch_roll_aiding"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pitch_roll_aiding_decode(
     struct mip_filter_pitch_roll_aiding *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_pitch_roll_aiding_codec, 0x4B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_encode(
     const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
@@ -5131,17 +5131,17 @@ struct mip_filter_pitch_roll_aiding_response {
 /** Its name in the specification. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_NAME "filter.pitch_roll_aiding_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_pitch_roll_aiding_response_decode(
     struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_pitch_roll_aiding_response_codec, 0xBB, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode(
     const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_response_codec, value, builder);
@@ -5191,17 +5191,17 @@ struct mip_filter_magnetic_inclination_source {
 /** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_NAME "filter.magnetic_inclination_source"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_inclination_source_decode(
     struct mip_filter_magnetic_inclination_source *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_magnetic_inclination_source_codec, 0x4C, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_encode(
     const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
@@ -5291,17 +5291,17 @@ struct mip_filter_magnetic_inclination_source_response {
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_NAME \
     "filter.magnetic_inclination_source_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_inclination_source_response_decode(
     struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_magnetic_inclination_source_response_codec, 0xBC, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_response_encode(
     const struct mip_filter_magnetic_inclination_source_response *value,
     struct mip_builder *builder) {
@@ -5352,17 +5352,17 @@ struct mip_filter_magnetic_magnitude_source {
 /** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_NAME "filter.magnetic_magnitude_source"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_magnitude_source_decode(
     struct mip_filter_magnetic_magnitude_source *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_magnetic_magnitude_source_codec, 0x4D, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_encode(
     const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
@@ -5447,17 +5447,17 @@ struct mip_filter_magnetic_magnitude_source_response {
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_NAME \
     "filter.magnetic_magnitude_source_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_magnetic_magnitude_source_response_decode(
     struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_magnetic_magnitude_source_response_codec, 0xBD, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_response_encode(
     const struct mip_filter_magnetic_magnitude_source_response *value,
     struct mip_builder *builder) {
@@ -5507,17 +5507,17 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm {
 /** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
     struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, 0x4E, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
     const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, value, builder);
@@ -5597,10 +5597,10 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_dcm_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
     struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
     const struct mip_field *field) {
@@ -5608,7 +5608,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decod
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
     const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
     struct mip_builder *builder) {
@@ -5658,17 +5658,17 @@ struct mip_filter_sensor_to_vehicle_quaternion {
 /** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_NAME "filter.sensor_to_vehicle_rotation_quaternion"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
     struct mip_filter_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_sensor_to_vehicle_quaternion_codec, 0x4F, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
@@ -5750,17 +5750,17 @@ struct mip_filter_sensor_to_vehicle_quaternion_response {
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_quaternion_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode(
     struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_sensor_to_vehicle_quaternion_response_codec, 0xBF, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
@@ -5814,17 +5814,17 @@ struct mip_filter_aiding_measurement_enable {
 /** Its name in the specification. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_NAME "filter.aiding_measurement_enable"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_aiding_measurement_enable_decode(
     struct mip_filter_aiding_measurement_enable *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_aiding_measurement_enable_codec, 0x50, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_encode(
     const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
@@ -5990,17 +5990,17 @@ struct mip_filter_aiding_measurement_enable_response {
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_NAME \
     "filter.aiding_measurement_enable_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_aiding_measurement_enable_response_decode(
     struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_aiding_measurement_enable_response_codec, 0xD0, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_response_encode(
     const struct mip_filter_aiding_measurement_enable_response *value,
     struct mip_builder *builder) {
@@ -6053,17 +6053,17 @@ struct mip_filter_kinematic_constraint {
 /** Its name in the specification. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_NAME "filter.kinematic_constraint"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_kinematic_constraint_decode(
     struct mip_filter_kinematic_constraint *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_kinematic_constraint_codec, 0x51, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_encode(
     const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
@@ -6157,17 +6157,17 @@ struct mip_filter_kinematic_constraint_response {
 /** Its name in the specification. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_NAME "filter.kinematic_constraint_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_kinematic_constraint_response_decode(
     struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_kinematic_constraint_response_codec, 0xD1, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_encode(
     const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_response_codec, value, builder);
@@ -6254,17 +6254,17 @@ struct mip_filter_initialization_config {
 /** Its name in the specification. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_NAME "filter.initialization_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_initialization_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_initialization_config_decode(
     struct mip_filter_initialization_config *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_initialization_config_codec, 0x52, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_initialization_config_encode(
     const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_codec, value, builder);
@@ -6401,17 +6401,17 @@ struct mip_filter_initialization_config_response {
 /** Its name in the specification. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_NAME "filter.initialization_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_initialization_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_initialization_config_response_decode(
     struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_initialization_config_response_codec, 0xD2, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_encode(
     const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_response_codec, value, builder);
@@ -6456,17 +6456,17 @@ struct mip_filter_adaptive_filter_options {
 /** Its name in the specification. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_NAME "filter.adaptive_filter_options"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_adaptive_filter_options_decode(
     struct mip_filter_adaptive_filter_options *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_adaptive_filter_options_codec, 0x53, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_encode(
     const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
@@ -6544,17 +6544,17 @@ struct mip_filter_adaptive_filter_options_response {
 /** Its name in the specification. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_NAME "filter.adaptive_filter_options_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_adaptive_filter_options_response_decode(
     struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_adaptive_filter_options_response_codec, 0xD3, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_encode(
     const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_response_codec, value, builder);
@@ -6598,17 +6598,17 @@ struct mip_filter_multi_antenna_offset {
 /** Its name in the specification. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_NAME "filter.multi_antenna_offset"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_multi_antenna_offset_decode(
     struct mip_filter_multi_antenna_offset *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_multi_antenna_offset_codec, 0x54, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_encode(
     const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
@@ -6707,17 +6707,17 @@ struct mip_filter_multi_antenna_offset_response {
 /** Its name in the specification. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_NAME "filter.multi_antenna_offset_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_multi_antenna_offset_response_decode(
     struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_multi_antenna_offset_response_codec, 0xD4, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_encode(
     const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_response_codec, value, builder);
@@ -6765,17 +6765,17 @@ struct mip_filter_relative_position_config {
 /** Its name in the specification. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_NAME "filter.relative_position_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_relative_position_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_relative_position_config_decode(
     struct mip_filter_relative_position_config *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_relative_position_config_codec, 0x55, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_relative_position_config_encode(
     const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
@@ -6868,17 +6868,17 @@ struct mip_filter_relative_position_config_response {
 /** Its name in the specification. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_NAME "filter.relative_position_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_relative_position_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_relative_position_config_response_decode(
     struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_relative_position_config_response_codec, 0xD5, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response_encode(
     const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_response_codec, value, builder);
@@ -6924,17 +6924,17 @@ struct mip_filter_reference_point_lever_arm {
 /** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_NAME "filter.reference_point_lever_arm"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_point_lever_arm_decode(
     struct mip_filter_reference_point_lever_arm *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_reference_point_lever_arm_codec, 0x56, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
@@ -7017,17 +7017,17 @@ struct mip_filter_reference_point_lever_arm_response {
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_NAME \
     "filter.reference_point_lever_arm_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_reference_point_lever_arm_response_decode(
     struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_reference_point_lever_arm_response_codec, 0xD6, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_response_encode(
     const struct mip_filter_reference_point_lever_arm_response *value,
     struct mip_builder *builder) {
@@ -7069,16 +7069,16 @@ struct mip_filter_speed_measurement {
 /** Its name in the specification. */
 #define MIP_FILTER_SPEED_MEASUREMENT_NAME "filter.speed_measurement"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_speed_measurement_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_measurement_decode(
     struct mip_filter_speed_measurement *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_speed_measurement_codec, 0x60, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_speed_measurement_encode(
     const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_measurement_codec, value, builder);
@@ -7139,16 +7139,16 @@ struct mip_filter_speed_lever_arm {
 /** Its name in the specification. */
 #define MIP_FILTER_SPEED_LEVER_ARM_NAME "filter.speed_lever_arm"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_filter_speed_lever_arm_codec, 0x61, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_encode(
     const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
@@ -7226,17 +7226,17 @@ struct mip_filter_speed_lever_arm_response {
 /** Its name in the specification. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_NAME "filter.speed_lever_arm_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_speed_lever_arm_response_decode(
     struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_speed_lever_arm_response_codec, 0xE1, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
     const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_response_codec, value, builder);
@@ -7276,17 +7276,17 @@ struct mip_filter_vertical_gyro_constraint_control {
 /** Its name in the specification. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_NAME "filter.vertical_gyro_constraint_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vertical_gyro_constraint_control_decode(
     struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_vertical_gyro_constraint_control_codec, 0x62, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_encode(
     const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_control_codec, value, builder);
@@ -7362,10 +7362,10 @@ struct mip_filter_vertical_gyro_constraint_control_response {
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_NAME \
     "filter.vertical_gyro_constraint_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
     struct mip_filter_vertical_gyro_constraint_control_response *value,
     const struct mip_field *field) {
@@ -7373,7 +7373,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_control_response_dec
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
     const struct mip_filter_vertical_gyro_constraint_control_response *value,
     struct mip_builder *builder) {
@@ -7415,17 +7415,17 @@ struct mip_filter_wheeled_vehicle_constraint_control {
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_NAME \
     "filter.wheeled_vehicle_constraint_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
     struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_wheeled_vehicle_constraint_control_codec, 0x63, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
     const struct mip_filter_wheeled_vehicle_constraint_control *value,
     struct mip_builder *builder) {
@@ -7502,10 +7502,10 @@ struct mip_filter_wheeled_vehicle_constraint_control_response {
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_NAME \
     "filter.wheeled_vehicle_constraint_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
     struct mip_filter_wheeled_vehicle_constraint_control_response *value,
     const struct mip_field *field) {
@@ -7513,7 +7513,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_d
                            value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
     const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
     struct mip_builder *builder) {
@@ -7559,17 +7559,17 @@ struct mip_filter_gnss_antenna_calibration_control {
 /** Its name in the specification. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_NAME "filter.gnss_antenna_calibration_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_antenna_calibration_control_decode(
     struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_gnss_antenna_calibration_control_codec, 0x64, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_control_encode(
     const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_control_codec, value, builder);
@@ -7652,10 +7652,10 @@ struct mip_filter_gnss_antenna_calibration_control_response {
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_NAME \
     "filter.gnss_antenna_calibration_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
     struct mip_filter_gnss_antenna_calibration_control_response *value,
     const struct mip_field *field) {
@@ -7663,7 +7663,7 @@ static inline mip_error mip_filter_gnss_antenna_calibration_control_response_dec
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
     const struct mip_filter_gnss_antenna_calibration_control_response *value,
     struct mip_builder *builder) {

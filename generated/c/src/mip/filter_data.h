@@ -11,7 +11,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/filter_data.h and mip/constants.h are not of one version"
+#error "mip/filter_data.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -90,7 +90,7 @@ enum mip_filter_data_heading_aiding_type MIP_ENUM_8 {
     MIP_FILTER_DATA_HEADING_AIDING_TYPE_EXTERNAL_MESSAGE = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
 
 /**
@@ -130,7 +130,7 @@ enum mip_filter_data_aiding_measurement_type MIP_ENUM_8 {
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE = 51
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_aiding_measurement_type_name(uint8_t value);
 
 /** Use of an aiding measurement by the filter. */
@@ -158,7 +158,7 @@ enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
     MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FIXED = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_dual_antenna_fix_type_name(uint8_t value);
 
 /** Inputs available to the heading solution of two antennas. */
@@ -187,7 +187,7 @@ enum mip_filter_data_gx5_filter_state MIP_ENUM_16 {
     MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_gx5_filter_state_name(uint16_t value);
 
 /**
@@ -207,7 +207,7 @@ enum mip_filter_data_cv7_filter_state MIP_ENUM_16 {
     MIP_FILTER_DATA_CV7_FILTER_STATE_FULL_NAV = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_cv7_filter_state_name(uint16_t value);
 
 /** Motion for which the filter of a 5-series device is configured. */
@@ -220,7 +220,7 @@ enum mip_filter_data_gx5_dynamics_mode MIP_ENUM_16 {
     MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AIRBORNE = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_gx5_dynamics_mode_name(uint16_t value);
 
 /** Dynamics mode of a 7-series device; there is only one. */
@@ -229,7 +229,7 @@ enum mip_filter_data_cv7_dynamics_mode MIP_ENUM_16 {
     MIP_FILTER_DATA_CV7_DYNAMICS_MODE_DEFAULT = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_cv7_dynamics_mode_name(uint16_t value);
 
 /**
@@ -317,7 +317,7 @@ enum mip_filter_data_filter_condition MIP_ENUM_8 {
     MIP_FILTER_DATA_FILTER_CONDITION_UNSTABLE = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_filter_condition_name(uint8_t value);
 
 /**
@@ -453,16 +453,16 @@ struct mip_filter_data_llh_position {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_LLH_POSITION_NAME "filter_data.llh_position"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_llh_position_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_llh_position_decode(
     struct mip_filter_data_llh_position *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_llh_position_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_llh_position_encode(
     const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_llh_position_codec, value, builder);
@@ -504,16 +504,16 @@ struct mip_filter_data_ned_velocity {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_NED_VELOCITY_NAME "filter_data.ned_velocity"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_velocity_decode(
     struct mip_filter_data_ned_velocity *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_ned_velocity_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_encode(
     const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_velocity_codec, value, builder);
@@ -548,17 +548,17 @@ struct mip_filter_data_attitude_quaternion {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION_NAME "filter_data.attitude_quaternion"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_attitude_quaternion_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_attitude_quaternion_decode(
     struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_attitude_quaternion_codec, 0x03, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_attitude_quaternion_encode(
     const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_attitude_quaternion_codec, value, builder);
@@ -594,16 +594,16 @@ struct mip_filter_data_attitude_dcm {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ATTITUDE_DCM_NAME "filter_data.attitude_dcm"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_attitude_dcm_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_attitude_dcm_decode(
     struct mip_filter_data_attitude_dcm *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_attitude_dcm_codec, 0x04, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_attitude_dcm_encode(
     const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_attitude_dcm_codec, value, builder);
@@ -652,16 +652,16 @@ struct mip_filter_data_euler_angles {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_EULER_ANGLES_NAME "filter_data.euler_angles"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_euler_angles_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_euler_angles_decode(
     struct mip_filter_data_euler_angles *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_euler_angles_codec, 0x05, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_encode(
     const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_euler_angles_codec, value, builder);
@@ -694,16 +694,16 @@ struct mip_filter_data_gyro_bias {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_GYRO_BIAS_NAME "filter_data.gyro_bias"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_gyro_bias_codec, 0x06, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_encode(
     const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_bias_codec, value, builder);
@@ -735,16 +735,16 @@ struct mip_filter_data_accel_bias {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_NAME "filter_data.accel_bias"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_accel_bias_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_bias_decode(struct mip_filter_data_accel_bias *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_accel_bias_codec, 0x07, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode(
     const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_bias_codec, value, builder);
@@ -786,17 +786,17 @@ struct mip_filter_data_llh_position_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_NAME "filter_data.llh_position_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_llh_position_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_llh_position_uncertainty_decode(
     struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_llh_position_uncertainty_codec, 0x08, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_encode(
     const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_llh_position_uncertainty_codec, value, builder);
@@ -838,17 +838,17 @@ struct mip_filter_data_ned_velocity_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_NAME "filter_data.ned_velocity_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode(
     struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_ned_velocity_uncertainty_codec, 0x09, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode(
     const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_velocity_uncertainty_codec, value, builder);
@@ -894,17 +894,17 @@ struct mip_filter_data_euler_angles_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_NAME "filter_data.euler_angles_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_euler_angles_uncertainty_decode(
     struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_euler_angles_uncertainty_codec, 0x0A, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_euler_angles_uncertainty_encode(
     const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_euler_angles_uncertainty_codec, value, builder);
@@ -937,17 +937,17 @@ struct mip_filter_data_gyro_bias_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_NAME "filter_data.gyro_bias_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode(
     struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_gyro_bias_uncertainty_codec, 0x0B, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode(
     const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_bias_uncertainty_codec, value, builder);
@@ -979,17 +979,17 @@ struct mip_filter_data_accel_bias_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_NAME "filter_data.accel_bias_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_bias_uncertainty_decode(
     struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_accel_bias_uncertainty_codec, 0x0C, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_uncertainty_encode(
     const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_bias_uncertainty_codec, value, builder);
@@ -1023,16 +1023,16 @@ struct mip_filter_data_linear_accel {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_LINEAR_ACCEL_NAME "filter_data.linear_accel"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_linear_accel_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_linear_accel_decode(
     struct mip_filter_data_linear_accel *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_linear_accel_codec, 0x0D, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode(
     const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_linear_accel_codec, value, builder);
@@ -1067,17 +1067,17 @@ struct mip_filter_data_comp_angular_rate {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE_NAME "filter_data.comp_angular_rate"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_comp_angular_rate_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_comp_angular_rate_decode(
     struct mip_filter_data_comp_angular_rate *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_comp_angular_rate_codec, 0x0E, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_comp_angular_rate_encode(
     const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_comp_angular_rate_codec, value, builder);
@@ -1111,17 +1111,17 @@ struct mip_filter_data_wgs84_gravity_magnitude {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_NAME "filter_data.wgs84_gravity_magnitude"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
     struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_wgs84_gravity_magnitude_codec, 0x0F, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
     const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_wgs84_gravity_magnitude_codec, value, builder);
@@ -1192,16 +1192,16 @@ struct mip_filter_data_status {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_STATUS_NAME "filter_data.status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_status_codec, 0x10, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_status_encode(
     const struct mip_filter_data_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_status_codec, value, builder);
@@ -1245,16 +1245,16 @@ struct mip_filter_data_timestamp {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_TIMESTAMP_NAME "filter_data.timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_timestamp *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_timestamp_codec, 0x11, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_timestamp_encode(
     const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_timestamp_codec, value, builder);
@@ -1288,17 +1288,17 @@ struct mip_filter_data_quaternion_attitude_uncertainty {
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_NAME \
     "filter_data.quaternion_attitude_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode(
     struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_quaternion_attitude_uncertainty_codec, 0x12, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
     const struct mip_filter_data_quaternion_attitude_uncertainty *value,
     struct mip_builder *builder) {
@@ -1333,17 +1333,17 @@ struct mip_filter_data_gravity_vector {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_GRAVITY_VECTOR_NAME "filter_data.gravity_vector"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_gravity_vector_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gravity_vector_decode(
     struct mip_filter_data_gravity_vector *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_gravity_vector_codec, 0x13, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gravity_vector_encode(
     const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gravity_vector_codec, value, builder);
@@ -1387,17 +1387,17 @@ struct mip_filter_data_heading_update_state {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE_NAME "filter_data.heading_update_state"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_heading_update_state_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_heading_update_state_decode(
     struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_heading_update_state_codec, 0x14, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode(
     const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_heading_update_state_codec, value, builder);
@@ -1451,17 +1451,17 @@ struct mip_filter_data_magnetic_model {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_MAGNETIC_MODEL_NAME "filter_data.magnetic_model"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_magnetic_model_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_magnetic_model_decode(
     struct mip_filter_data_magnetic_model *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_magnetic_model_codec, 0x15, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_magnetic_model_encode(
     const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_magnetic_model_codec, value, builder);
@@ -1493,17 +1493,17 @@ struct mip_filter_data_gyro_scale_factor {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_NAME "filter_data.gyro_scale_factor"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_scale_factor_decode(
     struct mip_filter_data_gyro_scale_factor *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_gyro_scale_factor_codec, 0x16, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_encode(
     const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gyro_scale_factor_codec, value, builder);
@@ -1535,17 +1535,17 @@ struct mip_filter_data_accel_scale_factor {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_NAME "filter_data.accel_scale_factor"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_scale_factor_decode(
     struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_accel_scale_factor_codec, 0x17, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_encode(
     const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_accel_scale_factor_codec, value, builder);
@@ -1578,17 +1578,17 @@ struct mip_filter_data_gyro_scale_factor_uncertainty {
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_NAME \
     "filter_data.gyro_scale_factor_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
     struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_gyro_scale_factor_uncertainty_codec, 0x18, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
     const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
@@ -1622,17 +1622,17 @@ struct mip_filter_data_accel_scale_factor_uncertainty {
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_NAME \
     "filter_data.accel_scale_factor_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
     struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_accel_scale_factor_uncertainty_codec, 0x19, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
     const struct mip_filter_data_accel_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
@@ -1665,16 +1665,16 @@ struct mip_filter_data_mag_bias {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_BIAS_NAME "filter_data.mag_bias"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_mag_bias_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_mag_bias_codec, 0x1A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_encode(
     const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_bias_codec, value, builder);
@@ -1706,17 +1706,17 @@ struct mip_filter_data_mag_bias_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_NAME "filter_data.mag_bias_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_bias_uncertainty_decode(
     struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_mag_bias_uncertainty_codec, 0x1B, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
     const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_bias_uncertainty_codec, value, builder);
@@ -1750,16 +1750,16 @@ struct mip_filter_data_comp_accel {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_COMP_ACCEL_NAME "filter_data.comp_accel"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_comp_accel_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_comp_accel_codec, 0x1C, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode(
     const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_comp_accel_codec, value, builder);
@@ -1770,7 +1770,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode(
  *
  * US Standard Atmosphere of 1976 at the altitude of the device.
  *
- * No device is certain to support it. Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Known only from the MicroStrain MIP SDK.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -1813,17 +1813,17 @@ struct mip_filter_data_standard_atmosphere {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_NAME "filter_data.standard_atmosphere"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_standard_atmosphere_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_standard_atmosphere_decode(
     struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_standard_atmosphere_codec, 0x20, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_standard_atmosphere_encode(
     const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_standard_atmosphere_codec, value, builder);
@@ -1858,17 +1858,17 @@ struct mip_filter_data_pressure_altitude {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE_NAME "filter_data.pressure_altitude"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_pressure_altitude_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_pressure_altitude_decode(
     struct mip_filter_data_pressure_altitude *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_pressure_altitude_codec, 0x21, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_pressure_altitude_encode(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_pressure_altitude_codec, value, builder);
@@ -1902,17 +1902,17 @@ struct mip_filter_data_density_altitude {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE_NAME "filter_data.density_altitude"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_density_altitude_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_density_altitude_decode(
     struct mip_filter_data_density_altitude *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_density_altitude_codec, 0x22, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode(
     const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_density_altitude_codec, value, builder);
@@ -1923,8 +1923,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_density_altitude_encode(
  *
  * Estimated hard iron offset of the magnetometer.
  *
- * No device is certain to support it. Also called `magnetometer_offset`. Known only from the
- * MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `magnetometer_offset`. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of mip_3dm_mag_hard_iron_offset.
  *
@@ -1947,16 +1947,16 @@ struct mip_filter_data_mag_offset {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_OFFSET_NAME "filter_data.mag_offset"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_mag_offset_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_mag_offset_codec, 0x25, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode(
     const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_offset_codec, value, builder);
@@ -1967,8 +1967,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode(
  *
  * Estimated soft iron matrix of the magnetometer.
  *
- * No device is certain to support it. Also called `magnetometer_matrix`. Known only from the
- * MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `magnetometer_matrix`. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by it, from the right.
  *
@@ -1991,16 +1991,16 @@ struct mip_filter_data_mag_matrix {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_MATRIX_NAME "filter_data.mag_matrix"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_mag_matrix_codec, 0x26, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode(
     const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_matrix_codec, value, builder);
@@ -2011,8 +2011,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_encode(
  *
  * Standard deviation of the estimated hard iron offset.
  *
- * No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known only
- * from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `magnetometer_offset_uncertainty`.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28)
  */
@@ -2033,17 +2033,17 @@ struct mip_filter_data_mag_offset_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_NAME "filter_data.mag_offset_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_offset_uncertainty_decode(
     struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_mag_offset_uncertainty_codec, 0x28, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encode(
     const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_offset_uncertainty_codec, value, builder);
@@ -2054,8 +2054,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_uncertainty_encod
  *
  * Standard deviation of the estimated soft iron matrix.
  *
- * No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known only
- * from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `magnetometer_matrix_uncertainty`.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29)
  */
@@ -2077,17 +2077,17 @@ struct mip_filter_data_mag_matrix_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_NAME "filter_data.mag_matrix_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode(
     struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_mag_matrix_uncertainty_codec, 0x29, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode(
     const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_matrix_uncertainty_codec, value, builder);
@@ -2121,17 +2121,17 @@ struct mip_filter_data_mag_covariance_matrix {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_NAME "filter_data.mag_covariance_matrix"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_mag_covariance_matrix_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_covariance_matrix_decode(
     struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_mag_covariance_matrix_codec, 0x2A, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode(
     const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_covariance_matrix_codec, value, builder);
@@ -2165,17 +2165,17 @@ struct mip_filter_data_mag_residual_vector {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_NAME "filter_data.mag_residual_vector"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_mag_residual_vector_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_mag_residual_vector_decode(
     struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_mag_residual_vector_codec, 0x2C, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_mag_residual_vector_encode(
     const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_mag_residual_vector_codec, value, builder);
@@ -2209,17 +2209,17 @@ struct mip_filter_data_antenna_offset_correction {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_NAME "filter_data.antenna_offset_correction"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_antenna_offset_correction_decode(
     struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_antenna_offset_correction_codec, 0x30, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_encode(
     const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_antenna_offset_correction_codec, value, builder);
@@ -2252,10 +2252,10 @@ struct mip_filter_data_antenna_offset_correction_uncertainty {
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
     "filter_data.antenna_offset_correction_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
     struct mip_filter_data_antenna_offset_correction_uncertainty *value,
     const struct mip_field *field) {
@@ -2263,7 +2263,7 @@ static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_de
                            value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
     const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
     struct mip_builder *builder) {
@@ -2302,17 +2302,17 @@ struct mip_filter_data_clock_correction {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_NAME "filter_data.clock_correction"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_clock_correction_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_clock_correction_decode(
     struct mip_filter_data_clock_correction *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_clock_correction_codec, 0x32, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_encode(
     const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_clock_correction_codec, value, builder);
@@ -2351,17 +2351,17 @@ struct mip_filter_data_clock_correction_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_NAME "filter_data.clock_correction_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_clock_correction_uncertainty_decode(
     struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_clock_correction_uncertainty_codec, 0x33, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_clock_correction_uncertainty_encode(
     const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_clock_correction_uncertainty_codec, value, builder);
@@ -2398,17 +2398,17 @@ struct mip_filter_data_multi_antenna_offset_correction {
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_NAME \
     "filter_data.multi_antenna_offset_correction"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode(
     struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_multi_antenna_offset_correction_codec, 0x34, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode(
     const struct mip_filter_data_multi_antenna_offset_correction *value,
     struct mip_builder *builder) {
@@ -2446,17 +2446,17 @@ struct mip_filter_data_multi_antenna_offset_uncertainty {
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_NAME \
     "filter_data.multi_antenna_offset_correction_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode(
     struct mip_filter_data_multi_antenna_offset_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_multi_antenna_offset_uncertainty_codec, 0x35, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode(
     const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
     struct mip_builder *builder) {
@@ -2489,17 +2489,17 @@ struct mip_filter_data_ecef_position_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_NAME "filter_data.ecef_position_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_position_uncertainty_decode(
     struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_ecef_position_uncertainty_codec, 0x36, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_uncertainty_encode(
     const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_position_uncertainty_codec, value, builder);
@@ -2531,17 +2531,17 @@ struct mip_filter_data_ecef_velocity_uncertainty {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_NAME "filter_data.ecef_velocity_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
     struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_ecef_velocity_uncertainty_codec, 0x37, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
     const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_velocity_uncertainty_codec, value, builder);
@@ -2573,17 +2573,17 @@ struct mip_filter_data_ecef_position {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ECEF_POSITION_NAME "filter_data.ecef_position"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_ecef_position_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_position_decode(
     struct mip_filter_data_ecef_position *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_ecef_position_codec, 0x40, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ecef_position_encode(
     const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_position_codec, value, builder);
@@ -2615,17 +2615,17 @@ struct mip_filter_data_ecef_velocity {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_NAME "filter_data.ecef_velocity"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ecef_velocity_decode(
     struct mip_filter_data_ecef_velocity *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_ecef_velocity_codec, 0x41, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ecef_velocity_encode(
     const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ecef_velocity_codec, value, builder);
@@ -2657,17 +2657,17 @@ struct mip_filter_data_ned_relative_position {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION_NAME "filter_data.ned_relative_position"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_ned_relative_position_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_ned_relative_position_decode(
     struct mip_filter_data_ned_relative_position *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_ned_relative_position_codec, 0x42, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_ned_relative_position_encode(
     const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_ned_relative_position_codec, value, builder);
@@ -2702,17 +2702,17 @@ struct mip_filter_data_gnss_position_aiding_status {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_NAME "filter_data.gnss_position_aiding_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_position_aiding_status_decode(
     struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_gnss_position_aiding_status_codec, 0x43, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gnss_position_aiding_status_encode(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_position_aiding_status_codec, value, builder);
@@ -2749,17 +2749,17 @@ struct mip_filter_data_gnss_attitude_aiding_status {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_NAME "filter_data.gnss_attitude_aiding_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
     struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_gnss_attitude_aiding_status_codec, 0x44, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
     const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_attitude_aiding_status_codec, value, builder);
@@ -2796,17 +2796,17 @@ struct mip_filter_data_heading_aiding_status {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS_NAME "filter_data.heading_aiding_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_heading_aiding_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_heading_aiding_status_decode(
     struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_heading_aiding_status_codec, 0x45, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_heading_aiding_status_encode(
     const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_heading_aiding_status_codec, value, builder);
@@ -2841,17 +2841,17 @@ struct mip_filter_data_aiding_measurement_summary {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_NAME "filter_data.aiding_measurement_summary"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_aiding_measurement_summary_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_measurement_summary_decode(
     struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_aiding_measurement_summary_codec, 0x46, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_aiding_measurement_summary_encode(
     const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_measurement_summary_codec, value, builder);
@@ -2884,17 +2884,17 @@ struct mip_filter_data_odometer_scale_factor_error {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_NAME "filter_data.odometer_scale_factor_error"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_odometer_scale_factor_error_decode(
     struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_odometer_scale_factor_error_codec, 0x47, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_encode(
     const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_odometer_scale_factor_error_codec, value, builder);
@@ -2927,10 +2927,10 @@ struct mip_filter_data_odometer_scale_factor_error_uncertainty {
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_NAME \
     "filter_data.odometer_scale_factor_error_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode(
     struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
     const struct mip_field *field) {
@@ -2938,7 +2938,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_
                            value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
     const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
     struct mip_builder *builder) {
@@ -2988,17 +2988,17 @@ struct mip_filter_data_gnss_dual_antenna_status {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_NAME "filter_data.gnss_dual_antenna_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode(
     struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_gnss_dual_antenna_status_codec, 0x49, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode(
     const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_gnss_dual_antenna_status_codec, value, builder);
@@ -3029,17 +3029,17 @@ struct mip_filter_data_aiding_frame_config_error {
 /** Its name in the specification. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_NAME "filter_data.aiding_frame_config_error"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_frame_config_error_decode(
     struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
     return mip_decode_only(&mip_filter_data_aiding_frame_config_error_codec, 0x50, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_encode(
     const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_data_aiding_frame_config_error_codec, value, builder);
@@ -3076,10 +3076,10 @@ struct mip_filter_data_aiding_frame_config_error_uncertainty {
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_NAME \
     "filter_data.aiding_frame_config_error_uncertainty"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
     struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     const struct mip_field *field) {
@@ -3087,7 +3087,7 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_de
                            value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
     const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
     struct mip_builder *builder) {

@@ -1,7 +1,7 @@
 /**
  * @file
- * The same as _decode and _encode of mip/filter_data.h without tables, for speed: the fields whose
- * layout never varies.
+ * The same as _decode and _encode in mip/filter_data.h, but without tables, for speed. Only for
+ * fields whose layout never varies.
  */
 #ifndef MIP_FILTER_DATA_INLINE_H
 #define MIP_FILTER_DATA_INLINE_H
@@ -9,7 +9,7 @@
 #include "mip/filter_data.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/filter_data_inline.h and mip/constants.h are not of one version"
+#error "mip/filter_data_inline.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus

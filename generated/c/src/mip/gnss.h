@@ -11,7 +11,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss.h and mip/constants.h are not of one version"
+#error "mip/gnss.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -94,7 +94,7 @@ enum mip_gnss_receiver_id MIP_ENUM_8 {
     MIP_GNSS_RECEIVER_ID_USER_RECEIVER_2 = 5
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_receiver_id_name(uint8_t value);
 
 /**
@@ -120,7 +120,7 @@ enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
     MIP_GNSS_RECEIVER_RESET_TYPE_HOT = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_receiver_reset_type_name(uint8_t value);
 
 /**
@@ -140,7 +140,7 @@ enum mip_gnss_ambiguity_fix_mode MIP_ENUM_8 {
     MIP_GNSS_AMBIGUITY_FIX_MODE_AGGRESSIVE = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value);
 
 /** Channel of SPARTN corrections. */
@@ -153,7 +153,7 @@ enum mip_gnss_spartn_connection MIP_ENUM_8 {
     MIP_GNSS_SPARTN_CONNECTION_L_BAND = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_spartn_connection_name(uint8_t value);
 
 /**
@@ -177,16 +177,16 @@ struct mip_gnss_receiver_info {
 /** Its name in the specification. */
 #define MIP_GNSS_RECEIVER_INFO_NAME "gnss.receiver_info"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_receiver_info_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_receiver_info_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_receiver_info_encode(
     const struct mip_gnss_receiver_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_codec, value, builder);
@@ -213,17 +213,17 @@ struct mip_gnss_receiver_info_response {
 /** Its name in the specification. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE_NAME "gnss.receiver_info_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_receiver_info_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_info_response_decode(
     struct mip_gnss_receiver_info_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_receiver_info_response_codec, 0x81, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
     const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_response_codec, value, builder);
@@ -274,16 +274,16 @@ struct mip_gnss_signal_config {
 /** Its name in the specification. */
 #define MIP_GNSS_SIGNAL_CONFIG_NAME "gnss.signal_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_signal_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_signal_config_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_signal_config_encode(
     const struct mip_gnss_signal_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_codec, value, builder);
@@ -371,17 +371,17 @@ struct mip_gnss_signal_config_response {
 /** Its name in the specification. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_NAME "gnss.signal_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_signal_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_signal_config_response_decode(
     struct mip_gnss_signal_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_signal_config_response_codec, 0x82, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode(
     const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_response_codec, value, builder);
@@ -415,16 +415,16 @@ struct mip_gnss_receiver_reset {
 /** Its name in the specification. */
 #define MIP_GNSS_RECEIVER_RESET_NAME "gnss.receiver_reset"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_receiver_reset_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_receiver_reset_decode(struct mip_gnss_receiver_reset *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_receiver_reset_codec, 0x03, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_receiver_reset_encode(
     const struct mip_gnss_receiver_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_reset_codec, value, builder);
@@ -484,16 +484,16 @@ struct mip_gnss_rtk_config {
 /** Its name in the specification. */
 #define MIP_GNSS_RTK_CONFIG_NAME "gnss.rtk_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_rtk_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_config_decode(struct mip_gnss_rtk_config *value,
                                                    const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_rtk_config_codec, 0x04, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_codec, value, builder);
@@ -567,16 +567,16 @@ struct mip_gnss_rtk_config_response {
 /** Its name in the specification. */
 #define MIP_GNSS_RTK_CONFIG_RESPONSE_NAME "gnss.rtk_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_rtk_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_config_response_decode(
     struct mip_gnss_rtk_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_rtk_config_response_codec, 0x84, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
     const struct mip_gnss_rtk_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_config_response_codec, value, builder);
@@ -587,9 +587,9 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
  *
  * Switches the communication with a connected RTK dongle on or off.
  *
- * No device is certain to support it. Also called `rtk_dongle_configuration`. Functions: write,
- * read, save, load and default. Answered by mip_gnss_rtk_dongle_config_response. Probably changes
- * mip_gnss_data_rtk_corrections_status. Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `rtk_dongle_configuration`. Functions:
+ * write, read, save, load and default. Answered by mip_gnss_rtk_dongle_config_response. Probably
+ * changes mip_gnss_data_rtk_corrections_status. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */
@@ -614,16 +614,16 @@ struct mip_gnss_rtk_dongle_config {
 /** Its name in the specification. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_NAME "gnss.rtk_dongle_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_rtk_dongle_config_codec, 0x10, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_encode(
     const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
@@ -677,8 +677,8 @@ mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
 /**
  * RTK dongle configuration response: response (0x0E,0x90).
  *
- * No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers
- * mip_gnss_rtk_dongle_config. Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `rtk_dongle_configuration_response`.
+ * Answers mip_gnss_rtk_dongle_config. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */
@@ -696,17 +696,17 @@ struct mip_gnss_rtk_dongle_config_response {
 /** Its name in the specification. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_NAME "gnss.rtk_dongle_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_rtk_dongle_config_response_decode(
     struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_rtk_dongle_config_response_codec, 0x90, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
     const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_response_codec, value, builder);
@@ -768,16 +768,16 @@ struct mip_gnss_spartn_config {
 /** Its name in the specification. */
 #define MIP_GNSS_SPARTN_CONFIG_NAME "gnss.spartn_config"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_spartn_config_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_spartn_config_codec, 0x20, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_spartn_config_encode(
     const struct mip_gnss_spartn_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
@@ -884,17 +884,17 @@ struct mip_gnss_spartn_config_response {
 /** Its name in the specification. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE_NAME "gnss.spartn_config_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_spartn_config_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_spartn_config_response_decode(
     struct mip_gnss_spartn_config_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_spartn_config_response_codec, 0xA0, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_spartn_config_response_encode(
     const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_response_codec, value, builder);

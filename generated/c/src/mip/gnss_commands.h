@@ -9,7 +9,7 @@
 #include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_commands.h and mip/constants.h are not of one version"
+#error "mip/gnss_commands.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus

@@ -13,7 +13,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_data.h and mip/constants.h are not of one version"
+#error "mip/gnss_data.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -206,7 +206,7 @@ enum mip_gnss_data_receiver_state MIP_ENUM_8 {
     MIP_GNSS_DATA_RECEIVER_STATE_UNKNOWN = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_receiver_state_name(uint8_t value);
 
 /** Electrical condition of a GNSS antenna. */
@@ -223,7 +223,7 @@ enum mip_gnss_data_antenna_state MIP_ENUM_8 {
     MIP_GNSS_DATA_ANTENNA_STATE_UNKNOWN = 5
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_antenna_state_name(uint8_t value);
 
 /** State of the antenna's power supply. */
@@ -236,7 +236,7 @@ enum mip_gnss_data_antenna_power MIP_ENUM_8 {
     MIP_GNSS_DATA_ANTENNA_POWER_UNKNOWN = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_antenna_power_name(uint8_t value);
 
 /** Valid parts of the hardware status. */
@@ -308,7 +308,7 @@ enum mip_gnss_data_sbas_system MIP_ENUM_8 {
     MIP_GNSS_DATA_SBAS_SYSTEM_GAGAN = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_sbas_system_name(uint8_t value);
 
 /** Services of an SBAS system. */
@@ -362,7 +362,7 @@ enum mip_gnss_data_rf_band MIP_ENUM_8 {
     MIP_GNSS_DATA_RF_BAND_L5 = 5
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_rf_band_name(uint8_t value);
 
 /** Severity of jamming. */
@@ -377,7 +377,7 @@ enum mip_gnss_data_jamming_state MIP_ENUM_8 {
     MIP_GNSS_DATA_JAMMING_STATE_SIGNIFICANT = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_jamming_state_name(uint8_t value);
 
 /** Severity of spoofing. */
@@ -392,7 +392,7 @@ enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
     MIP_GNSS_DATA_SPOOFING_STATE_SIGNIFICANT = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_spoofing_state_name(uint8_t value);
 
 /** Valid parts of the detection. */
@@ -418,7 +418,7 @@ enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
     MIP_GNSS_DATA_HEADING_FIX_TYPE_FIXED = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_heading_fix_type_name(uint8_t value);
 
 /** Valid parts of the heading. */
@@ -467,7 +467,7 @@ enum mip_gnss_data_signal_quality MIP_ENUM_8 {
     MIP_GNSS_DATA_SIGNAL_QUALITY_FULLY_LOCKED = 5
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_signal_quality_name(uint8_t value);
 
 /** Valid parts of the observation. */
@@ -606,7 +606,7 @@ enum mip_gnss_data_glonass_satellite_type MIP_ENUM_8 {
     MIP_GNSS_DATA_GLONASS_SATELLITE_TYPE_GLONASS_M = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_glonass_satellite_type_name(uint8_t value);
 
 /** Validity of the ephemeris. */
@@ -712,16 +712,16 @@ struct mip_gnss_data_llh_position {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_LLH_POSITION_NAME "gnss_data.llh_position"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_llh_position_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_llh_position_decode(struct mip_gnss_data_llh_position *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_llh_position_codec, 0x03, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_llh_position_encode(
     const struct mip_gnss_data_llh_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_llh_position_codec, value, builder);
@@ -761,16 +761,16 @@ struct mip_gnss_data_ecef_position {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_ECEF_POSITION_NAME "gnss_data.ecef_position"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_ecef_position_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ecef_position_decode(
     struct mip_gnss_data_ecef_position *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_ecef_position_codec, 0x04, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_ecef_position_encode(
     const struct mip_gnss_data_ecef_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ecef_position_codec, value, builder);
@@ -832,16 +832,16 @@ struct mip_gnss_data_ned_velocity {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_NED_VELOCITY_NAME "gnss_data.ned_velocity"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_ned_velocity_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ned_velocity_decode(struct mip_gnss_data_ned_velocity *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_ned_velocity_codec, 0x05, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_ned_velocity_encode(
     const struct mip_gnss_data_ned_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ned_velocity_codec, value, builder);
@@ -882,16 +882,16 @@ struct mip_gnss_data_ecef_velocity {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_NAME "gnss_data.ecef_velocity"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_ecef_velocity_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_ecef_velocity_decode(
     struct mip_gnss_data_ecef_velocity *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_ecef_velocity_codec, 0x06, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_ecef_velocity_encode(
     const struct mip_gnss_data_ecef_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_ecef_velocity_codec, value, builder);
@@ -955,16 +955,16 @@ struct mip_gnss_data_dop {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_DOP_NAME "gnss_data.dop"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_dop_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dop_decode(struct mip_gnss_data_dop *value,
                                                  const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_dop_codec, 0x07, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_dop_encode(const struct mip_gnss_data_dop *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dop_codec, value, builder);
@@ -1029,16 +1029,16 @@ struct mip_gnss_data_utc_time {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_UTC_TIME_NAME "gnss_data.utc_time"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_utc_time_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_utc_time_decode(struct mip_gnss_data_utc_time *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_utc_time_codec, 0x08, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_utc_time_encode(
     const struct mip_gnss_data_utc_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_utc_time_codec, value, builder);
@@ -1077,16 +1077,16 @@ struct mip_gnss_data_gps_time {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GPS_TIME_NAME "gnss_data.gps_time"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_gps_time_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_time_decode(struct mip_gnss_data_gps_time *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_gps_time_codec, 0x09, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode(
     const struct mip_gnss_data_gps_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_time_codec, value, builder);
@@ -1097,9 +1097,9 @@ MIP_CHECKED static inline mip_error mip_gnss_data_gps_time_encode(
  *
  * Bias and drift of the receiver clock.
  *
- * No device is certain to support it. Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET,
- * MIP_GNSS_CORRECTIONS_SET, MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Known only from the
- * MicroStrain MIP SDK.
+ * No device is known for certain to support it. Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET,
+ * MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET, MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET.
+ * Known only from the MicroStrain MIP SDK.
  *
  * Clock info 2 supersedes it and is more detailed.
  *
@@ -1132,16 +1132,16 @@ struct mip_gnss_data_clock_info {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_CLOCK_INFO_NAME "gnss_data.clock_info"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_clock_info_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_clock_info_decode(struct mip_gnss_data_clock_info *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_clock_info_codec, 0x0A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_encode(
     const struct mip_gnss_data_clock_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_clock_info_codec, value, builder);
@@ -1187,16 +1187,16 @@ struct mip_gnss_data_fix_info {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_FIX_INFO_NAME "gnss_data.fix_info"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_fix_info_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_fix_info_decode(struct mip_gnss_data_fix_info *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_fix_info_codec, 0x0B, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_fix_info_encode(
     const struct mip_gnss_data_fix_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_fix_info_codec, value, builder);
@@ -1256,16 +1256,16 @@ struct mip_gnss_data_sv_info {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_SV_INFO_NAME "gnss_data.sv_info"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_sv_info_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sv_info_decode(struct mip_gnss_data_sv_info *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_sv_info_codec, 0x0C, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_sv_info_encode(
     const struct mip_gnss_data_sv_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sv_info_codec, value, builder);
@@ -1310,17 +1310,17 @@ struct mip_gnss_data_hardware_status {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_NAME "gnss_data.hardware_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_hardware_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_hardware_status_decode(
     struct mip_gnss_data_hardware_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_hardware_status_codec, 0x0D, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_hardware_status_encode(
     const struct mip_gnss_data_hardware_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_hardware_status_codec, value, builder);
@@ -1381,16 +1381,16 @@ struct mip_gnss_data_dgps_info {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_DGPS_INFO_NAME "gnss_data.dgps_info"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_dgps_info_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_info_decode(struct mip_gnss_data_dgps_info *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_dgps_info_codec, 0x0E, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode(
     const struct mip_gnss_data_dgps_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_info_codec, value, builder);
@@ -1447,17 +1447,17 @@ struct mip_gnss_data_dgps_info_satellite {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_DGPS_INFO_SATELLITE_NAME "gnss_data.dgps_info_satellite"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_dgps_info_satellite_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_info_satellite_decode(
     struct mip_gnss_data_dgps_info_satellite *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_dgps_info_satellite_codec, 0x0E, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_satellite_encode(
     const struct mip_gnss_data_dgps_info_satellite *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_info_satellite_codec, value, builder);
@@ -1510,16 +1510,16 @@ struct mip_gnss_data_dgps_channel {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_NAME "gnss_data.dgps_channel"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_dgps_channel_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_dgps_channel_decode(struct mip_gnss_data_dgps_channel *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_dgps_channel_codec, 0x0F, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_dgps_channel_encode(
     const struct mip_gnss_data_dgps_channel *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_dgps_channel_codec, value, builder);
@@ -1570,16 +1570,16 @@ struct mip_gnss_data_clock_info_2 {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_NAME "gnss_data.clock_info_2"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_clock_info_2_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_clock_info_2_decode(struct mip_gnss_data_clock_info_2 *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_clock_info_2_codec, 0x10, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_clock_info_2_encode(
     const struct mip_gnss_data_clock_info_2 *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_clock_info_2_codec, value, builder);
@@ -1613,17 +1613,17 @@ struct mip_gnss_data_gps_leap_seconds {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_NAME "gnss_data.gps_leap_seconds"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_gps_leap_seconds_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_leap_seconds_decode(
     struct mip_gnss_data_gps_leap_seconds *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_gps_leap_seconds_codec, 0x11, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
     const struct mip_gnss_data_gps_leap_seconds *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_leap_seconds_codec, value, builder);
@@ -1680,16 +1680,16 @@ struct mip_gnss_data_sbas_info {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_SBAS_INFO_NAME "gnss_data.sbas_info"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_sbas_info_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sbas_info_decode(struct mip_gnss_data_sbas_info *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_sbas_info_codec, 0x12, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_sbas_info_encode(
     const struct mip_gnss_data_sbas_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sbas_info_codec, value, builder);
@@ -1751,17 +1751,17 @@ struct mip_gnss_data_sbas_correction {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_NAME "gnss_data.sbas_correction"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_sbas_correction_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_sbas_correction_decode(
     struct mip_gnss_data_sbas_correction *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_sbas_correction_codec, 0x13, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode(
     const struct mip_gnss_data_sbas_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_sbas_correction_codec, value, builder);
@@ -1815,17 +1815,17 @@ struct mip_gnss_data_rf_error_detection {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_NAME "gnss_data.rf_error_detection"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_rf_error_detection_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_rf_error_detection_decode(
     struct mip_gnss_data_rf_error_detection *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_rf_error_detection_codec, 0x14, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_rf_error_detection_encode(
     const struct mip_gnss_data_rf_error_detection *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_rf_error_detection_codec, value, builder);
@@ -1871,16 +1871,16 @@ struct mip_gnss_data_heading {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_HEADING_NAME "gnss_data.heading"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_heading_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_heading_decode(struct mip_gnss_data_heading *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_heading_codec, 0x15, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_heading_encode(
     const struct mip_gnss_data_heading *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_heading_codec, value, builder);
@@ -1951,17 +1951,17 @@ struct mip_gnss_data_satellite_status {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_NAME "gnss_data.satellite_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_satellite_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_satellite_status_decode(
     struct mip_gnss_data_satellite_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_satellite_status_codec, 0x20, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_satellite_status_encode(
     const struct mip_gnss_data_satellite_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_satellite_status_codec, value, builder);
@@ -2075,16 +2075,16 @@ struct mip_gnss_data_raw {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_RAW_NAME "gnss_data.raw"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_raw_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_raw_decode(struct mip_gnss_data_raw *value,
                                                  const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_raw_codec, 0x22, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_raw_encode(const struct mip_gnss_data_raw *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_raw_codec, value, builder);
@@ -2144,17 +2144,17 @@ struct mip_gnss_data_base_station_info {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_NAME "gnss_data.base_station_info"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_base_station_info_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_base_station_info_decode(
     struct mip_gnss_data_base_station_info *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_base_station_info_codec, 0x30, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_base_station_info_encode(
     const struct mip_gnss_data_base_station_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_base_station_info_codec, value, builder);
@@ -2228,17 +2228,17 @@ struct mip_gnss_data_rtk_corrections_status {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_NAME "gnss_data.rtk_corrections_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_rtk_corrections_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_rtk_corrections_status_decode(
     struct mip_gnss_data_rtk_corrections_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_rtk_corrections_status_codec, 0x31, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
     const struct mip_gnss_data_rtk_corrections_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_rtk_corrections_status_codec, value, builder);
@@ -2416,16 +2416,16 @@ struct mip_gnss_data_gps_ephemeris {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS_NAME "gnss_data.gps_ephemeris"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_gps_ephemeris_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_ephemeris_decode(
     struct mip_gnss_data_gps_ephemeris *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_gps_ephemeris_codec, 0x61, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_gps_ephemeris_encode(
     const struct mip_gnss_data_gps_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_ephemeris_codec, value, builder);
@@ -2564,17 +2564,17 @@ struct mip_gnss_data_glonass_ephemeris {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_NAME "gnss_data.glonass_ephemeris"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_glonass_ephemeris_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_glonass_ephemeris_decode(
     struct mip_gnss_data_glonass_ephemeris *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_glonass_ephemeris_codec, 0x62, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
     const struct mip_gnss_data_glonass_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_glonass_ephemeris_codec, value, builder);
@@ -2755,17 +2755,17 @@ struct mip_gnss_data_galileo_ephemeris {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS_NAME "gnss_data.galileo_ephemeris"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_galileo_ephemeris_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_galileo_ephemeris_decode(
     struct mip_gnss_data_galileo_ephemeris *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_galileo_ephemeris_codec, 0x63, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
     const struct mip_gnss_data_galileo_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_galileo_ephemeris_codec, value, builder);
@@ -2946,17 +2946,17 @@ struct mip_gnss_data_beidou_ephemeris {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_NAME "gnss_data.beidou_ephemeris"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_beidou_ephemeris_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_beidou_ephemeris_decode(
     struct mip_gnss_data_beidou_ephemeris *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_beidou_ephemeris_codec, 0x64, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
     const struct mip_gnss_data_beidou_ephemeris *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_beidou_ephemeris_codec, value, builder);
@@ -3005,17 +3005,17 @@ struct mip_gnss_data_gps_iono_correction {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_NAME "gnss_data.gps_iono_correction"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_gps_iono_correction_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_gps_iono_correction_decode(
     struct mip_gnss_data_gps_iono_correction *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_gps_iono_correction_codec, 0x71, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_gps_iono_correction_encode(
     const struct mip_gnss_data_gps_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_gps_iono_correction_codec, value, builder);
@@ -3066,17 +3066,17 @@ struct mip_gnss_data_galileo_iono_correction {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_NAME "gnss_data.galileo_iono_correction"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_galileo_iono_correction_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_galileo_iono_correction_decode(
     struct mip_gnss_data_galileo_iono_correction *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_galileo_iono_correction_codec, 0x73, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_galileo_iono_correction_encode(
     const struct mip_gnss_data_galileo_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_galileo_iono_correction_codec, value, builder);
@@ -3131,17 +3131,17 @@ struct mip_gnss_data_beidou_iono_correction {
 /** Its name in the specification, in the first of its sets. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_NAME "gnss_data.beidou_iono_correction"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_gnss_data_beidou_iono_correction_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_gnss_data_beidou_iono_correction_decode(
     struct mip_gnss_data_beidou_iono_correction *value, const struct mip_field *field) {
     return mip_decode_only(&mip_gnss_data_beidou_iono_correction_codec, 0x74, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_gnss_data_beidou_iono_correction_encode(
     const struct mip_gnss_data_beidou_iono_correction *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_data_beidou_iono_correction_codec, value, builder);

@@ -59,7 +59,7 @@
 #include "mip/types.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/mip.h and mip/constants.h are not of one version"
+#error "mip/mip.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus

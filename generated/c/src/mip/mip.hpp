@@ -1,6 +1,6 @@
 /**
  * @file
- * The whole library in C++17, but for ostream.hpp. It takes longer to compile than the headers of
+ * The whole library in C++17, except ostream.hpp. It takes longer to compile than the headers of
  * single descriptor sets.
  */
 #ifndef MIP_MIP_HPP

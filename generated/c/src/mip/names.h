@@ -9,7 +9,7 @@
 #include "mip/reflect.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/names.h and mip/constants.h are not of one version"
+#error "mip/names.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus

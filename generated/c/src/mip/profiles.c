@@ -1729,7 +1729,7 @@ static const struct mip_profile_port cv7_ins_ports[] = {
 static const struct mip_profile_limit cv7_ins_limits[] = {
     {"aiding_frames", 4, "",
      "Frames that the aiding frame configuration can define, according to MSCL.", ""},
-    {"antenna_offset", 10, "m", "Greatest distance of the antenna from the device.", ""},
+    {"antenna_offset", 10, "m", "Maximum distance of the antenna from the device.", ""},
 };
 
 static const char *const cv7_ins_anti_aliasing_cells[] = {
@@ -1762,7 +1762,7 @@ static const struct mip_profile_note cv7_ins_notes[] = {
      NULL, 0, 0},
     {"gpio_pins", "GPIO pins", "Features of each pin, according to MSCL.", cv7_ins_gpio_pins_cells,
      5, 2},
-    {"receivers", "GNSS sets", "The sets 0x94 and 0x95 have data of two receivers of the user.",
+    {"receivers", "GNSS sets", "The sets 0x94 and 0x95 contain the data of two external receivers.",
      NULL, 0, 0},
 };
 
@@ -1781,7 +1781,7 @@ const struct mip_profile mip_profile_cv7_ins = {
     "3dm-cv7-ins",
     "3DM-CV7-INS",
     "3dm-cv7-ins",
-    "Inertial navigation system without a GNSS receiver of its own.",
+    "Inertial navigation system without an internal GNSS receiver.",
     6291, /* model number */
     7,    /* generation */
     0,    /* other names */
@@ -2890,8 +2890,8 @@ static const struct mip_profile_field gq4_45_fields[] = {
 
 static const struct mip_profile_note gq4_45_notes[] = {
     {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
+     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
@@ -3112,8 +3112,8 @@ static const struct mip_profile_note gq7_notes[] = {
      "Signals that can be enabled together by `gnss.signal_config`, according to MSCL.",
      gq7_gnss_signals_cells, 5, 2},
     {"receivers", "GNSS sets",
-     "The set 0x91 is that of the first receiver and 0x92 that of the second; 0x93 contains the "
-     "RTK corrections.",
+     "The set 0x91 belongs to the first receiver and 0x92 to the second; 0x93 contains the RTK "
+     "corrections.",
      NULL, 0, 0},
 };
 
@@ -3962,8 +3962,8 @@ static const struct mip_profile_field gx4_15_fields[] = {
 
 static const struct mip_profile_note gx4_15_notes[] = {
     {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
+     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
@@ -4078,8 +4078,8 @@ static const struct mip_profile_rate gx4_25_rates[] = {
 
 static const struct mip_profile_note gx4_25_notes[] = {
     {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
+     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
@@ -4189,8 +4189,8 @@ static const struct mip_profile_field gx4_45_fields[] = {
 
 static const struct mip_profile_note gx4_45_notes[] = {
     {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
+     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
@@ -4535,8 +4535,8 @@ static const char *const gx5_25_incomplete[] = {
 };
 
 static const struct mip_profile_evidence gx5_25_evidence[] = {
-    {MIP_SUPPORT_PROBABLE, "Listed by others after the manual (Public programs of users: Parser of "
-                           "3DM-GX5-25 data in MATLAB, 2018)."},
+    {MIP_SUPPORT_PROBABLE, "Transcribed from the manual by others (Public programs of users: "
+                           "Parser of 3DM-GX5-25 data in MATLAB, 2018)."},
     {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MicroStrain MIP SDK, "
                            "versions 1 to 3: Examples of the versions 1 to 3)."},
     {MIP_SUPPORT_PROBABLE,
@@ -4778,7 +4778,7 @@ static const char *const gx5_45_also[] = {
 
 static const char *const gx5_45_incomplete[] = {
     "Only some pages of the manual are known, so it has more commands and data.",
-    "Only four fields of the filter data are listed; the manual has 27 or more.",
+    "Only four fields of the filter data are listed; the manual documents 27 or more.",
 };
 
 static const struct mip_profile_evidence gx5_45_evidence[] = {
@@ -5076,8 +5076,8 @@ static const struct mip_profile_field rq1_45_lt_fields[] = {
 
 static const struct mip_profile_note rq1_45_lt_notes[] = {
     {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
+     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
@@ -5182,8 +5182,8 @@ static const struct mip_profile_field rq1_45_st_fields[] = {
 
 static const struct mip_profile_note rq1_45_st_notes[] = {
     {"direct_mode", "Direct modes",
-     "`system.comm_mode` connects the port to the inner inertial sensor or to the receiver. The "
-     "inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
+     "`system.comm_mode` connects the port to the internal inertial sensor or to the receiver. The "
+     "internal sensor replies as a separate device: 3DM-GX4-IMU in the 3DM-GX4-45, 3DM-RQ1-IMU in "
      "the 3DM-RQ1-45.",
      NULL, 0, 0},
     {"device_status", "Device status",
@@ -5309,8 +5309,8 @@ static const struct mip_profile_field rtk_fields[] = {
 
 static const struct mip_profile_note rtk_notes[] = {
     {"versions", "Versions",
-     "Model numbers that end in 0000 are of version 1, those in 0100 of version 2, according to "
-     "MSCL. Their status words in `rtk.get_status_flags` differ.",
+     "According to MSCL, model numbers that end in 0000 denote version 1, and those that end in "
+     "0100 version 2. Their status words in `rtk.get_status_flags` differ.",
      NULL, 0, 0},
 };
 

@@ -9,7 +9,7 @@
 #include "mip/profile.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/profiles.h and mip/constants.h are not of one version"
+#error "mip/profiles.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -131,7 +131,7 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ar;
 extern MIP_API const struct mip_profile mip_profile_cv7_gnss_ins;
 
 /**
- * 3DM-CV7-INS: Inertial navigation system without a GNSS receiver of its own.
+ * 3DM-CV7-INS: Inertial navigation system without an internal GNSS receiver.
  *
  * Generation 7. Model number 6291. Manual: MicroStrain 3DM-CV7-INS Documentation, online, known
  * from some pages. This profile is incomplete: Only some pages of the manual are known, so it has
@@ -454,7 +454,7 @@ extern MIP_API const struct mip_profile mip_profile_gx5_35;
  * Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP
  * Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only some pages of
  * the manual are known, so it has more commands and data. This profile is incomplete: Only four
- * fields of the filter data are listed; the manual has 27 or more. Uncertain: The values of
+ * fields of the filter data are listed; the manual documents 27 or more. Uncertain: The values of
  * mip_filter_gnss_source are those that MSCL offers. Uncertain: The base rates are those that the
  * manuals of the 3DM-GX5-35 and the 3DM-GX5-45 state for all 3DM-GX5. Uncertain: An example in the
  * manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual states the length of

@@ -8,14 +8,14 @@
 #include "mip/types.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/protocol.h and mip/constants.h are not of one version"
+#error "mip/protocol.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** What a settings command is asked to do. */
+/** The operation that a settings command requests. */
 enum mip_function_selector MIP_ENUM_8 {
     /** Apply the new setting. */
     MIP_FUNCTION_SELECTOR_WRITE = 1,
@@ -31,12 +31,12 @@ enum mip_function_selector MIP_ENUM_8 {
     MIP_FUNCTION_SELECTOR_APPLY = 6
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_function_selector_name(uint8_t value);
 
 #ifndef MIP_BARRIER_SET
-/** Descriptor set of the command that a barrier consists of; 0 if the specification names none, or
- * if you define it as 0 for the whole library, which then cannot recognize late answers. */
+/** The descriptor set of the command of which a barrier consists; 0 if the specification names
+ * none. If you define it as 0 for the whole library, late answers cannot be recognized. */
 #define MIP_BARRIER_SET 0x01
 #endif
 /** Its descriptor. */
@@ -67,16 +67,16 @@ struct mip_protocol_acknowledge {
 /** Its name in the specification. */
 #define MIP_PROTOCOL_ACKNOWLEDGE_NAME "protocol.acknowledge"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_protocol_acknowledge_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_protocol_acknowledge_decode(struct mip_protocol_acknowledge *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_protocol_acknowledge_codec, 0xF1, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_protocol_acknowledge_encode(
     const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
     return mip_encode(&mip_protocol_acknowledge_codec, value, builder);

@@ -21,7 +21,7 @@
 #include "mip/system_data.h"
 #include "mip/shared.h"
 
-/* A member's place and the bytes of one item of it. */
+/* The offset of a member, and the size of one item of it. */
 #define ONE(record, member) offsetof(record, member), sizeof(((record *)0)->member)
 #define MANY(record, member) offsetof(record, member), sizeof(((record *)0)->member[0])
 

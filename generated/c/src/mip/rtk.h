@@ -13,7 +13,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/rtk.h and mip/constants.h are not of one version"
+#error "mip/rtk.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -38,7 +38,7 @@ enum mip_rtk_connected_device MIP_ENUM_8 {
     MIP_RTK_CONNECTED_DEVICE_GQ7 = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_rtk_connected_device_name(uint8_t value);
 
 /**
@@ -64,7 +64,7 @@ enum mip_rtk_storage_medium MIP_ENUM_8 {
     MIP_RTK_STORAGE_MEDIUM_SD = 1
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_rtk_storage_medium_name(uint8_t value);
 
 /**
@@ -81,7 +81,7 @@ enum mip_rtk_led_action MIP_ENUM_8 {
     MIP_RTK_LED_ACTION_PULSATE = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_rtk_led_action_name(uint8_t value);
 
 /**
@@ -89,8 +89,8 @@ MIP_API const char *mip_rtk_led_action_name(uint8_t value);
  *
  * Gets the state of the modem and of the corrections.
  *
- * No device is certain to support it. Answered by mip_rtk_get_status_flags_response. Known only
- * from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Answered by mip_rtk_get_status_flags_response.
+ * Known only from the MicroStrain MIP SDK.
  *
  * The word of the response has two forms, mip_rtk_status_flags and mip_rtk_status_flags_legacy.
  *
@@ -108,16 +108,16 @@ struct mip_rtk_get_status_flags {
 /** Its name in the specification. */
 #define MIP_RTK_GET_STATUS_FLAGS_NAME "rtk.get_status_flags"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_status_flags_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_status_flags *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_status_flags_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_encode(
     const struct mip_rtk_get_status_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_codec, value, builder);
@@ -126,8 +126,8 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_encode(
 /**
  * Get status flags response: response (0x0F,0x81).
  *
- * No device is certain to support it. Answers mip_rtk_get_status_flags. Known only from the
- * MicroStrain MIP SDK.
+ * No device is known for certain to support it. Answers mip_rtk_get_status_flags. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
@@ -143,17 +143,17 @@ struct mip_rtk_get_status_flags_response {
 /** Its name in the specification. */
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_NAME "rtk.get_status_flags_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_status_flags_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_status_flags_response_decode(
     struct mip_rtk_get_status_flags_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_status_flags_response_codec, 0x81, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode(
     const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_response_codec, value, builder);
@@ -181,16 +181,16 @@ struct mip_rtk_get_imei {
 /** Its name in the specification. */
 #define MIP_RTK_GET_IMEI_NAME "rtk.get_imei"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_imei_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value,
                                                 const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_imei_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_codec, value, builder);
@@ -215,16 +215,16 @@ struct mip_rtk_get_imei_response {
 /** Its name in the specification. */
 #define MIP_RTK_GET_IMEI_RESPONSE_NAME "rtk.get_imei_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_imei_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imei_response_decode(struct mip_rtk_get_imei_response *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_imei_response_codec, 0x82, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode(
     const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_response_codec, value, builder);
@@ -252,16 +252,16 @@ struct mip_rtk_get_imsi {
 /** Its name in the specification. */
 #define MIP_RTK_GET_IMSI_NAME "rtk.get_imsi"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_imsi_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value,
                                                 const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_imsi_codec, 0x03, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_codec, value, builder);
@@ -286,16 +286,16 @@ struct mip_rtk_get_imsi_response {
 /** Its name in the specification. */
 #define MIP_RTK_GET_IMSI_RESPONSE_NAME "rtk.get_imsi_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_imsi_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_imsi_response_decode(struct mip_rtk_get_imsi_response *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_imsi_response_codec, 0x83, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode(
     const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_response_codec, value, builder);
@@ -323,16 +323,16 @@ struct mip_rtk_get_iccid {
 /** Its name in the specification. */
 #define MIP_RTK_GET_ICCID_NAME "rtk.get_iccid"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_iccid_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value,
                                                  const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_iccid_codec, 0x04, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
                                                              struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_codec, value, builder);
@@ -357,16 +357,16 @@ struct mip_rtk_get_iccid_response {
 /** Its name in the specification. */
 #define MIP_RTK_GET_ICCID_RESPONSE_NAME "rtk.get_iccid_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_iccid_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_iccid_response_decode(struct mip_rtk_get_iccid_response *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_iccid_response_codec, 0x84, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode(
     const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_response_codec, value, builder);
@@ -394,16 +394,16 @@ struct mip_rtk_get_rssi {
 /** Its name in the specification. */
 #define MIP_RTK_GET_RSSI_NAME "rtk.get_rssi"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_rssi_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value,
                                                 const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_rssi_codec, 0x05, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_codec, value, builder);
@@ -433,16 +433,16 @@ struct mip_rtk_get_rssi_response {
 /** Its name in the specification. */
 #define MIP_RTK_GET_RSSI_RESPONSE_NAME "rtk.get_rssi_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_rssi_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_rssi_response_decode(struct mip_rtk_get_rssi_response *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_rssi_response_codec, 0x85, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode(
     const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_response_codec, value, builder);
@@ -481,17 +481,17 @@ struct mip_rtk_connected_device_type {
 /** Its name in the specification. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_NAME "rtk.connected_device_type"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_connected_device_type_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_connected_device_type_decode(
     struct mip_rtk_connected_device_type *value, const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_connected_device_type_codec, 0x06, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_encode(
     const struct mip_rtk_connected_device_type *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_codec, value, builder);
@@ -562,17 +562,17 @@ struct mip_rtk_connected_device_type_response {
 /** Its name in the specification. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_NAME "rtk.connected_device_type_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_connected_device_type_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_connected_device_type_response_decode(
     struct mip_rtk_connected_device_type_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_connected_device_type_response_codec, 0x86, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encode(
     const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_response_codec, value, builder);
@@ -583,7 +583,7 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encod
  *
  * Reads the code that activates the modem for its service.
  *
- * No device is certain to support it. Also called `get_act_code`. Answered by
+ * No device is known for certain to support it. Also called `get_act_code`. Answered by
  * mip_rtk_get_activation_code_response. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -600,16 +600,16 @@ struct mip_rtk_get_activation_code {
 /** Its name in the specification. */
 #define MIP_RTK_GET_ACTIVATION_CODE_NAME "rtk.get_activation_code"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_activation_code_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_activation_code_decode(
     struct mip_rtk_get_activation_code *value, const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_activation_code_codec, 0x07, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
     const struct mip_rtk_get_activation_code *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_codec, value, builder);
@@ -618,7 +618,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
 /**
  * Get activation code response: response (0x0F,0x87).
  *
- * No device is certain to support it. Also called `get_act_code_response`. Answers
+ * No device is known for certain to support it. Also called `get_act_code_response`. Answers
  * mip_rtk_get_activation_code. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -635,17 +635,17 @@ struct mip_rtk_get_activation_code_response {
 /** Its name in the specification. */
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_NAME "rtk.get_activation_code_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_activation_code_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_activation_code_response_decode(
     struct mip_rtk_get_activation_code_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_activation_code_response_codec, 0x87, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode(
     const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_response_codec, value, builder);
@@ -673,17 +673,17 @@ struct mip_rtk_get_modem_firmware_version {
 /** Its name in the specification. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_NAME "rtk.get_modem_firmware_version"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_modem_firmware_version_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_modem_firmware_version_decode(
     struct mip_rtk_get_modem_firmware_version *value, const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_modem_firmware_version_codec, 0x08, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_encode(
     const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_codec, value, builder);
@@ -708,17 +708,17 @@ struct mip_rtk_get_modem_firmware_version_response {
 /** Its name in the specification. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_NAME "rtk.get_modem_firmware_version_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_get_modem_firmware_version_response_decode(
     struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_get_modem_firmware_version_response_codec, 0x88, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_encode(
     const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_response_codec, value, builder);
@@ -729,7 +729,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_
  *
  * Queries a correction server about the connection, which also keeps it open.
  *
- * Answered by mip_rtk_service_status_response. Sent by the device; the host answers. Not listed in
+ * Answered by mip_rtk_service_status_response. Sent by the device; the host replies. Not listed in
  * any device profile. Known only from the MicroStrain MIP SDK.
  *
  * The modem sends it as a host would, and the server replies as a device would.
@@ -750,16 +750,16 @@ struct mip_rtk_service_status {
 /** Its name in the specification. */
 #define MIP_RTK_SERVICE_STATUS_NAME "rtk.service_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_service_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_service_status_decode(struct mip_rtk_service_status *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_service_status_codec, 0x0A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_service_status_encode(
     const struct mip_rtk_service_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_codec, value, builder);
@@ -793,17 +793,17 @@ struct mip_rtk_service_status_response {
 /** Its name in the specification. */
 #define MIP_RTK_SERVICE_STATUS_RESPONSE_NAME "rtk.service_status_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_service_status_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_service_status_response_decode(
     struct mip_rtk_service_status_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_service_status_response_codec, 0x8A, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_service_status_response_encode(
     const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_service_status_response_codec, value, builder);
@@ -835,16 +835,16 @@ struct mip_rtk_erase_storage {
 /** Its name in the specification. */
 #define MIP_RTK_ERASE_STORAGE_NAME "rtk.erase_storage"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_erase_storage_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_erase_storage_decode(struct mip_rtk_erase_storage *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_erase_storage_codec, 0x20, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_erase_storage_encode(
     const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_erase_storage_codec, value, builder);
@@ -891,16 +891,16 @@ struct mip_rtk_led_control {
 /** Its name in the specification. */
 #define MIP_RTK_LED_CONTROL_NAME "rtk.led_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_led_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *value,
                                                    const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_led_control_codec, 0x21, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_rtk_led_control_encode(const struct mip_rtk_led_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_led_control_codec, value, builder);
@@ -950,16 +950,16 @@ struct mip_rtk_modem_hard_reset {
 /** Its name in the specification. */
 #define MIP_RTK_MODEM_HARD_RESET_NAME "rtk.modem_hard_reset"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_rtk_modem_hard_reset_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_rtk_modem_hard_reset_decode(struct mip_rtk_modem_hard_reset *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_rtk_modem_hard_reset_codec, 0x22, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_rtk_modem_hard_reset_encode(
     const struct mip_rtk_modem_hard_reset *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_modem_hard_reset_codec, value, builder);

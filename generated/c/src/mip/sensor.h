@@ -12,7 +12,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/sensor.h and mip/constants.h are not of one version"
+#error "mip/sensor.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -83,16 +83,16 @@ struct mip_sensor_raw_accel {
 /** Its name in the specification. */
 #define MIP_SENSOR_RAW_ACCEL_NAME "sensor.raw_accel"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_raw_accel_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
                                                     const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_raw_accel_codec, 0x01, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_accel_codec, value, builder);
@@ -120,16 +120,16 @@ struct mip_sensor_raw_gyro {
 /** Its name in the specification. */
 #define MIP_SENSOR_RAW_GYRO_NAME "sensor.raw_gyro"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_raw_gyro_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *value,
                                                    const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_raw_gyro_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_gyro_codec, value, builder);
@@ -161,16 +161,16 @@ struct mip_sensor_raw_mag {
 /** Its name in the specification. */
 #define MIP_SENSOR_RAW_MAG_NAME "sensor.raw_mag"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_raw_mag_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
                                                   const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_raw_mag_codec, 0x03, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_mag_codec, value, builder);
@@ -204,16 +204,16 @@ struct mip_sensor_scaled_accel {
 /** Its name in the specification. */
 #define MIP_SENSOR_SCALED_ACCEL_NAME "sensor.scaled_accel"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_scaled_accel_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_accel *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_scaled_accel_codec, 0x04, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_scaled_accel_encode(
     const struct mip_sensor_scaled_accel *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_accel_codec, value, builder);
@@ -245,16 +245,16 @@ struct mip_sensor_scaled_gyro {
 /** Its name in the specification. */
 #define MIP_SENSOR_SCALED_GYRO_NAME "sensor.scaled_gyro"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_scaled_gyro_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_scaled_gyro_codec, 0x05, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_scaled_gyro_encode(
     const struct mip_sensor_scaled_gyro *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_gyro_codec, value, builder);
@@ -282,16 +282,16 @@ struct mip_sensor_scaled_mag {
 /** Its name in the specification. */
 #define MIP_SENSOR_SCALED_MAG_NAME "sensor.scaled_mag"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_scaled_mag_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_mag *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_scaled_mag_codec, 0x06, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_scaled_mag_encode(
     const struct mip_sensor_scaled_mag *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_mag_codec, value, builder);
@@ -322,16 +322,16 @@ struct mip_sensor_delta_theta {
 /** Its name in the specification. */
 #define MIP_SENSOR_DELTA_THETA_NAME "sensor.delta_theta"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_delta_theta_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_delta_theta_codec, 0x07, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_delta_theta_encode(
     const struct mip_sensor_delta_theta *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_delta_theta_codec, value, builder);
@@ -366,16 +366,16 @@ struct mip_sensor_delta_velocity {
 /** Its name in the specification. */
 #define MIP_SENSOR_DELTA_VELOCITY_NAME "sensor.delta_velocity"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_delta_velocity_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_delta_velocity_decode(struct mip_sensor_delta_velocity *value,
                                                          const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_delta_velocity_codec, 0x08, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_delta_velocity_encode(
     const struct mip_sensor_delta_velocity *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_delta_velocity_codec, value, builder);
@@ -397,7 +397,7 @@ struct mip_sensor_comp_orientation_matrix {
     /**
      * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
      * m31, m32, m33. Unit: 1. Frame: ned. At rest and level: m13 0, m23 0, m31 0, m32 0, m33 1. On
-     * the 3DM-GX5-15: From the NED frame to the sensor frame.
+     * the 3DM-GX5-15: Rotation from the NED frame to the sensor frame.
      */
     float m[9];
 };
@@ -409,17 +409,17 @@ struct mip_sensor_comp_orientation_matrix {
 /** Its name in the specification. */
 #define MIP_SENSOR_COMP_ORIENTATION_MATRIX_NAME "sensor.comp_orientation_matrix"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_comp_orientation_matrix_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_orientation_matrix_decode(
     struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_comp_orientation_matrix_codec, 0x09, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode(
     const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_orientation_matrix_codec, value, builder);
@@ -441,7 +441,8 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_matrix_encode(
 struct mip_sensor_comp_quaternion {
     /**
      * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. Frame:
-     * ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Between NED and the sensor frame.
+     * ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Rotation between the NED frame and the
+     * sensor frame.
      */
     float q[4];
 };
@@ -453,16 +454,16 @@ struct mip_sensor_comp_quaternion {
 /** Its name in the specification. */
 #define MIP_SENSOR_COMP_QUATERNION_NAME "sensor.comp_quaternion"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_comp_quaternion_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_quaternion_decode(struct mip_sensor_comp_quaternion *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_comp_quaternion_codec, 0x0A, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_comp_quaternion_encode(
     const struct mip_sensor_comp_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_quaternion_codec, value, builder);
@@ -494,17 +495,17 @@ struct mip_sensor_comp_orientation_update_matrix {
 /** Its name in the specification. */
 #define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_NAME "sensor.comp_orientation_update_matrix"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_orientation_update_matrix_decode(
     struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_comp_orientation_update_matrix_codec, 0x0B, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_comp_orientation_update_matrix_encode(
     const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_orientation_update_matrix_codec, value, builder);
@@ -548,16 +549,16 @@ struct mip_sensor_comp_euler_angles {
 /** Its name in the specification. */
 #define MIP_SENSOR_COMP_EULER_ANGLES_NAME "sensor.comp_euler_angles"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_comp_euler_angles_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_comp_euler_angles_decode(
     struct mip_sensor_comp_euler_angles *value, const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_comp_euler_angles_codec, 0x0C, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_comp_euler_angles_encode(
     const struct mip_sensor_comp_euler_angles *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_comp_euler_angles_codec, value, builder);
@@ -592,17 +593,17 @@ struct mip_sensor_orientation_raw_temperature {
 /** Its name in the specification. */
 #define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_NAME "sensor.orientation_raw_temperature"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_orientation_raw_temperature_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_orientation_raw_temperature_decode(
     struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_orientation_raw_temperature_codec, 0x0D, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_orientation_raw_temperature_encode(
     const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_orientation_raw_temperature_codec, value, builder);
@@ -632,17 +633,17 @@ struct mip_sensor_internal_timestamp {
 /** Its name in the specification. */
 #define MIP_SENSOR_INTERNAL_TIMESTAMP_NAME "sensor.internal_timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_internal_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_internal_timestamp_decode(
     struct mip_sensor_internal_timestamp *value, const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_internal_timestamp_codec, 0x0E, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_internal_timestamp_encode(
     const struct mip_sensor_internal_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_internal_timestamp_codec, value, builder);
@@ -679,16 +680,16 @@ struct mip_sensor_pps_timestamp {
 /** Its name in the specification. */
 #define MIP_SENSOR_PPS_TIMESTAMP_NAME "sensor.pps_timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_pps_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_pps_timestamp_codec, 0x0F, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode(
     const struct mip_sensor_pps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_pps_timestamp_codec, value, builder);
@@ -728,17 +729,17 @@ struct mip_sensor_pps_timestamp_with_flags {
 /** Its name in the specification. */
 #define MIP_SENSOR_PPS_TIMESTAMP_WITH_FLAGS_NAME "sensor.pps_timestamp_with_flags"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_pps_timestamp_with_flags_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_pps_timestamp_with_flags_decode(
     struct mip_sensor_pps_timestamp_with_flags *value, const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_pps_timestamp_with_flags_codec, 0x0F, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode(
     const struct mip_sensor_pps_timestamp_with_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_pps_timestamp_with_flags_codec, value, builder);
@@ -774,16 +775,16 @@ struct mip_sensor_north_vector {
 /** Its name in the specification. */
 #define MIP_SENSOR_NORTH_VECTOR_NAME "sensor.north_vector"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_north_vector_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_vector *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_north_vector_codec, 0x10, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode(
     const struct mip_sensor_north_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_north_vector_codec, value, builder);
@@ -819,16 +820,16 @@ struct mip_sensor_up_vector {
 /** Its name in the specification. */
 #define MIP_SENSOR_UP_VECTOR_NAME "sensor.up_vector"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_up_vector_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_up_vector_decode(struct mip_sensor_up_vector *value,
                                                     const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_up_vector_codec, 0x11, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_up_vector_codec, value, builder);
@@ -880,16 +881,16 @@ struct mip_sensor_gps_timestamp {
 /** Its name in the specification. */
 #define MIP_SENSOR_GPS_TIMESTAMP_NAME "sensor.gps_timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_gps_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_gps_timestamp_codec, 0x12, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_gps_timestamp_encode(
     const struct mip_sensor_gps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_gps_timestamp_codec, value, builder);
@@ -922,17 +923,17 @@ struct mip_sensor_temperature_statistics {
 /** Its name in the specification. */
 #define MIP_SENSOR_TEMPERATURE_STATISTICS_NAME "sensor.temperature_statistics"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_temperature_statistics_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_temperature_statistics_decode(
     struct mip_sensor_temperature_statistics *value, const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_temperature_statistics_codec, 0x14, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_temperature_statistics_encode(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_temperature_statistics_codec, value, builder);
@@ -959,16 +960,16 @@ struct mip_sensor_raw_pressure {
 /** Its name in the specification. */
 #define MIP_SENSOR_RAW_PRESSURE_NAME "sensor.raw_pressure"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_raw_pressure_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pressure *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_raw_pressure_codec, 0x16, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_raw_pressure_encode(
     const struct mip_sensor_raw_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_raw_pressure_codec, value, builder);
@@ -997,16 +998,16 @@ struct mip_sensor_scaled_pressure {
 /** Its name in the specification. */
 #define MIP_SENSOR_SCALED_PRESSURE_NAME "sensor.scaled_pressure"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_scaled_pressure_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_scaled_pressure_codec, 0x17, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_scaled_pressure_encode(
     const struct mip_sensor_scaled_pressure *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_scaled_pressure_codec, value, builder);
@@ -1033,16 +1034,16 @@ struct mip_sensor_overrange_status {
 /** Its name in the specification. */
 #define MIP_SENSOR_OVERRANGE_STATUS_NAME "sensor.overrange_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_overrange_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_overrange_status_decode(
     struct mip_sensor_overrange_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_overrange_status_codec, 0x18, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_sensor_overrange_status_encode(
     const struct mip_sensor_overrange_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_overrange_status_codec, value, builder);
@@ -1079,16 +1080,16 @@ struct mip_sensor_odometer {
 /** Its name in the specification. */
 #define MIP_SENSOR_ODOMETER_NAME "sensor.odometer"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_sensor_odometer_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_sensor_odometer_decode(struct mip_sensor_odometer *value,
                                                    const struct mip_field *field) {
     return mip_decode_only(&mip_sensor_odometer_codec, 0x40, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_sensor_odometer_encode(const struct mip_sensor_odometer *value, struct mip_builder *builder) {
     return mip_encode(&mip_sensor_odometer_codec, value, builder);

@@ -12,7 +12,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/shared.h and mip/constants.h are not of one version"
+#error "mip/shared.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -67,16 +67,16 @@ struct mip_shared_event_source {
 /** Its name in the specification. */
 #define MIP_SHARED_EVENT_SOURCE_NAME "shared.event_source"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_event_source_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
                                                        const struct mip_field *field) {
     return mip_decode_only(&mip_shared_event_source_codec, 0xD0, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_event_source_encode(
     const struct mip_shared_event_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_event_source_codec, value, builder);
@@ -107,16 +107,16 @@ struct mip_shared_ticks {
 /** Its name in the specification. */
 #define MIP_SHARED_TICKS_NAME "shared.ticks"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_ticks_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value,
                                                 const struct mip_field *field) {
     return mip_decode_only(&mip_shared_ticks_codec, 0xD1, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
                                                             struct mip_builder *builder) {
     return mip_encode(&mip_shared_ticks_codec, value, builder);
@@ -146,16 +146,16 @@ struct mip_shared_delta_ticks {
 /** Its name in the specification. */
 #define MIP_SHARED_DELTA_TICKS_NAME "shared.delta_ticks"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_delta_ticks_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
                                                       const struct mip_field *field) {
     return mip_decode_only(&mip_shared_delta_ticks_codec, 0xD2, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_delta_ticks_encode(
     const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_ticks_codec, value, builder);
@@ -204,16 +204,16 @@ struct mip_shared_gps_timestamp {
 /** Its name in the specification. */
 #define MIP_SHARED_GPS_TIMESTAMP_NAME "shared.gps_timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_gps_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
                                                         const struct mip_field *field) {
     return mip_decode_only(&mip_shared_gps_timestamp_codec, 0xD3, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_gps_timestamp_encode(
     const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_gps_timestamp_codec, value, builder);
@@ -244,16 +244,16 @@ struct mip_shared_delta_time {
 /** Its name in the specification. */
 #define MIP_SHARED_DELTA_TIME_NAME "shared.delta_time"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_delta_time_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_delta_time_decode(struct mip_shared_delta_time *value,
                                                      const struct mip_field *field) {
     return mip_decode_only(&mip_shared_delta_time_codec, 0xD4, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_delta_time_encode(
     const struct mip_shared_delta_time *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_delta_time_codec, value, builder);
@@ -284,17 +284,17 @@ struct mip_shared_reference_timestamp {
 /** Its name in the specification. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP_NAME "shared.reference_timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_reference_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_reference_timestamp_decode(
     struct mip_shared_reference_timestamp *value, const struct mip_field *field) {
     return mip_decode_only(&mip_shared_reference_timestamp_codec, 0xD5, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_reference_timestamp_encode(
     const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_timestamp_codec, value, builder);
@@ -323,17 +323,17 @@ struct mip_shared_reference_time_delta {
 /** Its name in the specification. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA_NAME "shared.reference_time_delta"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_reference_time_delta_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_reference_time_delta_decode(
     struct mip_shared_reference_time_delta *value, const struct mip_field *field) {
     return mip_decode_only(&mip_shared_reference_time_delta_codec, 0xD6, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode(
     const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_reference_time_delta_codec, value, builder);
@@ -379,17 +379,17 @@ struct mip_shared_external_timestamp {
 /** Its name in the specification. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_NAME "shared.external_timestamp"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_external_timestamp_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_external_timestamp_decode(
     struct mip_shared_external_timestamp *value, const struct mip_field *field) {
     return mip_decode_only(&mip_shared_external_timestamp_codec, 0xD7, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_external_timestamp_encode(
     const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_timestamp_codec, value, builder);
@@ -425,17 +425,17 @@ struct mip_shared_external_time_delta {
 /** Its name in the specification. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_NAME "shared.external_time_delta"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_shared_external_time_delta_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_shared_external_time_delta_decode(
     struct mip_shared_external_time_delta *value, const struct mip_field *field) {
     return mip_decode_only(&mip_shared_external_time_delta_codec, 0xD8, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_shared_external_time_delta_encode(
     const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
     return mip_encode(&mip_shared_external_time_delta_codec, value, builder);

@@ -1,7 +1,7 @@
 /**
  * @file
- * The same as _decode and _encode of mip/shared.h without tables, for speed: the fields whose
- * layout never varies.
+ * The same as _decode and _encode in mip/shared.h, but without tables, for speed. Only for fields
+ * whose layout never varies.
  */
 #ifndef MIP_SHARED_INLINE_H
 #define MIP_SHARED_INLINE_H
@@ -9,7 +9,7 @@
 #include "mip/shared.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/shared_inline.h and mip/constants.h are not of one version"
+#error "mip/shared_inline.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus

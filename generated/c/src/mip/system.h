@@ -11,7 +11,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/system.h and mip/constants.h are not of one version"
+#error "mip/system.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -51,7 +51,7 @@ enum mip_system_protocol_mode MIP_ENUM_8 {
     MIP_SYSTEM_PROTOCOL_MODE_GNSS_DIRECT = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
 
 /**
@@ -104,16 +104,16 @@ struct mip_system_interface_control {
 /** Its name in the specification. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_NAME "system.interface_control"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_system_interface_control_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_system_interface_control_decode(
     struct mip_system_interface_control *value, const struct mip_field *field) {
     return mip_decode_only(&mip_system_interface_control_codec, 0x02, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_interface_control_encode(
     const struct mip_system_interface_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_codec, value, builder);
@@ -221,17 +221,17 @@ struct mip_system_interface_control_response {
 /** Its name in the specification. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_NAME "system.interface_control_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_system_interface_control_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_system_interface_control_response_decode(
     struct mip_system_interface_control_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_system_interface_control_response_codec, 0x82, value,
                            sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode(
     const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_response_codec, value, builder);
@@ -274,16 +274,16 @@ struct mip_system_comm_mode {
 /** Its name in the specification. */
 #define MIP_SYSTEM_COMM_MODE_NAME "system.comm_mode"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_system_comm_mode_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode *value,
                                                     const struct mip_field *field) {
     return mip_decode_only(&mip_system_comm_mode_codec, 0x10, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error
 mip_system_comm_mode_encode(const struct mip_system_comm_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_codec, value, builder);
@@ -358,17 +358,17 @@ struct mip_system_comm_mode_response {
 /** Its name in the specification. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE_NAME "system.comm_mode_response"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_system_comm_mode_response_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_system_comm_mode_response_decode(
     struct mip_system_comm_mode_response *value, const struct mip_field *field) {
     return mip_decode_only(&mip_system_comm_mode_response_codec, 0x90, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_comm_mode_response_encode(
     const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_response_codec, value, builder);

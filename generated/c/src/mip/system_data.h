@@ -11,7 +11,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/system_data.h and mip/constants.h are not of one version"
+#error "mip/system_data.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -73,17 +73,17 @@ struct mip_system_data_built_in_test {
 /** Its name in the specification. */
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST_NAME "system_data.built_in_test"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_system_data_built_in_test_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_built_in_test_decode(
     struct mip_system_data_built_in_test *value, const struct mip_field *field) {
     return mip_decode_only(&mip_system_data_built_in_test_codec, 0x01, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_data_built_in_test_encode(
     const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_built_in_test_codec, value, builder);
@@ -113,17 +113,17 @@ struct mip_system_data_time_sync_status {
 /** Its name in the specification. */
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_NAME "system_data.time_sync_status"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_system_data_time_sync_status_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_time_sync_status_decode(
     struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
     return mip_decode_only(&mip_system_data_time_sync_status_codec, 0x02, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_data_time_sync_status_encode(
     const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_time_sync_status_codec, value, builder);
@@ -159,16 +159,16 @@ struct mip_system_data_gpio_state {
 /** Its name in the specification. */
 #define MIP_SYSTEM_DATA_GPIO_STATE_NAME "system_data.gpio_state"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_system_data_gpio_state_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *value,
                                                           const struct mip_field *field) {
     return mip_decode_only(&mip_system_data_gpio_state_codec, 0x03, value, sizeof(*value), field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_data_gpio_state_encode(
     const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_state_codec, value, builder);
@@ -199,17 +199,17 @@ struct mip_system_data_gpio_analog_value {
 /** Its name in the specification. */
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_NAME "system_data.gpio_analog_value"
 
-/** Its wire format. */
+/** The field's wire format. */
 extern MIP_API const struct mip_codec mip_system_data_gpio_analog_value_codec;
 
-/** Decodes it. On an error the structure is zeroed. */
+/** Decodes the field. On an error the structure is zeroed. */
 static inline mip_error mip_system_data_gpio_analog_value_decode(
     struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
     return mip_decode_only(&mip_system_data_gpio_analog_value_codec, 0x04, value, sizeof(*value),
                            field);
 }
 
-/** Adds it to a packet. On an error the packet is unchanged. */
+/** Adds the field to a packet. On an error the packet is unchanged. */
 MIP_CHECKED static inline mip_error mip_system_data_gpio_analog_value_encode(
     const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_data_gpio_analog_value_codec, value, builder);

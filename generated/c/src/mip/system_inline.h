@@ -1,7 +1,7 @@
 /**
  * @file
- * The same as _decode and _encode of mip/system.h without tables, for speed: the fields whose
- * layout never varies.
+ * The same as _decode and _encode in mip/system.h, but without tables, for speed. Only for fields
+ * whose layout never varies.
  */
 #ifndef MIP_SYSTEM_INLINE_H
 #define MIP_SYSTEM_INLINE_H
@@ -9,7 +9,7 @@
 #include "mip/system.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/system_inline.h and mip/constants.h are not of one version"
+#error "mip/system_inline.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus

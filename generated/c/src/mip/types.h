@@ -8,7 +8,7 @@
 #include "mip/core.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/types.h and mip/constants.h are not of one version"
+#error "mip/types.h and mip/constants.h have different versions"
 #endif
 
 #ifdef __cplusplus
@@ -440,7 +440,7 @@ enum mip_event_trigger_type MIP_ENUM_8 {
     MIP_EVENT_TRIGGER_TYPE_COMBINATION = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_event_trigger_type_name(uint8_t value);
 
 /**
@@ -458,7 +458,7 @@ enum mip_event_action_type MIP_ENUM_8 {
     MIP_EVENT_ACTION_TYPE_MESSAGE = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_event_action_type_name(uint8_t value);
 
 /**
@@ -478,7 +478,7 @@ enum mip_event_trigger_mode MIP_ENUM_8 {
     MIP_EVENT_TRIGGER_MODE_TEST_PULSE = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_event_trigger_mode_name(uint8_t value);
 
 /**
@@ -515,7 +515,7 @@ enum mip_event_trigger_gpio_mode MIP_ENUM_8 {
     MIP_EVENT_TRIGGER_GPIO_MODE_EDGE = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_event_trigger_gpio_mode_name(uint8_t value);
 
 /**
@@ -530,7 +530,7 @@ enum mip_event_threshold_type MIP_ENUM_8 {
     MIP_EVENT_THRESHOLD_TYPE_INTERVAL = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_event_threshold_type_name(uint8_t value);
 
 /**
@@ -554,7 +554,7 @@ enum mip_event_action_gpio_mode MIP_ENUM_8 {
     MIP_EVENT_ACTION_GPIO_MODE_TOGGLE = 7
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_event_action_gpio_mode_name(uint8_t value);
 
 /**
@@ -725,7 +725,7 @@ enum mip_gnss_constellation MIP_ENUM_8 {
     MIP_GNSS_CONSTELLATION_SBAS = 5
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_constellation_name(uint8_t value);
 
 /**
@@ -752,7 +752,7 @@ enum mip_gnss_fix_type MIP_ENUM_8 {
     MIP_GNSS_FIX_TYPE_FIX_DIFFERENTIAL = 7
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_fix_type_name(uint8_t value);
 
 /**
@@ -895,7 +895,7 @@ enum mip_gnss_signal MIP_ENUM_8 {
     MIP_GNSS_SIGNAL_BEIDOU_B2A = 169
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_signal_name(uint8_t value);
 
 /**
@@ -919,7 +919,7 @@ enum mip_gpio_feature MIP_ENUM_8 {
     MIP_GPIO_FEATURE_UART = 5
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gpio_feature_name(uint8_t value);
 
 /** Behavior of a pin whose feature is unused. */
@@ -928,7 +928,7 @@ enum mip_gpio_unused_behavior MIP_ENUM_8 {
     MIP_GPIO_UNUSED_BEHAVIOR_UNUSED = 0
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gpio_unused_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is gpio. */
@@ -941,7 +941,7 @@ enum mip_gpio_behavior MIP_ENUM_8 {
     MIP_GPIO_BEHAVIOR_OUTPUT_HIGH = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gpio_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is pps. */
@@ -952,7 +952,7 @@ enum mip_gpio_pps_behavior MIP_ENUM_8 {
     MIP_GPIO_PPS_BEHAVIOR_OUTPUT = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gpio_pps_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is encoder. */
@@ -963,7 +963,7 @@ enum mip_gpio_encoder_behavior MIP_ENUM_8 {
     MIP_GPIO_ENCODER_BEHAVIOR_B = 2
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gpio_encoder_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is timestamp. */
@@ -976,7 +976,7 @@ enum mip_gpio_timestamp_behavior MIP_ENUM_8 {
     MIP_GPIO_TIMESTAMP_BEHAVIOR_EITHER = 3
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gpio_timestamp_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is uart. */
@@ -991,7 +991,7 @@ enum mip_gpio_uart_behavior MIP_ENUM_8 {
     MIP_GPIO_UART_BEHAVIOR_PORT_3_RX = 50
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gpio_uart_behavior_name(uint8_t value);
 
 /**
@@ -1047,7 +1047,7 @@ enum mip_nmea_message_id MIP_ENUM_8 {
     MIP_NMEA_MESSAGE_ID_MSRR = 130
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_nmea_message_id_name(uint8_t value);
 
 /**
@@ -1068,7 +1068,7 @@ enum mip_nmea_talker_id MIP_ENUM_8 {
     MIP_NMEA_TALKER_ID_GLONASS = 4
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_nmea_talker_id_name(uint8_t value);
 
 /**
@@ -1110,7 +1110,7 @@ enum mip_comm_interface MIP_ENUM_8 {
     MIP_COMM_INTERFACE_USB_2 = 34
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_comm_interface_name(uint8_t value);
 
 /**
@@ -1434,7 +1434,7 @@ enum mip_ack_code MIP_ENUM_8 {
     MIP_ACK_CODE_UNKNOWN_DESCRIPTOR_SET = 6
 };
 
-/** The name of a value in the specification; NULL if it has none. */
+/** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_ack_code_name(uint8_t value);
 
 /** A field of a message format and how often it is sent. */

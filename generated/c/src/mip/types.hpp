@@ -60,7 +60,7 @@ inline flag_names names_of(cv7_built_in_test) {
 /** mip_cv7_continuous_built_in_test: cv7_continuous_built_in_test */
 using cv7_continuous_built_in_test = ::mip_cv7_continuous_built_in_test;
 
-/** Its bits, for mip::get and mip::has. */
+/** The bits of cv7_continuous_built_in_test, for mip::get and mip::has. */
 enum class cv7_continuous_built_in_test_bits : std::uint16_t {
     system_clock_failure = MIP_CV7_CONTINUOUS_BUILT_IN_TEST_SYSTEM_CLOCK_FAILURE,
     power_fault = MIP_CV7_CONTINUOUS_BUILT_IN_TEST_POWER_FAULT,
@@ -114,7 +114,7 @@ inline bit_names names_of(cv7_continuous_built_in_test_bits) {
 /** mip_cv7_inertial_bit: cv7_inertial_continuous_built_in_test */
 using cv7_inertial_continuous_built_in_test = ::mip_cv7_inertial_bit;
 
-/** Its bits, for mip::get and mip::has. */
+/** The bits of cv7_inertial_continuous_built_in_test, for mip::get and mip::has. */
 enum class cv7_inertial_continuous_built_in_test_bits : std::uint16_t {
     system_clock_failure = MIP_CV7_INERTIAL_BIT_SYSTEM_CLOCK_FAILURE,
     power_fault = MIP_CV7_INERTIAL_BIT_POWER_FAULT,
@@ -159,7 +159,7 @@ inline bit_names names_of(cv7_inertial_continuous_built_in_test_bits) {
 /** mip_gq7_continuous_built_in_test: gq7_continuous_built_in_test */
 using gq7_continuous_built_in_test = ::mip_gq7_continuous_built_in_test;
 
-/** Its bits, for mip::get and mip::has. */
+/** The bits of gq7_continuous_built_in_test, for mip::get and mip::has. */
 enum class gq7_continuous_built_in_test_bits : std::uint16_t {
     system_clock_failure = MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_SYSTEM_CLOCK_FAILURE,
     power_fault = MIP_GQ7_CONTINUOUS_BUILT_IN_TEST_POWER_FAULT,

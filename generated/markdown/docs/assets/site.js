@@ -105,7 +105,7 @@
         }
     }
 
-    // ------------------------------------------------------------------------------------------------ whole programs
+    // --------------------------------------------------------------------------------------------- complete programs
 
     /** Returns the language of a tab: its name, and the suffix of its files. */
     const LANGUAGES = {
@@ -169,12 +169,12 @@
         const labels = [...document.querySelectorAll("article .tabbed-labels label")].map((label) => label.textContent.trim());
         for (const [i, code] of document.querySelectorAll("article .tabbed-block code").entries()) {
             const [language, suffix] = LANGUAGES[labels[i]];
-            const button = element("button", { class: "md-button mip-whole" }, "Whole program");
+            const button = element("button", { class: "md-button mip-whole" }, "Complete program");
             button.addEventListener("click", async () => {
                 await load("frames.js");
                 const numbers = role === "data" ? [bytes[1], bytes[3].slice(3)] : [];
                 const text = wholeProgram(mipFrames[role][language], code.textContent, numbers);
-                showProgram(`Whole program for ${field}`, `${field.split(".")[1]}.${suffix}`, text);
+                showProgram(`Complete program for ${field}`, `${field.split(".")[1]}.${suffix}`, text);
             });
             code.closest(".tabbed-block").append(button);
         }

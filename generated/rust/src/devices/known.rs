@@ -1144,7 +1144,7 @@ pub static CV5_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -2536,7 +2536,7 @@ const CV7_INS_11: &Evidence =
 
 /// 3DM-CV7-INS
 ///
-/// Inertial navigation system without a GNSS receiver of its own.
+/// Inertial navigation system without an internal GNSS receiver.
 ///
 /// Generation 7. Model number 6291. Manual: MicroStrain 3DM-CV7-INS Documentation, online, known
 /// from some pages. This profile is incomplete: Only some pages of the manual are known, so it has
@@ -2580,12 +2580,12 @@ const CV7_INS_11: &Evidence =
 ///
 /// # GNSS sets
 ///
-/// The sets 0x94 and 0x95 have data of two receivers of the user.
+/// The sets 0x94 and 0x95 contain the data of two external receivers.
 #[rustfmt::skip]
 pub static CV7_INS: Profile = Profile {
     id: "3dm-cv7-ins",
     title: "3DM-CV7-INS",
-    description: "Inertial navigation system without a GNSS receiver of its own.",
+    description: "Inertial navigation system without an internal GNSS receiver.",
     also: &[],
     model_number: Some(6291),
     generation: Some(7),
@@ -2784,7 +2784,7 @@ pub static CV7_INS: Profile = Profile {
             name: "antenna_offset",
             value: 10.0,
             unit: Some("m"),
-            description: "Greatest distance of the antenna from the device.",
+            description: "Maximum distance of the antenna from the device.",
             firmware: None,
         },
     ],
@@ -3421,7 +3421,7 @@ pub static CX5_35: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3628,7 +3628,7 @@ pub static CX5_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -4550,9 +4550,9 @@ const GQ4_45_2: &Evidence =
 ///
 /// # Direct modes
 ///
-/// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
-/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
+/// [`system::CommMode`](crate::system::CommMode) connects the port to the internal inertial sensor
+/// or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the
+/// 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -4658,7 +4658,7 @@ pub static GQ4_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -4779,7 +4779,7 @@ const GQ7_8: &Evidence =
 ///
 /// # GNSS sets
 ///
-/// The set 0x91 is that of the first receiver and 0x92 that of the second; 0x93 contains the RTK
+/// The set 0x91 belongs to the first receiver and 0x92 to the second; 0x93 contains the RTK
 /// corrections.
 #[rustfmt::skip]
 pub static GQ7: Profile = Profile {
@@ -5971,7 +5971,7 @@ pub static GX3_15: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6085,7 +6085,7 @@ pub static GX3_25: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6177,7 +6177,7 @@ pub static GX3_35: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6286,7 +6286,7 @@ pub static GX3_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6349,9 +6349,9 @@ const GX4_15_3: &Evidence =
 ///
 /// # Direct modes
 ///
-/// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
-/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
+/// [`system::CommMode`](crate::system::CommMode) connects the port to the internal inertial sensor
+/// or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the
+/// 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -6450,7 +6450,7 @@ pub static GX4_15: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6522,9 +6522,9 @@ const GX4_25_4: &Evidence =
 ///
 /// # Direct modes
 ///
-/// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
-/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
+/// [`system::CommMode`](crate::system::CommMode) connects the port to the internal inertial sensor
+/// or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the
+/// 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -6638,7 +6638,7 @@ pub static GX4_25: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6708,9 +6708,9 @@ const GX4_45_2: &Evidence =
 ///
 /// # Direct modes
 ///
-/// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
-/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
+/// [`system::CommMode`](crate::system::CommMode) connects the port to the internal inertial sensor
+/// or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the
+/// 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -6834,7 +6834,7 @@ pub static GX4_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -6951,7 +6951,7 @@ pub static GX4_IMU: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
     ],
     ack_codes: &[
@@ -7311,12 +7311,12 @@ pub static GX5_15: Profile = Profile {
         Variant {
             parameter: "sensor.comp_orientation_matrix.m",
             read_as: None,
-            difference: "From the NED frame to the sensor frame",
+            difference: "Rotation from the NED frame to the sensor frame",
         },
         Variant {
             parameter: "sensor.comp_quaternion.q",
             read_as: None,
-            difference: "Between NED and the sensor frame",
+            difference: "Rotation between the NED frame and the sensor frame",
         },
         Variant {
             parameter: "sensor.gps_timestamp.tow",
@@ -7366,7 +7366,7 @@ pub static GX5_15: Profile = Profile {
 
 #[rustfmt::skip]
 const GX5_25_1: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Listed by others after the manual (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018)." };
+    &Evidence { answer: Support::Probable, why: "Transcribed from the manual by others (Public programs of users: Parser of 3DM-GX5-25 data in MATLAB, 2018)." };
 #[rustfmt::skip]
 const GX5_25_2: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MicroStrain MIP SDK, versions 1 to 3: Examples of the versions 1 to 3)." };
@@ -7714,7 +7714,7 @@ pub static GX5_35: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -7817,7 +7817,7 @@ const GX5_45_11: &Evidence =
 /// Also called 3DM-GX5-GNSS/INS. Generation 5. Model number 6251. Manual: LORD 3DM-GX5-45 DCP
 /// Manual, 8500-0064 rev. C, known from some pages. This profile is incomplete: Only some pages of
 /// the manual are known, so it has more commands and data. This profile is incomplete: Only four
-/// fields of the filter data are listed; the manual has 27 or more. Uncertain: The values of
+/// fields of the filter data are listed; the manual documents 27 or more. Uncertain: The values of
 /// [`filter::GnssSource`](crate::filter::GnssSource) are those that MSCL offers. Uncertain: The
 /// base rates are those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 state for all
 /// 3DM-GX5. Uncertain: An example in the manual has a base rate of 100 Hz for the sensor data.
@@ -7855,7 +7855,7 @@ pub static GX5_45: Profile = Profile {
     manual: Some("3dm-gx5-45"),
     incomplete: &[
         "Only some pages of the manual are known, so it has more commands and data.",
-        "Only four fields of the filter data are listed; the manual has 27 or more.",
+        "Only four fields of the filter data are listed; the manual documents 27 or more.",
     ],
     fields: supported! {
         0x01 0x01 "base.ping" [] GX5_45_3;
@@ -8031,7 +8031,7 @@ pub static GX5_45: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -8190,9 +8190,9 @@ const RQ1_45_LT_2: &Evidence =
 ///
 /// # Direct modes
 ///
-/// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
-/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
+/// [`system::CommMode`](crate::system::CommMode) connects the port to the internal inertial sensor
+/// or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the
+/// 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -8300,7 +8300,7 @@ pub static RQ1_45_LT: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -8364,9 +8364,9 @@ const RQ1_45_ST_2: &Evidence =
 ///
 /// # Direct modes
 ///
-/// [`system::CommMode`](crate::system::CommMode) connects the port to the inner inertial sensor or
-/// to the receiver. The inner sensor replies as a device of its own: 3DM-GX4-IMU in the 3DM-GX4-45,
-/// 3DM-RQ1-IMU in the 3DM-RQ1-45.
+/// [`system::CommMode`](crate::system::CommMode) connects the port to the internal inertial sensor
+/// or to the receiver. The internal sensor replies as a separate device: 3DM-GX4-IMU in the
+/// 3DM-GX4-45, 3DM-RQ1-IMU in the 3DM-RQ1-45.
 ///
 /// # Device status
 ///
@@ -8474,7 +8474,7 @@ pub static RQ1_45_ST: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -8574,7 +8574,7 @@ pub static RQ1_IMU: Profile = Profile {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
     ],
     ack_codes: &[
@@ -8596,8 +8596,8 @@ const RTK_1: &Evidence =
 ///
 /// # Versions
 ///
-/// Model numbers that end in 0000 are of version 1, those in 0100 of version 2, according to MSCL.
-/// Their status words in [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags) differ.
+/// According to MSCL, model numbers that end in 0000 denote version 1, and those that end in 0100
+/// version 2. Their status words in [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags) differ.
 #[rustfmt::skip]
 pub static RTK: Profile = Profile {
     id: "3dm-rtk",
@@ -8638,7 +8638,7 @@ pub static RTK: Profile = Profile {
         Variant {
             parameter: "base.comm_speed.port",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
         Variant {
             parameter: "base.built_in_test_response.result",
@@ -8648,7 +8648,7 @@ pub static RTK: Profile = Profile {
         Variant {
             parameter: "base.comm_speed_response.port",
             read_as: None,
-            difference: "the values are not known",
+            difference: "the values are unknown",
         },
     ],
     ack_codes: &[

@@ -217,7 +217,7 @@ record! {
     ///
     /// Runs the self test of the device and gets its result.
     ///
-    /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to answer. Supported by
+    /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to reply. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -394,7 +394,7 @@ record! {
         /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`types::CommInterface`]; only
         /// [`types::CommInterface::MAIN`], [`types::CommInterface::UART_1`],
         /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`]. On the
-        /// [3DM-RTK](crate::devices::RTK): the values are not known.
+        /// [3DM-RTK](crate::devices::RTK): the values are unknown.
         pub port: Option<u8>,
         /// Baud rate; one that the port supports.
         ///
@@ -687,7 +687,7 @@ record! {
         /// [3DM-GX4-IMU](crate::devices::GX4_IMU), [3DM-GX5-35](crate::devices::GX5_35),
         /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT),
         /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST) and [3DM-RQ1-IMU](crate::devices::RQ1_IMU):
-        /// the values are not known. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+        /// the values are unknown. On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
         /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
         /// [3DM-CX7-AHRS](crate::devices::CX7_AHRS), [3DM-CX7-AR](crate::devices::CX7_AR),
         /// [3DM-CX7-INS](crate::devices::CX7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
@@ -957,7 +957,7 @@ record! {
         /// [3DM-GV7-INS](crate::devices::GV7_INS): values of [`types::CommInterface`]; only
         /// [`types::CommInterface::MAIN`], [`types::CommInterface::UART_1`],
         /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`]. On the
-        /// [3DM-RTK](crate::devices::RTK): the values are not known.
+        /// [3DM-RTK](crate::devices::RTK): the values are unknown.
         pub port: u8,
         /// Baud rate of the port.
         ///

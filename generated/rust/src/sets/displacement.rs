@@ -20,9 +20,9 @@ record! {
     /// Reads the linear function with which the device converts the counts of its converter to a
     /// displacement.
     ///
-    /// No device is certain to support it. Also called `get_analog_displacement_calibration`.
-    /// Answered by [`GetCalibrationResponse`]. Known only from the MicroStrain Communication
-    /// Library.
+    /// No device is known for certain to support it. Also called
+    /// `get_analog_displacement_calibration`. Answered by [`GetCalibrationResponse`]. Known only
+    /// from the MicroStrain Communication Library.
     ///
     /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -51,10 +51,10 @@ record! {
     ///
     /// Reads the rate at which displacement is measured.
     ///
-    /// No device is certain to support it. Also called `displacement_output_rate`. Functions:
-    /// [read](types::FunctionSelector::READ). Answered by [`OutputRateResponse`]. Known only from
-    /// the MicroStrain Communication Library. Uncertain: Whether the rate can be written. MSCL only
-    /// reads it.
+    /// No device is known for certain to support it. Also called `displacement_output_rate`.
+    /// Functions: [read](types::FunctionSelector::READ). Answered by [`OutputRateResponse`]. Known
+    /// only from the MicroStrain Communication Library. Uncertain: Whether the rate can be written.
+    /// MSCL only reads it.
     ///
     /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
     #[derive(Copy, Eq, Hash)]
@@ -91,8 +91,8 @@ record! {
     /// Sets the clock of the device, from which
     /// [`displacement_data::Timestamp`](crate::displacement_data::Timestamp) is taken.
     ///
-    /// No device is certain to support it. Also called `displacement_device_time`. Functions:
-    /// [write](types::FunctionSelector::WRITE). Changes
+    /// No device is known for certain to support it. Also called `displacement_device_time`.
+    /// Functions: [write](types::FunctionSelector::WRITE). Changes
     /// [`displacement_data::Timestamp`](crate::displacement_data::Timestamp). Known only from the
     /// MicroStrain Communication Library. Uncertain: Whether the time can be read. MSCL only writes
     /// it.
@@ -133,7 +133,7 @@ command! {
 record! {
     /// Get Analog to Displacement Calibration response (0x11,0x81).
     ///
-    /// No device is certain to support it. Also called
+    /// No device is known for certain to support it. Also called
     /// `get_analog_displacement_calibration_response`. Answers [`GetCalibration`]. Known only from
     /// the MicroStrain Communication Library.
     ///
@@ -175,8 +175,9 @@ field! {
 record! {
     /// Displacement Output Data Rate response (0x11,0x82).
     ///
-    /// No device is certain to support it. Also called `displacement_output_rate_response`. Answers
-    /// [`OutputRate`]. Known only from the MicroStrain Communication Library.
+    /// No device is known for certain to support it. Also called
+    /// `displacement_output_rate_response`. Answers [`OutputRate`]. Known only from the MicroStrain
+    /// Communication Library.
     ///
     /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
     #[derive(Copy, Default, Eq, Hash)]

@@ -30,7 +30,8 @@ record! {
     ///
     /// Displacement in counts of the converter.
     ///
-    /// No device is certain to support it. Known only from the MicroStrain Communication Library.
+    /// No device is known for certain to support it. Known only from the MicroStrain Communication
+    /// Library.
     ///
     /// Source: mscl: Raw displacement (0x90,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -64,7 +65,8 @@ record! {
     ///
     /// Displacement of the sensor, computed with its calibration.
     ///
-    /// No device is certain to support it. Known only from the MicroStrain Communication Library.
+    /// No device is known for certain to support it. Known only from the MicroStrain Communication
+    /// Library.
     ///
     /// Source: mscl: Displacement (0x90,0x02).
     #[derive(Copy, Default)]
@@ -99,8 +101,8 @@ record! {
     ///
     /// Time of the measurement by the clock of the device.
     ///
-    /// No device is certain to support it. Also called `displacement_timestamp`. Known only from
-    /// the MicroStrain Communication Library.
+    /// No device is known for certain to support it. Also called `displacement_timestamp`. Known
+    /// only from the MicroStrain Communication Library.
     ///
     /// Source: mscl: Displacement Device Timestamp (0x90,0x04).
     #[derive(Copy, Default, Eq, Hash)]

@@ -469,8 +469,8 @@ record! {
     ///
     /// Initializes the attitude of the filter with that of the complementary filter.
     ///
-    /// No device is certain to support it. Also called `set_initial_heading_from_mag`. Changes
-    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// No device is known for certain to support it. Also called `set_initial_heading_from_mag`.
+    /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Known only from the MIP SDK
     /// of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name. The
@@ -4897,9 +4897,9 @@ field! {
 record! {
     /// Tare orientation response (0x0D,0xA1).
     ///
-    /// No device is certain to support it. Answers [`TareOrientation`]. Uncertain: Which devices
-    /// send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have
-    /// neither the read function nor the response.
+    /// No device is known for certain to support it. Answers [`TareOrientation`]. Uncertain: Which
+    /// devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and
+    /// 3DM-GX5-45 have neither the read function nor the response.
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare orientation
     /// (0x0D,0x21).

@@ -1861,7 +1861,7 @@ record! {
     ///
     /// US Standard Atmosphere of 1976 at the altitude of the device.
     ///
-    /// No device is certain to support it. Known only from the MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Known only from the MicroStrain MIP SDK.
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -2016,8 +2016,8 @@ record! {
     ///
     /// Estimated hard iron offset of the magnetometer.
     ///
-    /// No device is certain to support it. Also called `magnetometer_offset`. Known only from the
-    /// MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Also called `magnetometer_offset`. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
@@ -2058,8 +2058,8 @@ record! {
     ///
     /// Estimated soft iron matrix of the magnetometer.
     ///
-    /// No device is certain to support it. Also called `magnetometer_matrix`. Known only from the
-    /// MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Also called `magnetometer_matrix`. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - The filter multiplies the stored matrix of
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
@@ -2100,8 +2100,8 @@ record! {
     ///
     /// Standard deviation of the estimated hard iron offset.
     ///
-    /// No device is certain to support it. Also called `magnetometer_offset_uncertainty`. Known
-    /// only from the MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Also called `magnetometer_offset_uncertainty`.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer offset uncertainty (0x82,0x28).
     #[derive(Copy, Default)]
@@ -2139,8 +2139,8 @@ record! {
     ///
     /// Standard deviation of the estimated soft iron matrix.
     ///
-    /// No device is certain to support it. Also called `magnetometer_matrix_uncertainty`. Known
-    /// only from the MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Also called `magnetometer_matrix_uncertainty`.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer matrix uncertainty (0x82,0x29).
     #[derive(Copy, Default)]

@@ -407,8 +407,8 @@ record! {
     ///
     /// Switches the communication with a connected RTK dongle on or off.
     ///
-    /// No device is certain to support it. Also called `rtk_dongle_configuration`. Functions:
-    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// No device is known for certain to support it. Also called `rtk_dongle_configuration`.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`RtkDongleConfigResponse`].
     /// Probably changes
@@ -699,8 +699,9 @@ field! {
 record! {
     /// RTK dongle configuration response (0x0E,0x90).
     ///
-    /// No device is certain to support it. Also called `rtk_dongle_configuration_response`. Answers
-    /// [`RtkDongleConfig`]. Known only from the MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Also called
+    /// `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: RTK dongle configuration (0x0E,0x10).
     #[derive(Copy, Default, Eq, Hash)]

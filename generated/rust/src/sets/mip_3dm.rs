@@ -2261,7 +2261,7 @@ record! {
     /// Saves, loads or resets all settings of the device at once.
     ///
     /// Functions: [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). The device may take 2 s to answer. Supported by
+    /// [default](types::FunctionSelector::DEFAULT). The device may take 2 s to reply. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -2581,11 +2581,11 @@ record! {
     ///
     /// Sets the dynamics that the GNSS receiver assumes of the vehicle.
     ///
-    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE),
-    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`GpsDynamicsModeResponse`]. Probably changes
-    /// [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
+    /// No device is known for certain to support it. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpsDynamicsModeResponse`].
+    /// Probably changes [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
     /// [`gnss_data::NedVelocity`](crate::gnss_data::NedVelocity). Known only from the MIP SDK of
     /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of
     /// 2014 has it in its example for the 3DM-GX3-35 only.
@@ -2642,11 +2642,11 @@ record! {
     ///
     /// Configures the filters and the orientation algorithm of 3-series devices.
     ///
-    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE),
-    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`ImuSignalConditioningResponse`]. Changes
-    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// No device is known for certain to support it. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuSignalConditioningResponse`].
+    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity),
@@ -2761,11 +2761,11 @@ record! {
     ///
     /// Sets or reads a time counter of the sensor data.
     ///
-    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Answered by [`ImuTimestampResponse`]. Known only from
-    /// the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its example
-    /// for the 3DM-GX3-35 only. Uncertain: Whether a read includes `time`, which is ignored, or
-    /// omits it, as is assumed.
+    /// No device is known for certain to support it. Functions:
+    /// [write](types::FunctionSelector::WRITE) and [read](types::FunctionSelector::READ). Answered
+    /// by [`ImuTimestampResponse`]. Known only from the MIP SDK of 2014. Uncertain: Which devices
+    /// have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a
+    /// read includes `time`, which is ignored, or omits it, as is assumed.
     ///
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Eq, Hash)]
@@ -2970,7 +2970,7 @@ record! {
     /// Answered by [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
     /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
-    /// [`filter_data::Status`](crate::filter_data::Status). The device may take 31 s to answer.
+    /// [`filter_data::Status`](crate::filter_data::Status). The device may take 31 s to reply.
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
@@ -4022,14 +4022,14 @@ record! {
     ///
     /// Selects MIP data or the raw data of a sensor for a stream.
     ///
-    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE),
-    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`DataStreamFormatResponse`]. Known only from the MIP SDK of 2014 and
-    /// MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
-    /// 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write require
-    /// `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
-    /// `format`.
+    /// No device is known for certain to support it. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DataStreamFormatResponse`]. Known
+    /// only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
+    /// devices have it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain:
+    /// Whether functions other than write require `format`. The SDK of 2014 sends both parameters
+    /// with every function, and a 0 in place of `format`.
     ///
     /// - In the wrapped format, packets of the sensor arrive in fields of the data sets:
     ///   `sensor.aspp` and `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the
@@ -4088,15 +4088,15 @@ record! {
     ///
     /// Sets the power state of an internal sensor.
     ///
-    /// No device is certain to support it. Functions: [write](types::FunctionSelector::WRITE),
-    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
-    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`DevicePowerStateResponse`]. The device may take 5 s to answer. Known only from
-    /// the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it.
-    /// A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The
-    /// time-out. The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether
-    /// `state` may be omitted with functions other than write. The SDK of 2014 sends `device` with
-    /// every function, and a 0 in place of `state`.
+    /// No device is known for certain to support it. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DevicePowerStateResponse`]. The
+    /// device may take 5 s to reply. Known only from the MIP SDK of 2014 and MicroStrain
+    /// Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names
+    /// the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses one longer
+    /// than usual; 5 s is assumed. Uncertain: Whether `state` may be omitted with functions other
+    /// than write. The SDK of 2014 sends `device` with every function, and a 0 in place of `state`.
     ///
     /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Eq, Hash)]
@@ -4154,7 +4154,7 @@ record! {
     ///
     /// Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
     ///
-    /// No device is certain to support it. For advanced use. Functions:
+    /// No device is known for certain to support it. For advanced use. Functions:
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Known only from the MIP SDK of 2014 and
     /// MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
@@ -4570,8 +4570,8 @@ field! {
 record! {
     /// IMU signal conditioning response (0x0C,0x86).
     ///
-    /// No device is certain to support it. Answers [`ImuSignalConditioning`]. Known only from the
-    /// MIP SDK of 2014 and MicroStrain Communication Library.
+    /// No device is known for certain to support it. Answers [`ImuSignalConditioning`]. Known only
+    /// from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: IMU signal conditioning (0x0C,0x35); mscl: IMU signal conditioning
     /// (0x0C,0x35).
@@ -4681,8 +4681,8 @@ field! {
 record! {
     /// Data stream format response (0x0C,0x88).
     ///
-    /// No device is certain to support it. Answers [`DataStreamFormat`]. Known only from the MIP
-    /// SDK of 2014 and MicroStrain Communication Library.
+    /// No device is known for certain to support it. Answers [`DataStreamFormat`]. Known only from
+    /// the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: Data stream format (0x0C,0x60); mscl: Data stream format (0x0C,0x60).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4716,8 +4716,8 @@ field! {
 record! {
     /// Device power state response (0x0C,0x89).
     ///
-    /// No device is certain to support it. Answers [`DevicePowerState`]. Known only from the MIP
-    /// SDK of 2014 and MicroStrain Communication Library.
+    /// No device is known for certain to support it. Answers [`DevicePowerState`]. Known only from
+    /// the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4961,7 +4961,7 @@ record! {
     ///
     /// Timer only, in microseconds.
     ///
-    /// No device is certain to support it. Answers [`DeviceStatus`]. Sent if
+    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
     /// Uncertain: The SDK of 2014 lists the names of the values and the unit of the timer; the
     /// descriptions are inferred from the names.
@@ -5086,7 +5086,7 @@ record! {
     ///
     /// Timer only.
     ///
-    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
     /// [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicGx3Response`] by the size of its data.
     /// Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::BASIC`]. Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
@@ -5800,7 +5800,7 @@ record! {
     ///
     /// Timer, and counters of pulses, streams, port and USB.
     ///
-    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
     /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`],
@@ -5957,7 +5957,7 @@ record! {
     ///
     /// Timer, available sensors, temperature, and the counters of pulses, stream and port.
     ///
-    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
     /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticGx4ImuResponse`],
@@ -6103,7 +6103,7 @@ record! {
     /// Timer, available sensors and their ranges, temperature, and the counters of pulses, stream
     /// and port.
     ///
-    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
     /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
@@ -6250,7 +6250,7 @@ record! {
     ///
     /// Timer, temperature and supply, and the counters of pulses, stream and port.
     ///
-    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
     /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
@@ -6388,7 +6388,7 @@ record! {
     ///
     /// State of the port.
     ///
-    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
     /// [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicWithoutStateResponse`] by the size of
     /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::BASIC`]. Uncertain: Only the SDK of 2014 has it, with the names of
@@ -6454,7 +6454,7 @@ record! {
     ///
     /// State of the port, and the counters of the port, USB, receiver and IMU.
     ///
-    /// No device is certain to support it. Answers [`DeviceStatus`]. Distinguished from
+    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
     /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
@@ -6661,8 +6661,8 @@ field! {
 record! {
     /// GPS dynamics mode response (0x0C,0x92).
     ///
-    /// No device is certain to support it. Answers [`GpsDynamicsMode`]. Known only from the MIP SDK
-    /// of 2014 and MicroStrain Communication Library.
+    /// No device is known for certain to support it. Answers [`GpsDynamicsMode`]. Known only from
+    /// the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: GPS dynamics mode (0x0C,0x34); mscl: GPS dynamics mode (0x0C,0x34).
     #[derive(Copy, Default, Eq, Hash)]
@@ -6693,8 +6693,8 @@ field! {
 record! {
     /// IMU timestamp response (0x0C,0x93).
     ///
-    /// No device is certain to support it. Answers [`ImuTimestamp`]. Known only from the MIP SDK of
-    /// 2014.
+    /// No device is known for certain to support it. Answers [`ImuTimestamp`]. Known only from the
+    /// MIP SDK of 2014.
     ///
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Default, Eq, Hash)]

@@ -73,8 +73,8 @@ record! {
     ///
     /// Gets the state of the modem and of the corrections.
     ///
-    /// No device is certain to support it. Answered by [`GetStatusFlagsResponse`]. Known only from
-    /// the MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Answered by [`GetStatusFlagsResponse`]. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
     ///   [`types::RtkStatusFlagsLegacy`].
@@ -283,7 +283,7 @@ record! {
     ///
     /// Reads the code that activates the modem for its service.
     ///
-    /// No device is certain to support it. Also called `get_act_code`. Answered by
+    /// No device is known for certain to support it. Also called `get_act_code`. Answered by
     /// [`GetActivationCodeResponse`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
@@ -343,7 +343,7 @@ record! {
     ///
     /// Queries a correction server about the connection, which also keeps it open.
     ///
-    /// Answered by [`ServiceStatusResponse`]. Sent by the device; the host answers. Not listed in
+    /// Answered by [`ServiceStatusResponse`]. Sent by the device; the host replies. Not listed in
     /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The modem sends it as a host would, and the server replies as a device would.
@@ -494,8 +494,8 @@ command! {
 record! {
     /// Get status flags response (0x0F,0x81).
     ///
-    /// No device is certain to support it. Answers [`GetStatusFlags`]. Known only from the
-    /// MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Answers [`GetStatusFlags`]. Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get status flags (0x0F,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -696,7 +696,7 @@ field! {
 record! {
     /// Get activation code response (0x0F,0x87).
     ///
-    /// No device is certain to support it. Also called `get_act_code_response`. Answers
+    /// No device is known for certain to support it. Also called `get_act_code_response`. Answers
     /// [`GetActivationCode`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
