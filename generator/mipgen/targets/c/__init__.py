@@ -19,7 +19,7 @@ from .comments import Comments, comment
 from .identifiers import identifiers
 from .names import GRAMMAR
 
-#: Programs for several kinds of systems. Arduino's IDE wants each in a folder of its name.
+#: Example programs for several kinds of systems. Arduino's IDE requires each in a folder with its name.
 EXAMPLES = (
     "stream.c",
     "bare_metal.c",
@@ -84,7 +84,7 @@ def code(model: m.Model) -> Iterator[File]:
 
 
 def inline(header: str, fields: Iterable[m.Field]) -> Iterator[File]:
-    """Straight code of the fields of a header, in its own file: few programs need it, and it takes long to compile."""
+    """Straight-line code for the fields of a header, in a separate file, because it compiles slowly."""
     if plain := [f for f in fields if direct.direct(f)]:
         yield File(f"src/mip/{header}_inline.h", "inline.h.j2", {"header": header, "fields": plain})
 
@@ -100,20 +100,20 @@ def in_cpp(model: m.Model) -> Iterator[File]:
 
 
 def everything(made: list[File]) -> list[str]:
-    """The headers that programs include; of the runtime too."""
+    """The headers that programs include, including those of the runtime."""
     inner = ("checksum.h", "export.h", "mip.h", "program.h")
     return [name for name in present(made) if name.endswith(".h") and name not in inner]
 
 
 def present(made: list[File]) -> list[str]:
-    """The names of all headers and sources, those that are made and those of the runtime."""
+    """The names of all headers and sources, both generated ones and those of the runtime."""
     folder = "src/mip/"
     runtime = (resources.root() / "runtime/c" / folder).iterdir()
     return sorted({*(p.name for p in runtime), *(f.path.removeprefix(folder) for f in made)})
 
 
 def packages(model: m.Model, made: list[File]) -> Iterator[File]:
-    """The input of build systems and package managers: version, sources and headers, of the runtime too."""
+    """The files for build systems and package managers, which list version, sources and headers."""
     names = present(made)
     facts = {
         "sources": [name for name in names if name.endswith(".c")],

@@ -1,4 +1,4 @@
-"""The layout of a field as a program, which codec.c or program.c runs; runtime/c/src/mip/program.h has the steps.
+"""Compiles the layout of a field to a program for codec.c or program.c; runtime/c/src/mip/program.h has the steps.
 
 How many bytes a part of a program has is known here; the place of a member in memory, only to the C compiler.
 """
@@ -34,7 +34,7 @@ LENGTH = object()
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One step: a macro and its arguments."""
+    """A step: a macro and its arguments."""
 
     macro: str
     arguments: tuple[object, ...]
@@ -52,7 +52,7 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Numbers:
-    """Numbers that follow each other in memory without a gap."""
+    """Numbers that follow each other in memory without gaps."""
 
     macro: str
     count: int
@@ -96,7 +96,7 @@ def program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
 
 
 def is_numbers(f: m.Field, layouts: Sequence[m.Field]) -> bool:
-    """Is the layout nothing but a few numbers, so that it needs no interpreter?"""
+    """True if the layout consists only of a few numbers, so that it needs no interpreter."""
     plain = all(isinstance(s, Numbers) and s.count <= _FEW for s in _joined([*_steps(f.parameters, "")]))
     return plain and not (f.groups or _is_far(f)) and len(layouts) == 1
 
@@ -162,7 +162,7 @@ def _source(steps: Sequence[Step | Numbers | Part], far: bool) -> tuple[list[str
 
 
 def _joined(steps: Sequence[Step | Numbers | Part]) -> list[Step | Numbers | Part]:
-    """Neighbours of one kind are one step."""
+    """Joins neighbours of one kind to one step."""
     joined: list[Step | Numbers | Part] = []
     for s in steps:
         last = joined[-1] if joined else None

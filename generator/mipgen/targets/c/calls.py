@@ -25,7 +25,7 @@ class Send:
 
 @dataclass(frozen=True, slots=True)
 class Put:
-    """A number of the data of a command, or the elements of an array, and the value that it gets."""
+    """A number in the data of a command, or the elements of an array, and the value to write there."""
 
     scalar: m.Scalar
     at: int
@@ -47,7 +47,7 @@ class Data:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A function that sends a command and waits for its answer."""
+    """A function that sends a command and waits for its reply."""
 
     name: str
     field: m.Field
@@ -74,7 +74,7 @@ class Call:
 
     @property
     def makes(self) -> bool:
-        """Does it make that structure?"""
+        """True if the function makes the command's structure."""
         return self.way is not None
 
 
@@ -133,7 +133,7 @@ class Session:
 
 
 def session(model: m.Model) -> Session | None:
-    """None if the specification, or the part of it, does not have all of these commands."""
+    """Resolves the session; None if the specification, or the part of it, lacks one of the commands."""
     start = lower.session(model)
     if start is None:
         return None
@@ -291,7 +291,7 @@ def _elements(p: m.Parameter, at: int, value: str) -> list[Put]:
 
 
 def _passed(p: m.Parameter) -> list[str]:
-    """The names of the arguments for a parameter."""
+    """Returns the names of the arguments for a parameter."""
     name = argument_name(p.name)
     return [f"{name}_count", name] if p.fills else [name]
 

@@ -18,12 +18,12 @@ from .members import last_present
 WIDTH = 100
 
 
-#: Many devices may support a field without being certain to. Headers leave them to the profiles.
+#: Many devices only probably support a field. Headers leave these devices to the profiles.
 ELSEWHERE = "Devices that may support a field, but are not certain to, are listed only in mip/profiles.h."
 
 
 def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
-    """A comment and a line break; nothing if there is nothing to say. The lines of a paragraph stay apart.
+    """Writes a comment and a line break; empty without a text. The lines of a paragraph are not joined.
 
     >>> print(comment(["Speed.", "- a manual\\n- a leaflet"]), end="")
     /**
@@ -157,11 +157,11 @@ class Comments:
         return [" ".join([f"{d.title}:", *self._prose(d.description)]), " ".join(facts), *_cited(d)]
 
     def _prose(self, text: str) -> list[str]:
-        """A text of the specification, if there is one."""
+        """Writes a text of the specification, if there is one."""
         return [describe.say(describe.prose(text, self.model), reference)] if text else []
 
     def _without_member(self, record: m.Record) -> list[str]:
-        """Parameters that only the wire has."""
+        """Describes parameters that exist only on the wire."""
         left = [p for p in record.parameters if p not in members(record)]
         items = [f"- {p.name}: {' '.join(self.member(p, record))}" for p in left]
         return ["\n".join(["Parameters without a member, on the wire only:", *items])] if items else []
@@ -183,7 +183,7 @@ def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:
 
 
 def _in_full(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> list[str]:
-    """The name in the specification, where C has a shorter one."""
+    """The name in the specification, if C has a shorter one."""
     return [f"Full name: {thing.full_name if isinstance(thing, m.Field) else thing.name}."] if thing.short else []
 
 

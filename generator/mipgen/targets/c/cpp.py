@@ -21,7 +21,7 @@ _member = Escape(_KEYWORDS | frozenset(names.LANGUAGE["cpp_members"]), digit_pre
 
 
 def bare(thing: m.Type | m.Field) -> str:
-    """The name in its namespace, which is that of its family."""
+    """The name of a thing in its namespace, the namespace of its family."""
     if isinstance(thing, m.Field):
         return word(thing.name)
     owner = getattr(thing, "owner", None)
@@ -29,7 +29,7 @@ def bare(thing: m.Type | m.Field) -> str:
 
 
 def qualified(thing: m.Type | m.Field) -> str:
-    """The same as it is written anywhere."""
+    """The name of a thing with its namespaces."""
     if isinstance(thing, m.Field):
         inside = thing.family if thing.set else None  # the acknowledge is of no set
     else:
@@ -38,12 +38,12 @@ def qualified(thing: m.Type | m.Field) -> str:
 
 
 def in_bytes(t: m.Type) -> bool:
-    """Is it a bitfield whose bits are not those of a number?"""
+    """True for a bitfield in bytes instead of a number."""
     return isinstance(t, m.Bitfield) and t.scalar is None
 
 
 def named(e: m.Scalar | m.Type | None) -> bool:
-    """Is it an `enum class`?"""
+    """True for an `enum class`."""
     return isinstance(e, m.Enum) or (isinstance(e, m.Bitfield) and e.scalar is not None)
 
 
@@ -52,7 +52,7 @@ def named(e: m.Scalar | m.Type | None) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Accessor:
-    """A function in place of a member of the structure of C."""
+    """A function that replaces a member of the C structure."""
 
     name: str
     type: str
@@ -61,7 +61,7 @@ class Accessor:
 
 
 def accessors(f: m.Field) -> list[Accessor]:
-    """The functions of data and responses, whose types are better than those of C."""
+    """The functions of data and responses, which return better types than the members in C."""
     if f.role == m.COMMAND:
         return []
     return [a for p in members(f) if (a := _accessor(p, f))]
@@ -208,7 +208,7 @@ def _passed(p: m.Parameter, arrays: dict[str, m.Parameter]) -> list[str]:
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
-    """Every name that C++ puts into a namespace."""
+    """Every name that the C++ headers define in a namespace."""
     for name in names.LANGUAGE["cpp_runtime"]:
         yield Identifier("namespace mip", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):

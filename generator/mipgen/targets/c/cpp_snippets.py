@@ -23,7 +23,7 @@ class Programs:
     samples: SampleValues
 
     def command(self, f: m.Field) -> str:
-        """Calls it at a device."""
+        """Composes the call of a command at a device."""
         lines = [f'#include "mip/{module(f.family)}_commands.hpp"']
         for i, shown in enumerate(self.samples.shown(f)):
             name = "answer" if i else "result"
@@ -31,7 +31,7 @@ class Programs:
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
-        """A function that sends several commands; it ends with the first one that is not acknowledged."""
+        """Composes a function that sends several commands and stops at the first one that is not acknowledged."""
         lines = sorted({f'#include "mip/{module(f.family)}_commands.hpp"' for f, _ in steps})
         lines += ["", f"mip::result<> {name}(mip::device<> &device) {{"]
         calls = [
@@ -42,7 +42,7 @@ class Programs:
         return "\n".join([*lines, "    return result;", "}"])
 
     def data(self, f: m.Field) -> str:
-        """Reads it from a field of a packet."""
+        """Composes the lines that read a data field of a packet."""
         called = {a.name for a in accessors(f)}
         counted = {p.counter for p in members(f) if p.counter}
         shown = [p for p in members(f) if p.name not in counted]

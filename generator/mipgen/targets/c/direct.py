@@ -1,4 +1,4 @@
-"""Straight code for layouts that never vary: the bytes of each member."""
+"""Straight-line code for layouts that never vary: the bytes of each member."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every name that the output puts into a scope of C. All is in one scope, but for the members of structures."""
+"""Every name that the output defines in C. All are in one scope, except the members of structures."""
 
 from __future__ import annotations
 

@@ -155,5 +155,5 @@ def bits_type(b: m.Bits) -> str:
 
 
 def has_accessor(b: m.Bits, t: m.Bitfield) -> bool:
-    """Does it have functions? A number inside a bitfield does; flags are constants, and so are bits of bytes."""
+    """True for a number inside a bitfield, which has functions; flags, and bits of bytes, are constants."""
     return t.scalar is not None and b.width > 1 and not b.alias

@@ -23,14 +23,14 @@ class Programs:
     samples: SampleValues
 
     def command(self, f: m.Field) -> str:
-        """Calls it at a device; a whole program checks the result."""
+        """Composes the call of a command at a device; a complete program checks the result."""
         lines = [f'#include "mip/{module(f.family)}_commands.h"']
         for i, shown in enumerate(self.samples.shown(f)):
             lines += _call(f, shown, self.samples, "result = " if i else "struct mip_result result = ")
         return "\n".join(lines)
 
     def sequence(self, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> str:
-        """A function that sends several commands; it ends with the first one that is not acknowledged."""
+        """Composes a function that sends several commands and stops at the first one that is not acknowledged."""
         needs = sorted({f'#include "mip/{module(f.family)}_commands.h"' for f, _ in steps})
         lines = ['#include "mip/device.h"', *needs, "", f"struct mip_result {name}(struct mip_device *device) {{"]
         calls = [
@@ -41,7 +41,7 @@ class Programs:
         return "\n".join([*lines, "    return result;", "}"])
 
     def data(self, f: m.Field) -> str:
-        """Reads it from a field of a packet; a whole program handles errors."""
+        """Composes the lines that read a data field of a packet; a complete program handles errors."""
         names = [f"value.{member(p.name)}" for p in members(f)]
         read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
         return "\n".join([

@@ -38,7 +38,7 @@ class _Program:
     modules: dict[str, set[str]] = field(default_factory=dict)
 
     def text(self, lines: Sequence[str]) -> str:
-        """The whole program, with its imports first."""
+        """Returns the complete program, with its imports first."""
         needs = [
             f'import {{ {", ".join(sorted(names))} }} from "mip-protocol/{module}";'
             for module, names in sorted(self.modules.items())

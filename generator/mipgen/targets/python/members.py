@@ -18,12 +18,12 @@ def held(record: m.Record) -> tuple[str, ...]:
 
 
 def is_shared(f: m.Field) -> bool:
-    """Does it occur in several sets?"""
+    """True for a field of several sets."""
     return len(f.sets) > 1
 
 
 def sets(f: m.Field) -> str:
-    """The numbers of the sets in which it occurs."""
+    """The numbers of the sets in which a field occurs."""
     if f.everywhere:
         return f"range(0x{f.everywhere.start:02X}, 0x{f.everywhere.stop:02X})"
     return f"({', '.join(f'0x{n:02X}' for n in f.sets)},)"
@@ -39,7 +39,7 @@ def annotation(p: m.Parameter, record: m.Record) -> str:
 
 
 def is_array(p: m.Parameter) -> bool:
-    """Has it several elements, in a tuple? Text has none."""
+    """True for several elements in a tuple; a text is one value."""
     return p.kind == "array" and not p.vector
 
 
@@ -67,12 +67,12 @@ def hint(p: m.Parameter, record: m.Record) -> str:
 
 
 def may_be_absent(p: m.Parameter, record: m.Record) -> bool:
-    """Can the member be None because it was not sent?"""
+    """True if the member can be None because it was not sent."""
     return p.name in record.present_with
 
 
 def default(p: m.Parameter, record: m.Record) -> str | None:
-    """The value of a member that the caller does not give."""
+    """The value of a member that the caller does not pass."""
     if may_be_absent(p, record) or p.element is None:
         return "None"
     return None if p.reserved is None else _reserved(p)
@@ -86,7 +86,7 @@ def _reserved(p: m.Parameter) -> str:
 
 
 def keyword_only(p: m.Parameter, record: m.Record) -> bool:
-    """Is it a default before members without one? Then it is passed by name only."""
+    """True if a member with a default precedes members without one, and is therefore passed only by name."""
     held = members(record)
     return default(p, record) is not None and any(default(q, record) is None for q in held[held.index(p) + 1 :])
 

@@ -44,5 +44,5 @@ def constant(words: str) -> str:
 
 
 def hides_builtin(name: str) -> bool:
-    """Does `from mip_protocol import name` hide a name of Python itself?"""
+    """True if `from mip_protocol import name` hides a built-in name of Python."""
     return hasattr(builtins, name)

@@ -30,7 +30,7 @@ def _names_rates(model: m.Model) -> bool:
 
 
 def _changes_rate(model: m.Model) -> bool:
-    """Is there a command with the parameter that `Device.change_baud` reads?"""
+    """True if a command has the parameter that `Device.change_baud` reads."""
     return any(p.name == "baud" for f in model.fields if f.role == m.COMMAND for p in f.parameters)
 
 

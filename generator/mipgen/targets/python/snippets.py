@@ -40,7 +40,7 @@ class _Program:
     modules: set[str] = field(default_factory=set)
 
     def text(self, lines: Sequence[str]) -> str:
-        """The whole program, with its imports first."""
+        """Returns the complete program, with its imports first."""
         names = [x if local(x) == x else f"{x} as {local(x)}" for x in sorted(self.modules)]
         return "\n".join([f"from mip_protocol import {', '.join(names)}", *lines])
 
@@ -50,7 +50,7 @@ class _Program:
         return f"{local(module)}.{class_name(thing)}"
 
     def sent(self, f: m.Field, samples: SampleValues) -> list[str]:
-        """The lines that send it, and print a response."""
+        """Returns the lines that send a command and print its response."""
         lines = []
         ways = {way.function: way for way in constructors(f)}
         for shown in samples.shown(f):

@@ -39,7 +39,7 @@ class _Program:
     uses: set[str] = field(default_factory=set)
 
     def text(self, lines: Sequence[str]) -> str:
-        """The whole program, with its imports and declarations first."""
+        """Returns the complete program, with its imports and declarations first."""
         used = sorted(self.uses)
         names = used[0] if len(used) == 1 else f"{{{', '.join(used)}}}"
         return "\n".join([f"use mip_protocol::{names};", *lines])
