@@ -94,8 +94,8 @@ print(mip_tools.read_log(bytes(data.packet()) * 3)["measurements.temperature"]["
         (["fields", "--package", "json"], "mip fields: json is not a package that mipgen has generated"),
         (["fields", "--package", "no_such"], "mip fields: no_such is neither an installed package nor a folder; "
                                              "install it, or name its folder"),
-        (["fields", "--definitions", "mip.md"], "mip fields: mip.md is neither a package nor a file of "
-                                                     "definitions, whose name ends in .json"),
+        (["fields", "--definitions", "mip.md"], "mip fields: mip.md is neither a package nor a definitions "
+                                                     "file, whose name must end in .json"),
         (["fields", "--package", "."], f"mip fields: {ROOT / 'docs'} contains no package that mipgen has generated"),
         (["fields", "--package"], "mip fields: --package needs the name or the folder of a generated package"),
     ],
@@ -126,7 +126,7 @@ def test_a_package_that_lacks_what_a_tool_needs(own: Path, tmp_path: Path) -> No
     import shutil
 
     folder = shutil.copytree(package(own), tmp_path / "lacking")
-    remedy = "generate it again, with the mipgen of these tools"
+    remedy = "regenerate it with the mipgen version of these tools"
     for words, what in ((("simulate", "my-device"), "simulation.json"), (("dump", "00"), "lacking.lookup")):
         (folder / what.replace("lacking.lookup", "lookup.py")).unlink()
         done = python("-m", "mip_tools", *words, "--package", folder)

@@ -502,7 +502,7 @@ def test_the_time_of_a_row_is_that_of_its_packet_or_the_last_one_of_the_set() ->
     assert values[-1] == np.timedelta64(5, "ns")
     assert np.isnat(values[:-1]).all()
     assert column.time("external").clock == "external"
-    with pytest.raises(ValueError, match="'utc' is not a clock; one of gps, external, reference is"):
+    with pytest.raises(ValueError, match="'utc' is not a clock; use one of gps, external, reference"):
         column.time("utc")
 
 

@@ -194,7 +194,7 @@ def test_an_own_command_is_sent_to_a_virtual_device(definitions: Path) -> None:
     [
         (None, "No such file or directory"),
         ("{}", "is not a mip.json, which `mipgen generate --target json` writes"),
-        ('{"format": "2.0"}', "has format 2.0; these tools read 1"),
+        ('{"format": "2.0"}', "has format 2.0, but these tools read 1"),
     ],
 )
 def test_files_that_are_no_definitions(text: str | None, said: str, tmp_path: Path) -> None:

@@ -1,6 +1,6 @@
 """The command line `mip`, logs as columns, and a virtual device, for any generated package.
 
-`mip_tools.use` chooses the package; without it, `mip_protocol` is used.
+`mip_tools.use` selects the package; the default is `mip_protocol`.
 """
 
 from __future__ import annotations

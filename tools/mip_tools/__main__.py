@@ -17,8 +17,8 @@ from .errors import Failure, Misuse, NoBinding
 EPILOG = """\
 `mip COMMAND --help` shows more.
 
-exit status: 0 done, 1 failed (one line says why), 2 the command line is wrong, 3 the device
-refused a command, 4 it did not answer, 130 interrupted, 141 the reader of the output has stopped
+exit status: 0 done, 1 failed (one line states why), 2 the command line is wrong, 3 the device
+rejected a command, 4 it did not reply, 130 interrupted, 141 the reader of the output has ended
 """
 
 
@@ -36,8 +36,8 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"{_program(given)}: {failure}", file=sys.stderr)
         return failure.status
     except KeyboardInterrupt:
-        return 130  # the status that shells use
-    except BrokenPipeError:  # the reader has stopped, as `head` does
+        return 130  # as shells do
+    except BrokenPipeError:  # the reader has ended, as `head` does
         # Otherwise the rest of the buffer would be flushed at exit, with an error message.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
@@ -53,7 +53,7 @@ def _program(given: list[str]) -> str:
 
 
 def _usable_streams() -> None:
-    """Replaces closed streams with empty ones; escapes characters that the output's encoding lacks."""
+    """Replaces closed standard streams with null devices, and escapes characters that the output's encoding lacks."""
     if sys.stdin is None:
         sys.stdin = open(os.devnull)
     if sys.stdout is None:
@@ -87,7 +87,7 @@ def _package() -> str:
 
 
 def _engine() -> str:
-    """The engine that reads logs as columns."""
+    """Describes the code that reads logs as columns."""
     try:
         from .columns.native import compiled
     except ImportError:
@@ -108,7 +108,7 @@ def _run(given: list[str]) -> int:
     parser.add_argument(
         DEFINITIONS,
         metavar="FILE",
-        help="a mip.json, from which the package is made in memory, so that nothing need be generated",
+        help="a mip.json to read the definitions from, instead of a generated package",
     )
     if given and not given[0].startswith("-") and given[0] not in COMMANDS:
         near = get_close_matches(given[0], COMMANDS, n=2)
@@ -121,7 +121,7 @@ def _run(given: list[str]) -> int:
         added = commands.add_parser(
             name, help=text, description=f"{text[0].upper()}{text[1:]}.", formatter_class=_Layout
         )
-        if given[:1] == [name]:  # only the one that is wanted is imported
+        if given[:1] == [name]:  # imports only the requested command
             chosen = loaded(name)
             chosen.add_arguments(added)
             used = added

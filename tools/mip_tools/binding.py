@@ -1,9 +1,9 @@
-"""The generated package that the tools work on, and everything that they use of it.
+"""The generated package that the tools work with, and all names that they use from it.
 
 It is `mip_protocol` unless `use`, `mip --package` or the environment variable `MIP_PACKAGE` names
-another one, or a `mip.json`, from which the package is then made. The rest of the tools imports what
-it needs of a specification from here, by name; each module of the package is imported when something
-of it is first used.
+another one, or a `mip.json`, from which the package is then made. All other modules of the tools import
+what they need of a specification from this module, by name. A module of the package is imported when one
+of its names is first used.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .errors import NoBinding
 
 USUAL = "mip_protocol"
 VARIABLE = "MIP_PACKAGE"
-#: The suffix of a file of definitions.
+#: The suffix of a definitions file.
 DEFINITIONS = ".json"
 
 #: The file that distinguishes a generated package from other folders.
@@ -34,26 +34,26 @@ _wanted: str | None = None
 
 
 def use(package: str) -> None:
-    """Chooses the generated package: its name, its folder, or the folder that contains it; or a `mip.json`.
+    """Selects the generated package by its name, its folder or the folder that contains it, or a `mip.json`.
 
-    Call it before anything else of the tools is imported. Raises NoBinding.
+    Call this before you import any other module of the tools. Raises NoBinding.
     """
     global _wanted
     before, _wanted = _wanted, package
     if name.cache_info().currsize and _found() != name():
-        said, _wanted = f"{name()} is in use; {package} must be chosen before it", before
+        said, _wanted = f"{name()} is already in use; select {package} before any other call", before
         raise NoBinding(said)
     name()
 
 
 @cache
 def name() -> str:
-    """The name of the package. Raises NoBinding, which names the remedy."""
+    """Returns the name of the package. Raises NoBinding with the remedy."""
     return _found()
 
 
 def wanted() -> str:
-    """The argument of `use` that loads the same package in another process."""
+    """Returns the argument of `use` that loads the same package in another process."""
     given = _wanted or os.environ.get(VARIABLE) or USUAL
     return str(Path(given).resolve()) if Path(given).exists() and given != name() else given
 
@@ -74,12 +74,12 @@ def _generated(wanted: str) -> str:
         remedy = f"name yours with --package NAME, {VARIABLE}=NAME or mip_tools.use(NAME)"
         raise NoBinding(f"{USUAL} is not installed; install the generated Python package, or {remedy}")
     if Path(wanted).is_file():
-        raise NoBinding(f"{wanted} is neither a package nor a file of definitions, whose name ends in {DEFINITIONS}")
+        raise NoBinding(f"{wanted} is neither a package nor a definitions file, whose name must end in {DEFINITIONS}")
     raise NoBinding(f"{wanted} is neither an installed package nor a folder; install it, or name its folder")
 
 
 def _defined(file: Path) -> str:
-    """The package that is made from a file; its runtime is that of an installed one."""
+    """Makes the package of a definitions file; its runtime is that of an installed package."""
     before = os.environ.get(VARIABLE) or USUAL
     runtime = USUAL if before.endswith(DEFINITIONS) else before
     return definitions.load(file, import_module(_generated(runtime)))
@@ -107,11 +107,11 @@ def _in_folder(folder: Path) -> str:
 
 
 def module(home: str) -> ModuleType:
-    """A module of the package."""
+    """Imports a module of the package."""
     try:
         return import_module(f"{name()}.{home}")
     except ModuleNotFoundError as error:
-        raise NoBinding(f"{name()} lacks {error.name}; generate it again, with the mipgen of these tools") from None
+        raise NoBinding(f"{name()} lacks {error.name}; regenerate it with the mipgen version of these tools") from None
 
 
 @cache
@@ -123,12 +123,12 @@ def data(file: str) -> dict[str, Any]:
     try:
         text = resources.files(name()).joinpath(file).read_text("utf-8")
     except FileNotFoundError:
-        raise NoBinding(f"{name()} lacks {file}; generate it again, with the mipgen of these tools") from None
+        raise NoBinding(f"{name()} lacks {file}; regenerate it with the mipgen version of these tools") from None
     values: dict[str, Any] = json.loads(text)
     return values
 
 
-#: Module of a generated package -> what the tools use of it.
+#: Module of a generated package -> the names that the tools use from it.
 _USED = {
     "_clocks": "CLOCKS LEAP_SECONDS",
     "_index": "FAMILIES FIELDS SETS",
@@ -158,7 +158,7 @@ _USED = {
 _MODULES = ("lookup", "reflection", "registry", "timestamps", "wire")
 _HOMES = {name: home for home, names in _USED.items() for name in names.split()}
 
-# For type checkers, any generated package is like this one.
+# Type checkers take this package for any generated one.
 if TYPE_CHECKING:
     from mip_protocol import lookup, reflection, registry, timestamps, wire
     from mip_protocol._clocks import CLOCKS, LEAP_SECONDS

@@ -36,13 +36,14 @@ WHICH = {PACKAGE: "the name or the folder of a generated package", DEFINITIONS: 
 
 
 def loaded(command: str) -> Any:
-    """The module of a command. It imports what it uses of the generated package."""
+    """Imports the module of a command, which imports what it uses from the generated package."""
     return import_module(f".{COMMANDS[command][0]}", __package__)
 
 
 def without_package(words: list[str]) -> tuple[str | None, list[str]]:
-    """The values of `--package` or `--definitions`, before or behind the command, and the other words. Raises
-    Misuse."""
+    """Finds `--package` or `--definitions`, before or after the command. Returns the value, and the other words.
+
+    Raises Misuse."""
     end = words.index("--") if "--" in words else len(words)
     for i, word in enumerate(words[:end]):
         option, equals, value = word.partition("=")
@@ -53,7 +54,7 @@ def without_package(words: list[str]) -> tuple[str | None, list[str]]:
                 raise Misuse(f"{option} needs {WHICH[option]}")
             rest = words[:i] + words[i + (1 if equals else 2) :]
             if without_package(rest)[0] is not None:
-                raise Misuse(f"{PACKAGE} and {DEFINITIONS} are given twice, or both; the tools use one package")
+                raise Misuse(f"{PACKAGE} and {DEFINITIONS} can be given only once, and not both")
             return value, rest
     return None, words
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 class Failure(Exception):
-    """The message of a command line that ends it: the problem and the remedy, in one line."""
+    """An error that ends a command: the message states the problem and the remedy in one line."""
 
     def __init__(self, text: str, status: int = 1) -> None:
         super().__init__(text)
@@ -19,7 +19,7 @@ class Misuse(Failure):
 
 
 class NoBinding(Failure, ImportError):
-    """There is no generated package to work on, or it lacks something that a tool needs."""
+    """There is no generated package, or it lacks something that a tool needs."""
 
 
 __all__ = ["Failure", "Misuse", "NoBinding"]

@@ -1,4 +1,4 @@
-"""A field in packets of one descriptor set, which is counted, shown and exported separately from other sets."""
+"""Occurrences of fields: a field is counted, shown and exported separately for each descriptor set that has it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from .binding import SETS, Field, lookup, registry
 
 
 class Occurrence(NamedTuple):
-    """A pair as in `registry.all_types`. A field of every set occurs once: in 0xFF, or in 0 for the acknowledge."""
+    """A set and a field, as in `registry.all_types`. A field of every set occurs once: in 0xFF, or, for the
+    acknowledge, in 0."""
 
     set: int
     kind: type[Field]
@@ -21,22 +22,22 @@ class Occurrence(NamedTuple):
 
 
 def listed(kind: type[Field]) -> tuple[int, ...]:
-    """The sets that have a field, if these are listed; empty for shared fields and the acknowledge."""
+    """Returns the sets that have a field; empty for shared fields and the acknowledge."""
     return () if isinstance(kind.SETS, range) else tuple(kind.SETS)
 
 
 def of(set: int, kind: type[Field]) -> Occurrence:
-    """A field of a packet of this set."""
+    """Returns the occurrence of a field in packets of this set."""
     return Occurrence(set if listed(kind) else kind.SET, kind)
 
 
 def every(kind: type[Field]) -> list[Occurrence]:
-    """A field in each of its sets; a field that occurs in every set has one occurrence."""
+    """Returns a field's occurrences, one for each of its sets; a field of every set has one occurrence."""
     return [of(number, kind) for number in listed(kind) or (0,)]
 
 
 def named(name: str) -> list[Occurrence]:
-    """The field of a name, in the set that the name begins with; in each of its sets if it names none.
+    """Finds the field with this name, in the set with which the name begins, or in each of its sets if it names none.
 
     Raises UnknownName.
     """
@@ -46,7 +47,7 @@ def named(name: str) -> list[Occurrence]:
 
 
 def named_set(name: str, kind: type[Field]) -> int | None:
-    """The set of a field that its name states: "gnss_2.dop", "Gnss2.Dop" or "0x92,0x09"; None if none."""
+    """Returns the set that a field's name states: "gnss_2.dop", "Gnss2.Dop" or "0x92,0x09"; None if it states none."""
     sets = listed(kind)
     if len(sets) == 1:
         return sets[0]

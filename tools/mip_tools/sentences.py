@@ -1,17 +1,17 @@
-"""NMEA sentences in the bytes between packets."""
+"""Finds NMEA sentences in the bytes between packets."""
 
 from __future__ import annotations
 
 import re
 
-#: A sentence has at most 82 characters; some devices send longer ones of their own.
+#: A sentence has at most 82 characters; some devices send longer proprietary ones.
 LONGEST = 1024
 
 _END = re.compile(rb"\*([0-9A-Fa-f]{2})\r?\Z")
 
 
 class Sentences:
-    """Takes bytes in pieces of any size and returns the whole sentences with a correct checksum.
+    """Accepts bytes in pieces of any size, and returns complete sentences with a correct checksum.
 
     >>> sentences = Sentences()
     >>> sentences.feed(b"ue$GPZDA,,,,,,*48" + bytes([13]))
@@ -25,11 +25,11 @@ class Sentences:
         self._taken = 0  # bytes before this line
 
     def feed(self, data: bytes) -> list[str]:
-        """The sentences that are complete with these bytes, without the ends of their lines."""
+        """Returns the sentences that these bytes complete, without line ends."""
         return [sentence for _, sentence in self.placed(data)]
 
     def placed(self, data: bytes) -> list[tuple[int, str]]:
-        """The same, and where each begins, counted in all the bytes that were fed."""
+        """Returns the same sentences, each with the offset of its beginning in all fed bytes."""
         self._line += data
         *lines, rest = self._line.split(b"\n")
         found = []
@@ -44,7 +44,7 @@ class Sentences:
 
 
 def last(line: bytes | bytearray) -> tuple[int, str] | None:
-    """The sentence at the end of a line, and where it begins; any bytes before it are noise."""
+    """Finds the sentence at the end of a line, and where it begins; bytes before it are noise."""
     end = _END.search(line)
     if end is None:
         return None
@@ -53,7 +53,7 @@ def last(line: bytes | bytearray) -> tuple[int, str] | None:
         byte = line[at]
         if not 0x20 <= byte <= 0x7E:
             return None
-        # Texts may contain such a character, too: the checksum decides.
+        # Texts may also contain such a character: the checksum decides.
         if byte in b"$!" and checksum == wanted and at + 1 < end.start():
             return at, line[at:].rstrip(b"\r").decode("ascii")
         checksum ^= byte

@@ -95,7 +95,10 @@ def test_a_data_set_has_the_rows_of_its_logs(tmp_path: Path, here: None, capsys:
     folder, out = logs(tmp_path / "logs"), tmp_path / "out"
     code, said, errors = mip("fleet", folder, "-o", out, "--device-from", "^(car .)/")
     assert code == 1 and "5 logs added, 0 known, 2 failed" in said
-    assert errors == "mip fleet: empty.bin: it has no MIP packets\nmip fleet: text.bin: it has no MIP packets\n"
+    assert (
+        errors
+        == "mip fleet: empty.bin: the file has no MIP packets\nmip fleet: text.bin: the file has no MIP packets\n"
+    )
     assert_complete(out, folder)
     catalogue = fleet.open(out).catalogue().to_pylist()
     assert {row["log"] for row in catalogue} == {one.name for one in fleet.open(out).manifest.logs}
@@ -113,7 +116,7 @@ def test_a_data_set_has_the_rows_of_its_logs(tmp_path: Path, here: None, capsys:
     built = fleet.build(folder, out, device="^(car .)/")
     assert built.added == [] and "copy.bin" in built.known and "has changed" in built.failed["car 0/drive2.bin"]
     assert rows(out).keys() == before.keys()
-    with pytest.raises(Failure, match=r"only .*; use the same, or another folder"):
+    with pytest.raises(Failure, match=r"only .*; use the same options, or another folder"):
         fleet.build(folder, out, only=["sensor"], device="^(car .)/")
 
 
@@ -261,7 +264,7 @@ def test_urls_and_what_is_wrong(tmp_path: Path, here: None) -> None:
     assert_complete(tmp_path / "out", tmp_path / "logs")
     with pytest.raises(Misuse, match=r"both called drive0\.bin"):
         fleet.build([tmp_path / "logs/a", "memory://fleet/a"], tmp_path / "out")
-    with dataset.alone(tmp_path / "out"), pytest.raises(Failure, match="another run is at work"):
+    with dataset.alone(tmp_path / "out"), pytest.raises(Failure, match="another run is active"):
         fleet.build(tmp_path / "logs", tmp_path / "out")
     done = subprocess.run(
         command("fleet", tmp_path / "logs", "-o", tmp_path / "x", "--scheduler", "tcp://127.0.0.1:9"),

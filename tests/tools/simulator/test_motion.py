@@ -289,9 +289,9 @@ def test_descriptions_that_are_wrong(text: str, message: str) -> None:
         ("47,8\n47.1,8,400", "", ":1: 2 numbers; a waypoint has latitude, longitude, height and optionally speed"),
         ("47,8,400\n47,8,500", "", "waypoints 1 and 2 are at the same place; remove one"),
         ("47,8,400\n47.1,8,400\n47,8,400", "",
-         "at waypoint 2 the path turns back by 180 degrees; put another waypoint beside it"),
+         "at waypoint 2 the path turns back by 180 degrees; add another waypoint beside it"),
         ("47,8,400\n47.0001,8,500", "",
-         "from waypoint 1 the path climbs 100 m in 11 m; put the waypoints farther apart"),
+         "from waypoint 1 the path climbs 100 m in 11 m; move the waypoints farther apart"),
         ("47,8,400\n95,8,400", "", "waypoint 2 is at 95, 8, 400; use degrees, with a latitude of -89 to 89"),
         ("47,8,400,0\n47.1,8,400", "", "the speed at waypoint 1 is 0 m/s; it must be above 0"),
         ("47,8,nan\n47.1,8,400", "", "waypoint 1 has a value that is not a number"),
@@ -347,7 +347,7 @@ def test_speeds_lead_along_the_first_axis() -> None:
 @pytest.mark.parametrize(
     "rows, message",
     [
-        ("", ":1:1: a trajectory has a line with names and units, and lines of numbers"),
+        ("", ":1:1: a trajectory needs a line with names and units, and lines of numbers"),
         ("time [s],speed\n0,1", ":1:10: 'speed' has no unit; write speed [m/s] or speed [km/h]"),
         ("time [s],speed [kn]\n0,1", ":1:10: 'speed' cannot have the unit 'kn'; write speed [m/s] or speed [km/h]"),
         ("time [s], sped [m/s]\n0,1", ":1:11: 'sped' is not a column of a trajectory; do you mean 'speed'?"),

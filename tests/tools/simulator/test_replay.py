@@ -169,7 +169,7 @@ def test_a_log_without_times_needs_a_rate(log: Path) -> None:
     )
     with pytest.raises(MotionError) as error:
         Replay(log)
-    assert str(error.value) == f"replay: {log} has no times; state the rate of its packets: rate=HZ"
+    assert str(error.value) == f"replay: {log} has no times; add the rate of its packets: rate=HZ"
     replay = parse_motion(f"replay:file={log},rate=10,loop=yes")
     assert isinstance(replay, Replay) and replay.duration == pytest.approx(4.9)
     assert TYPES["sensor.scaled_pressure"].decode(replay.recorded(0x80, 0x17, 2.05)[0]).scaled_pressure == 20  # type: ignore[attr-defined]
@@ -204,7 +204,7 @@ def test_invalid_values_say_nothing_of_the_motion(log: Path) -> None:
 
 @pytest.mark.parametrize(
     "content, message",
-    [(None, "replay: cannot read "), (b"", "has no packets of data"), (b"hello" * 99, "has no packets of data")],
+    [(None, "replay: cannot read "), (b"", "has no data packets"), (b"hello" * 99, "has no data packets")],
 )
 def test_logs_that_are_none(log: Path, content: bytes | None, message: str) -> None:
     if content is not None:

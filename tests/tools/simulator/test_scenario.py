@@ -318,7 +318,7 @@ def test_a_udp_port_in_use(capsys: pytest.CaptureFixture[str]) -> None:
         taken.bind(("127.0.0.1", 0))
         number = taken.getsockname()[1]
         code, _, text = run(capsys, "simulate", DEVICE, "--udp", str(number))
-    assert code == 1 and f"UDP port {number} is in use; end the program that has it, or use another: --udp" in text
+    assert code == 1 and f"UDP port {number} is in use; end the program that uses it, or choose another: --udp" in text
 
 
 def test_several_devices_in_one_program(tmp_path: Path) -> None:
@@ -360,7 +360,7 @@ def test_options_that_a_scenario_has(tmp_path: Path, capsys: pytest.CaptureFixtu
 
 def test_the_size_of_a_queue(capsys: pytest.CaptureFixture[str]) -> None:
     _, _, text = run(capsys, "simulate", DEVICE, "--queue", "10")
-    assert "'10' is not a queue; use a number of bytes from 1024 on" in text
+    assert "'10' is not a queue; use at least 1024 bytes" in text
     device = VirtualDevice(DEVICE)
     with serving(device, tcp_at("0"), speed=50, capacity=3000) as server, Client(server.places[0], room=4096) as idle:
         idle.send(stream(1000))

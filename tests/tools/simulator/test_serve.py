@@ -668,7 +668,7 @@ def busy() -> tuple[socket.socket, str]:
 @pytest.mark.parametrize(
     ("arguments", "error"),
     [
-        ([], "which device? `mip simulate --list` lists them all"),
+        ([], "the device is missing; `mip simulate --list` lists all devices"),
         (["3dm-gx5-16"], "device '3dm-gx5-16' is unknown; do you mean 3dm-gx5-15? `mip simulate --list` "),
         (["CV7-GNSS"], "device 'CV7-GNSS' is unknown; do you mean 3dm-cv7-gnss-ins? "),
         (["toaster"], "device 'toaster' is unknown; `mip simulate --list` lists them all"),
@@ -676,11 +676,14 @@ def busy() -> tuple[socket.socket, str]:
         ([DEVICE, "--tcp", "localhost"], "'localhost' is not a TCP port; "),
         ([DEVICE, "--tcp", "no such host:1"], "host 'no such host' is unknown; use localhost"),
         ([DEVICE, "--tcp", "192.0.2.1:0"], "192.0.2.1 is not an address of this machine; use localhost"),
-        ([DEVICE, "--tcp", "A_PORT"], "TCP port A_PORT is in use; end the program that has it, or use another: --tcp "),
+        (
+            [DEVICE, "--tcp", "A_PORT"],
+            "TCP port A_PORT is in use; end the program that uses it, or choose another: --tcp ",
+        ),
         ([DEVICE, "--pty", "A_FILE"], "A_FILE exists; choose another path, or remove it"),
         ([DEVICE, "--pty", "A_LINK"], "A_LINK is a link to something else; choose another path, or remove it"),
         ([DEVICE, "--pty", "A_TERMINAL"], "A_TERMINAL leads to /dev/tty, perhaps of another simulator; end that one, "),
-        ([DEVICE, "--pty", "A_FILE/x"], "A_FILE/x cannot be made: Not a directory; choose another path"),
+        ([DEVICE, "--pty", "A_FILE/x"], "A_FILE/x cannot be created: Not a directory; choose another path"),
         ([DEVICE, "--pty", "x", "--port", "USB 1=pty:x"], "x is given for two terminals; choose different paths"),
         ([DEVICE, "--port", "USB 9=tcp:0"], "3DM-CV7-GNSS/INS has no port 'USB 9'; its ports: Main, UART 1, "),
         ([DEVICE, "--port", "USB 1"], "'USB 1' cannot be read; write NAME=pty:PATH, NAME=tcp:[HOST:]PORT or NAME=udp"),
@@ -721,7 +724,7 @@ def test_errors_are_one_line_with_a_remedy(
     before = sorted(tmp_path.iterdir())
     with taken:
         code, out, text = run(capsys, "simulate", *arguments, "--duration", "0.01")
-    wrong = r"(which|device|fault|'USB|--log|--signal)|.* (is not a (TCP port|motion)|two terminals|has no port)"
+    wrong = r"(the device is missing|device|fault|'USB|--log|--signal)|.* (is not a (TCP port|motion)|two terminals|has no port)"
     status = 2 if re.match(wrong, error) else 1
     assert (code, out) == (status, "") and text.startswith(f"mip simulate: {error}") and text.count("\n") == 1
     assert sorted(tmp_path.iterdir()) == before and (tmp_path / "file").read_text() == "mine"
@@ -737,8 +740,8 @@ def test_errors_are_one_line_with_a_remedy(
         (["--start", "3001-01-01"], "is too late; use a year up to 3000"),
         (["--start", "0001-01-01T00:00:00+14:00"], "is not a time; write 2024-05-01T12:00:00"),
         (["--speed", "fast"], "'fast' is not a speed; use 1 for real time"),
-        (["--signal", "1"], "'' is not a signal; write PIN=HZ, such as 1=10"),
-        (["--signal", "0=10"], "'0' is not a signal; write PIN=HZ, such as 1=10"),
+        (["--signal", "1"], "'' is not a signal; write PIN=HZ, for example 1=10"),
+        (["--signal", "0=10"], "'0' is not a signal; write PIN=HZ, for example 1=10"),
     ],
 )
 def test_values_are_checked(arguments: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,4 +1,4 @@
-"""Tables on a grid of equal steps: values of fields between the times at which they were measured."""
+"""Makes tables with equal steps, with values between the times at which they were measured."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 METHODS = ("linear", "nearest", "last")
 _SECOND = 1_000_000_000
-#: Where no packet has a time for this long, or time goes back this far, the grid ends and a new one begins.
+#: If no packet has a time for this long, or if time goes back this far, the grid ends and a new one begins.
 PAUSE = 10 * _SECOND
 #: A value remains valid for this many usual intervals of its field.
 _USUAL = 2.5
@@ -30,7 +30,7 @@ _UNITS = {"Hz": 1.0, "kHz": 1000.0, "s": 1.0, "ms": 1e-3, "us": 1e-6}
 
 
 def step(rate: str | float) -> int:
-    """Nanoseconds between two rows, from "100Hz", "10ms", or a number in Hz. Raises ValueError."""
+    """Returns the nanoseconds between two rows for "100Hz", "10ms", or a number in Hz. Raises ValueError."""
     match = _RATE.fullmatch(rate if isinstance(rate, str) else f"{rate}Hz")
     try:
         value = float(match[1]) * _UNITS[match[2]] if match else 0.0
@@ -43,7 +43,7 @@ def step(rate: str | float) -> int:
 
 
 def resampled(log: Log, columns: Sequence[Column[Any]], every: int, method: str, form: Form) -> list[Series]:
-    """The columns of the table, with a row every so many nanoseconds. Raises ValueError."""
+    """Makes the columns of the table, with a row every `every` nanoseconds. Raises ValueError."""
     if method not in METHODS:
         raise ValueError(f"method {method!r}: {', '.join(METHODS)}")
     if not form.clock:
@@ -78,7 +78,7 @@ def _after_each_other(parts: list[Series]) -> Series:
 
 
 def _spans(columns: Sequence[Column[Any]], known: Sequence[Array]) -> list[tuple[int, int, int, int]]:
-    """The first and the last time of each part without a pause, and the bytes of the file that it is in."""
+    """Returns the first and the last time of each part without a pause, and where it begins in the file."""
     offset = np.concatenate([column.offset for column in columns])
     time = np.concatenate(known)
     there = time != NONE
@@ -97,13 +97,13 @@ def _spans(columns: Sequence[Column[Any]], known: Sequence[Array]) -> list[tuple
 
 
 def _usual(time: Array) -> float:
-    """The time for which a value remains valid, in nanoseconds."""
+    """Returns the time for which a value remains valid, in nanoseconds."""
     steps = np.diff(np.unique(time[time != NONE]))
     return float(np.median(steps)) * _USUAL if len(steps) else 0.0
 
 
 def _sampled(group: list[Series], time: Array, here: Array, grid: Array, method: str, reach: float) -> list[Series]:
-    """A group of columns on a grid; values further away than `reach` nanoseconds are not used."""
+    """Resamples a group of columns on a grid; values further away than `reach` nanoseconds are not used."""
     there = here.copy()
     for one in group:
         if one.mask is not None:
@@ -111,7 +111,7 @@ def _sampled(group: list[Series], time: Array, here: Array, grid: Array, method:
     rows = np.flatnonzero(there)
     rows = rows[np.argsort(time[rows], kind="stable")]
     when = time[rows]
-    last = np.ones(len(when), bool)  # the last one of several at one time
+    last = np.ones(len(when), bool)  # of several values at one time, the last one is used
     last[:-1] = when[1:] != when[:-1]
     rows, when = rows[last], when[last]
     if not len(rows):
@@ -163,7 +163,7 @@ def _between(group: list[Series], a: list[Array], b: list[Array], weight: Array,
 
 
 def _lowest(values: Array, circle: float) -> float | None:
-    """The lower end of the range of angles: 0, or minus half of the circle. None if they have neither range."""
+    """Returns the lower end of the range of angles: 0, or minus half a turn; None if they have neither range."""
     if not circle:
         return None
     least, most = float(np.nanmin(values, initial=0.0)), float(np.nanmax(values, initial=0.0))

@@ -11,14 +11,14 @@ from .layout import Layout
 from .piece import Piece
 from .scan import HEADER, Array, gather
 
-_MOST = 1 << 26  # bytes that are allocated at once for what is only expected
+_MOST = 1 << 26  # the maximum size of memory that is allocated for rows that are only expected
 
 
 class Rows:
     """Rows of bytes, one for each field."""
 
     def __init__(self, shape: Layout, end: int) -> None:
-        """`end` is where the log ends, in bytes."""
+        """`end` is the size of the log, in bytes."""
         self._size, self._end = shape.dtype.itemsize, end
         item = 1 if shape.base is None else shape.base.itemsize
         #: Do items of one size, which are big-endian in the log, have the byte order of this machine?
@@ -28,7 +28,7 @@ class Rows:
         self._count = 0
 
     def add(self, piece: Piece, packet: Array, offset: Array) -> None:
-        """Adds fields: their packets in a piece, and where in the payloads their data begin."""
+        """Adds fields, given their packets in a piece, and the offsets of their data in the payloads."""
         count = self._count + len(packet)
         if count > len(self._room):
             self._grow(count, len(packet) * (self._end - piece.begin) // len(piece.data))
@@ -40,11 +40,11 @@ class Rows:
         self._count = count
 
     def _grow(self, least: int, expected: int) -> None:
-        """Makes room: memory that is not written to costs nothing, but copies do."""
+        """Makes room for the expected rows: unused memory costs nothing, but copies do."""
         room = least + max(least, min(expected, _MOST // max(1, self._size)))
         old, self._room = self._room, np.empty((room, self._size), np.uint8)
         self._room[: self._count] = old[: self._count]
 
     def whole(self) -> Array:
-        """All rows."""
+        """Returns all rows."""
         return self._room[: self._count]

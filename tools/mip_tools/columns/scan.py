@@ -8,18 +8,18 @@ from ..binding import MAX_PAYLOAD, OVERHEAD, SYNC
 from . import native
 from .native import Array as Array
 
-#: Bytes of a packet before its payload.
+#: The size of a packet's header, in bytes.
 HEADER = OVERHEAD - 2
 #: The greatest distance from the first byte of a packet to its end.
 REACH = MAX_PAYLOAD + OVERHEAD - 1
-#: Bytes behind a piece that must be there, for packets and for whole words of the last of them.
+#: The number of bytes that must follow a piece, for packets that begin in it and for whole words of the last one.
 AHEAD = REACH + 8
 
 _PART = 1 << 18  # bytes that are searched at once: intermediate results stay in the cache
 
 
 def packets(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
-    """The beginnings and ends of the packets that begin in `first` … `limit`.
+    """Finds the packets that begin in `first` … `limit`. Returns their beginnings and ends.
 
     The first `length` bytes of `data` belong to the log; at least 8 more must follow.
     """
@@ -33,7 +33,7 @@ def packets(data: Array, first: int, limit: int, length: int) -> tuple[Array, Ar
 
 
 def without_overlap(at: Array, end: Array) -> Array:
-    """The candidates that remain, as the first of those that overlap wins."""
+    """Removes overlapping candidates: the first one wins."""
     keep, stop = np.zeros(len(at), bool), 0
     for number, (begin, after) in enumerate(zip(at.tolist(), end.tolist())):
         if begin >= stop:
@@ -42,7 +42,7 @@ def without_overlap(at: Array, end: Array) -> Array:
 
 
 def candidates(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
-    """The beginnings and ends of byte sequences with the form and the checksum of a packet."""
+    """Finds byte sequences with the form and the checksum of a packet. Returns their beginnings and ends."""
     if native.kernel is not None:
         return native.kernel.packets(data, first, limit, length, True)
     limit = min(limit, length - OVERHEAD + 1)
@@ -57,15 +57,14 @@ def candidates(data: Array, first: int, limit: int, length: int) -> tuple[Array,
 
 
 def clear(data: Array, begin: int, length: int, whole: bool) -> int | None:
-    """Where the first packet at or behind `begin` may begin: one before it may reach beyond it.
+    """Returns where the first packet at or after `begin` may begin, because one before it may reach beyond it.
 
-    `whole`: nothing precedes the data. If candidates overlap so far back that these data do not suffice,
-    the result is None.
+    `whole`: nothing precedes the data. Returns None if candidates overlap so far back that these data do not suffice.
     """
     at, end = candidates(data, 0, begin, length)
-    known = 0 if whole else REACH  # whatever begins before the data ends here
+    known = 0 if whole else REACH  # any packet that begins before the data ends here at the latest
     reach = np.maximum.accumulate(np.concatenate(([known], end)))
-    # the last place that no candidate reaches across: there the parser surely begins anew
+    # the last position that no candidate spans: there the parser certainly starts afresh
     free = np.flatnonzero(np.concatenate((at, [begin])) >= reach)
     if not len(free):
         return None
@@ -75,7 +74,7 @@ def clear(data: Array, begin: int, length: int, whole: bool) -> int | None:
 
 
 def _forms(data: Array, first: int, limit: int, length: int) -> tuple[Array, Array]:
-    """The beginnings and ends of byte sequences with the form of a packet."""
+    """Finds byte sequences with the form of a packet. Returns their beginnings and ends."""
     at = np.flatnonzero(data[first:limit] == SYNC[0])
     at += first
     at = at[data[at + 1] == SYNC[1]]
@@ -95,7 +94,7 @@ _BYTE = np.uint64(8)
 
 
 def _right(data: Array, at: Array, end: Array) -> Array:
-    """Whether each of these packets has the right checksum.
+    """Returns, for each packet, whether its checksum is correct.
 
     The sums of a packet come from running sums of all the data: of the bytes, and of these sums.
     Everything is modulo 256, as the checksum is.
@@ -131,7 +130,7 @@ def _right(data: Array, at: Array, end: Array) -> Array:
 
 
 def _sums(words: Array) -> tuple[Array, Array]:
-    """The sum of the eight bytes of each word, and the sum of the sums after each byte."""
+    """Returns the sum of the eight bytes of each word, and the sum of the sums after each byte."""
     even = words & _LOW
     odd = words >> _BYTE
     odd &= _LOW
@@ -146,7 +145,7 @@ def _sums(words: Array) -> tuple[Array, Array]:
 
 
 def gather(data: Array, at: Array, size: int) -> Array:
-    """`size` bytes at each of these places, one row for each; the places must be inside."""
+    """Copies `size` bytes at each of these offsets to a row; all must be inside the data."""
     if not size or not len(at):
         return np.zeros((len(at), size), np.uint8)
     rows: Array = np.ndarray((len(data) - size + 1,), f"V{size}", data, 0, (1,))[at]

@@ -11,7 +11,7 @@ import numpy as np
 
 from .scan import Array
 
-#: Reading a byte maps up to this many bytes around it, also some that were given back before.
+#: Reading a byte maps up to this many bytes around it, even if they were released before.
 _AROUND = 1 << 21
 
 
@@ -20,7 +20,7 @@ class Source:
 
     def __init__(self, given: Any) -> None:
         self._map: mmap.mmap | None = None
-        self._begin = 0  # of the log in that file
+        self._begin = 0  # where the log begins in that file
         #: A source for another process: a path or bytes.
         self.origin: str | bytes | None = given if isinstance(given, bytes) else None
         if isinstance(given, (str, os.PathLike)):
@@ -39,8 +39,8 @@ class Source:
         self.size = len(self._view)
 
     def _mapped(self, file: Any) -> Any:
-        """What follows in a file, without reading it now, if it can be mapped."""
-        if isinstance(file, (io.BufferedReader, io.BufferedRandom, io.FileIO)):  # none that decodes
+        """Returns the rest of a file, mapped if possible, else read."""
+        if isinstance(file, (io.BufferedReader, io.BufferedRandom, io.FileIO)):  # not one that decompresses
             try:
                 self._begin = file.tell()
                 self._map = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
@@ -53,9 +53,9 @@ class Source:
         return data
 
     def piece(self, begin: int, size: int, ahead: int) -> tuple[Array, int]:
-        """Bytes from `begin` on and some more, and how many of them belong to the log.
+        """Returns `size` bytes from `begin` on and `ahead` more, and how many of them belong to the log.
 
-        There are always as many as asked for: zeros follow the end.
+        The result always has this length: zeros follow the end of the log.
         """
         try:
             bytes_ = self._view[begin : begin + size + ahead]
@@ -68,7 +68,7 @@ class Source:
         return np.concatenate((data, np.zeros(missing, np.uint8))), len(data)
 
     def forget(self, begin: int, end: int) -> None:
-        """Gives back the memory of a part of a mapped file, which is read again if it is needed."""
+        """Releases the memory of a part of a mapped file, which is read again if it is needed."""
         if self._map is None or not hasattr(mmap, "MADV_DONTNEED"):
             return
         page = mmap.PAGESIZE
@@ -83,5 +83,5 @@ class Source:
         if self._map is not None:
             try:
                 self._map.close()
-            except BufferError:  # some other part of the program still uses it
+            except BufferError:  # another part of the program still uses it
                 pass

@@ -1,4 +1,4 @@
-"""Tables of several types of fields: the rows, the names and the types that frames and all exports have."""
+"""Makes tables of several types of fields, which define the rows, names and types of frames and all exports."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 #: Columns of a table besides the parameters of fields.
 OWN = ("time", "time_own", "packet", "set", "offset")
-#: Bytes of a log whose rows are in memory together.
+#: Bytes of a log whose rows are in memory at the same time.
 PART = 1 << 20
 
 
@@ -30,15 +30,15 @@ class Series(NamedTuple):
     values: Array
     mask: Array | None  # True where there is no value
     facts: dict[str, str]  # unit, frame, type, clock
-    lists: tuple[int, str] = (0, "")  # of an array of objects: how deep lists are nested, and NumPy's type in them
+    lists: tuple[int, str] = (0, "")  # for an array of objects: the depth of nested lists, and their NumPy type
 
     def rows(self, which: Any) -> Series:
-        """Some of its rows."""
+        """Returns some of the rows."""
         return self._replace(values=self.values[which], mask=None if self.mask is None else self.mask[which])
 
 
 def time_column(values: Array, clock: str, **facts: str) -> Series:
-    """Times in nanoseconds, which are dates if the clock has one, else durations since its start."""
+    """Makes the column of times, in nanoseconds: dates if the clock has one, else durations since its start."""
     return Series("time", values.view(times.dtype(clock)), values == times.NONE, {"clock": clock, **facts})
 
 
@@ -46,7 +46,7 @@ class Table(NamedTuple):
     """Rows of a log. Each type of field has some of the columns, and values in some of the rows."""
 
     columns: list[Series]
-    types: list[tuple[slice, Array]]  # of each type, its columns, and the rows that have it
+    types: list[tuple[slice, Array]]  # for each type, its columns, and the rows that have it
 
     def __len__(self) -> int:
         return len(self.columns[0].values) if self.columns else 0
@@ -56,15 +56,15 @@ class Form(NamedTuple):
     """The content of a table; see `Log.frame`."""
 
     by: str = "time"
-    clock: str = ""  # of the time; "" for none
+    clock: str = ""  # the clock of the time; "" for none
     time: bool = True
     invalid: str = "keep"
     position: bool = False
     named: bool = False
-    wanted: Callable[[int, int], bool] | None = None  # is the field of this set and descriptor in it?
+    wanted: Callable[[int, int], bool] | None = None  # is the field with this set and descriptor selected?
 
     def check(self) -> None:
-        """Raises ValueError."""
+        """Raises ValueError if a choice does not exist."""
         if self.by not in ("time", "packet"):
             raise ValueError(f"by {self.by!r}: time or packet")
         if self.invalid not in ("keep", "mask", "drop"):
@@ -75,18 +75,18 @@ class _Part(NamedTuple):
     """The fields of one type that are in a table."""
 
     column: Column[Any]
-    rows: Array  # which of the column's
+    rows: Array  # which rows of the column
     time: times.Times | None
     once: bool
 
 
 def apart(kind: type[Field]) -> bool:
-    """Is a shared field counted apart in each set? Timestamps are not: those of one instant are equal."""
+    """Has a shared field separate columns for each set? Timestamps have not: all those of an instant are equal."""
     return not listed(kind) and kind.SET != 0 and timestamps.clock_of(0x80, kind.DESCRIPTOR) is None
 
 
 def whole(log: Log, columns: Sequence[Column[Any]], form: Form) -> Table:
-    """The table of some columns of a log."""
+    """Makes the table of some columns of a log."""
     if form.by == "time":
         columns = list(_sets_apart(log, columns))
     return _table([_part(column, form) for column in columns], form, slice(None))
@@ -101,7 +101,7 @@ def _sets_apart(log: Log, columns: Sequence[Column[Any]]) -> Iterator[Column[Any
 
 
 def survey(log: Log, form: Form) -> tuple[list[tuple[int, type[Field]]], str]:
-    """The types of fields that the tables of a log have, by set and descriptor, and their clock: in bounded memory."""
+    """Finds the types of fields for the tables of a log, by set and descriptor, and their clock, in bounded memory."""
     present: dict[tuple[int, type[Field]], None] = {}
     sets: set[int] = set()
     stamped: dict[str, set[int]] = {clock: set() for clock in CLOCKS}
@@ -121,9 +121,10 @@ def survey(log: Log, form: Form) -> tuple[list[tuple[int, type[Field]]], str]:
 
 
 def parts(log: Log, kinds: Sequence[Any], form: Form) -> Iterator[tuple[Table, int]]:
-    """The same in parts, in bounded memory, and where in the log each ends. All have the same columns.
+    """Yields the table of a log in parts, in bounded memory, and the offset at which each part ends. All parts have the
+    same columns.
 
-    An instant whose packets are in two parts is in the second one, as in one table of all.
+    An instant whose packets are in two parts is one row, in the second part.
     """
     from .log import Log
 
@@ -147,7 +148,7 @@ def parts(log: Log, kinds: Sequence[Any], form: Form) -> Iterator[tuple[Table, i
 
 
 def _part(column: Column[Any], form: Form, done: Array | None = None) -> _Part:
-    """The rows of a column that are wanted, without those of packets that are done."""
+    """Selects the rows of a column that are kept, without those of packets that are done."""
     there: Array = np.ones(len(column), bool)
     if form.wanted is not None and len(column):
         sets = [n for n in column.sets if form.wanted(n, column.type.DESCRIPTOR)]
@@ -173,7 +174,7 @@ def _found(chosen: Sequence[_Part], form: Form) -> instants.Instants:
         if time is not None:
             own = np.where(time.own[rows], time.values.view(np.int64)[rows], times.NONE)
         fields.append(instants.Fields(column.offset[rows], own, once and len(chosen) > 1))
-    # With only one type, the order is that of the log.
+    # With only one type, the rows have the order of the log.
     return instants.found(fields, form.by if len(fields) > 1 else "packet")
 
 
@@ -184,7 +185,7 @@ def _table(
     rows: instants.Instants | None = None,
     number: int = 0,
 ) -> Table:
-    """The table of these fields; of all rows only some, if others must wait. `number` is that of the first packet."""
+    """Makes the table of these fields, with only the rows `which`. `number` is the number of the first packet."""
     rows = _found(chosen, form) if rows is None else rows
     new = np.full(len(rows.begin), -1, np.int64)  # number of a row in this table
     count = len(rows.begin[which])
@@ -212,7 +213,7 @@ def _table(
 def _beside(
     chosen: Sequence[_Part], lefts: list[Array], places: list[Array], begin: Array, form: Form, number: int
 ) -> Iterator[Series]:
-    """The columns of time and place in the log, by the first packet of each row."""
+    """Yields the columns of the time and the position in the log, from the first packet of each row."""
     count = len(begin)
     if form.clock and form.time:
         values = np.full(count, "NaT", times.dtype(form.clock))
@@ -235,7 +236,8 @@ def _beside(
 
 
 def heading(column: Column[Any], name: str, single: bool) -> str:
-    """The name of a parameter in a table: that in the specification, with set and field if there are several types."""
+    """Returns the name of a parameter in a table: its name in the specification, after set and field if there are
+    several types."""
     number = column.only
     set, _, field = column.name.partition(".")
     if number is not None and not listed(column.type):  # a shared field of one set
@@ -254,11 +256,11 @@ class _Values(NamedTuple):
     values: Values
     mask: Array | None
     facts: dict[str, str]
-    group: str = ""  # of an element: what it is an element of
+    group: str = ""  # for an element, the parameter that it belongs to
 
 
 def _values(column: Column[Any], form: Form, single: bool) -> Iterator[_Values]:
-    """The columns of a table for one type: vectors get one for each element."""
+    """Yields the columns of a table for one type; a vector has one for each element."""
     for path, title in column.titles.items():
         p, values = column.parameters[path], column[path]
         name = heading(column, title, single)
@@ -288,7 +290,7 @@ def _values(column: Column[Any], form: Form, single: bool) -> Iterator[_Values]:
 
 
 def _stripped(texts: Array) -> Array:
-    """Texts without the zeros and spaces that pad them."""
+    """Removes the zeros and spaces that pad texts."""
     short = np.empty(texts.shape, object)
     flat = short.reshape(-1)
     flat[:] = [None if text is None else text.strip("\0 ") for text in texts.reshape(-1).tolist()]
@@ -296,7 +298,7 @@ def _stripped(texts: Array) -> Array:
 
 
 def _names(p: Parameter, numbers: Array) -> Array:
-    """The names of enumerations' values and of flags."""
+    """Converts numbers to the names of enumeration values or flags."""
     known, place = np.unique(numbers, return_inverse=True)
     names = np.empty(len(known), object)
     names[:] = [p.format(number) for number in known.tolist()]
@@ -304,7 +306,7 @@ def _names(p: Parameter, numbers: Array) -> Array:
 
 
 def _lists(ragged: Ragged) -> tuple[int, str]:
-    """The depth of its nested lists, and the type of their elements."""
+    """Returns the depth of nested lists, and the type of their elements."""
     if isinstance(ragged.values, Ragged):
         depth, item = _lists(ragged.values)
         return depth + 1, item
@@ -312,7 +314,7 @@ def _lists(ragged: Ragged) -> tuple[int, str]:
 
 
 def _listed(row: Any) -> Any:
-    """Arrays as lists."""
+    """Converts arrays to lists."""
     if isinstance(row, np.ndarray):
         return row.tolist()
     return [_listed(item) for item in row] if isinstance(row, list) else row
@@ -325,7 +327,7 @@ def _either(first: Array | None, second: Array | None) -> Array | None:
 
 
 def groups(column: Column[Any], form: Form, single: bool) -> list[list[Series]]:
-    """The columns of a table for all rows of one type; the elements of a vector together."""
+    """Returns the columns of a table for all rows of one type, in groups: the elements of a vector together."""
     every = np.arange(len(column))
     found: dict[str, list[Series]] = {}
     for one in _values(column, form, single):
@@ -334,7 +336,7 @@ def groups(column: Column[Any], form: Form, single: bool) -> list[list[Series]]:
 
 
 def _spread(one: _Values, left: Array, place: Array, count: int) -> Series:
-    """Some of the values in their rows; the others have none."""
+    """Puts some of the values in their rows; the other rows have none."""
     if isinstance(one.values, Ragged):
         every = one.values.rows()
         items = np.empty(count, object)
@@ -355,20 +357,20 @@ def _spread(one: _Values, left: Array, place: Array, count: int) -> Series:
 
 
 class Aligned:
-    """Rows of one type only, with the last values of the others, also from earlier parts."""
+    """Makes tables with rows of one type only and the last values of the others, which may be in earlier parts."""
 
     def __init__(self, base: int) -> None:
         """`base` is the number of the type."""
         self._base = base
-        self._before: dict[int, Series] = {}  # number of a column -> its last value
+        self._before: dict[int, Series] = {}  # column number -> its last value
 
     def of(self, table: Table) -> Table:
-        """The next part."""
+        """Converts the next part."""
         columns = list(table.columns)
         count = len(table)
         base = table.types[self._base][1]
         for which, place in table.types:
-            last: Array = np.full(count + 1, 0)  # the row before the first one is that of the parts before
+            last: Array = np.full(count + 1, 0)  # row 0 has the last values of the earlier parts
             last[place + 1] = place + 1
             last = np.maximum.accumulate(last)
             for number in range(which.start, which.stop):
@@ -379,7 +381,7 @@ class Aligned:
         return Table([*kept, *columns[len(kept) :]], [(which, np.arange(len(base))) for which, _ in table.types])
 
     def _with_before(self, number: int, one: Series) -> Series:
-        """A column with one more row before the others: the last value of the parts before."""
+        """Adds a row before the others of a column: the last value of the earlier parts."""
         before = self._before.get(number)
         if before is None:
             nothing = np.zeros((1, *one.values.shape[1:]), one.values.dtype)

@@ -1,4 +1,4 @@
-"""Tables as text: the cells of CSV, the members of JSON lines."""
+"""Formats tables as text: lines of CSV, JSON lines."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from .frames import titled
 from .scan import Array
 from .tables import Series
 
-#: Rows that are in memory as text together.
+#: The number of rows that are in memory as text at the same time.
 ROWS = 1 << 13
 
 
 def csv_head(columns: Sequence[Series]) -> str:
-    """The first line: names with units; durations are written in seconds."""
+    """Formats the first line: names with units; durations are in seconds."""
     return ",".join(quoted(titled(one) + " [s]" * (one.values.dtype.kind == "m")) for one in columns) + "\n"
 
 
 def csv_lines(columns: Sequence[Series]) -> Iterator[str]:
-    """The lines of a table, many at once; missing values are empty."""
+    """Yields the lines of a table, many at once; missing values are empty."""
 
     def template(there: list[bool], formats: list[str]) -> str:
         given = iter(formats)
@@ -34,7 +34,7 @@ def csv_lines(columns: Sequence[Series]) -> Iterator[str]:
 
 
 def json_lines(columns: Sequence[Series]) -> Iterator[str]:
-    """An object for each row, many at once; missing values are left out."""
+    """Yields an object for each row, many at once; missing values are left out."""
     names = [json.dumps(one.name).replace("%", "%%") for one in columns]
 
     def template(there: list[bool], formats: list[str]) -> str:
@@ -49,7 +49,7 @@ def _lines(
     values: Callable[[Series], tuple[str, list[Any]]],
     template: Callable[[list[bool], list[str]], str],
 ) -> Iterator[str]:
-    """The rows that have the same columns are formatted together."""
+    """Yields the lines. Consecutive rows that have values in the same columns are formatted together."""
     count = len(columns[0].values) if columns else 0
     for at in range(0, count, ROWS):
         part = [one.rows(slice(at, at + ROWS)) for one in columns]
@@ -68,7 +68,7 @@ def _lines(
 
 
 def csv_values(one: Series) -> tuple[str, list[Any]]:
-    """The values of a column without gaps, and how CSV writes each."""
+    """Returns the format of a column in CSV, and its values; missing ones have any value."""
     values = one.values
     if values.dtype.kind == "f" and values.ndim == 1:
         return "%r", _doubles(values)
@@ -81,7 +81,7 @@ def csv_values(one: Series) -> tuple[str, list[Any]]:
 
 
 def json_values(one: Series) -> tuple[str, list[Any]]:
-    """The same for JSON: numbers with as many digits as they have on the wire; null for NaN and infinity."""
+    """Returns the same for JSON. Numbers have the precision of the wire; NaN and infinity are null."""
     values = one.values
     if values.ndim > 1:
         form, flat = json_values(Series("", values.reshape(-1), None, {}))
@@ -106,12 +106,12 @@ def json_values(one: Series) -> tuple[str, list[Any]]:
 
 
 def _doubles(values: Array) -> list[float]:
-    """Numbers whose `repr` has as many digits as they need with their own size."""
+    """Converts numbers so that their `repr` has as many digits as their size on the wire needs."""
     return list((shortest(values) if values.dtype == np.float32 else values).tolist())
 
 
 def _seconds(time: int) -> str:
-    """Nanoseconds as a decimal number of seconds."""
+    """Formats nanoseconds as a decimal number of seconds."""
     whole, rest = divmod(abs(time), 1_000_000_000)
     return f"{'-' if time < 0 else ''}{whole}.{rest:09d}"
 
@@ -127,14 +127,14 @@ def _json(value: Any, item: str) -> str:
 
 
 def quoted(text: str) -> str:
-    """A cell of CSV, in quotes if it needs them (RFC 4180)."""
+    """Formats a CSV cell, in quotes if necessary (RFC 4180)."""
     if text.isalnum() or not any(c in text for c in ',"\r\n'):
         return text
     return '"' + text.replace('"', '""') + '"'
 
 
 def shortest(numbers: Array) -> Array:
-    """The shortest decimals that are these numbers of four bytes, as doubles.
+    """Returns the shortest decimal numbers that equal these four-byte floats, as doubles.
 
     The result equals that of `text.shortest` of the package. With 6 to 9 digits, they are whole numbers
     below 2**53 that are divided by an exact power of ten: so they are the nearest double.

@@ -1,4 +1,4 @@
-"""The time of rows: by the timestamps of packets, in the clocks that the specification names."""
+"""Finds the times of rows from the timestamps of packets, by the clocks that the specification names."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ if TYPE_CHECKING:
     from .column import Column
     from .log import Log
 
-NONE = np.iinfo(np.int64).min  # what NumPy calls NaT
+NONE = np.iinfo(np.int64).min  # NaT in NumPy
 _LACKING = NONE + 1
 
 
 class Times(NamedTuple):
     """The time of each row."""
 
-    #: The clock. "" if the log has no timestamp of the sets at hand.
+    #: The clock; "" if the log has no timestamp of these sets.
     clock: str
-    #: `datetime64[ns]`, UTC, of a clock that has a date; of another one `timedelta64[ns]` since its
-    #: start. NaT where it is not known or not valid.
+    #: `datetime64[ns]` in UTC for a clock with a date, otherwise `timedelta64[ns]` since its start. NaT
+    #: if the time is unknown or not valid.
     values: Array
-    #: True where it is the timestamp of the packet itself, False where it is the last one before it
-    #: in a packet of the same set, up to `REACH` bytes away.
+    #: True for the timestamp of the packet itself, False for the last one before it in a packet of
+    #: the same set, up to `REACH` bytes away.
     own: Array
 
 
@@ -36,10 +36,10 @@ class Stamps:
     """The first timestamp of each packet of a set that has one."""
 
     def __init__(self, packet: Array, value: Array, offset: Callable[[], Array]) -> None:
-        self.packet = packet  # numbers in the log, negative for those before a part of it
+        self.packet = packet  # packet numbers; negative for packets before a part of a log
         self.value = value  # nanoseconds
         self._offset = offset
-        #: Is any of them valid?
+        #: Is any timestamp valid?
         self.some = bool(len(value)) and bool((value != NONE).any())
 
     @cached_property
@@ -49,16 +49,16 @@ class Stamps:
 
     @cached_property
     def by_packet(self) -> Array:
-        """The value of each packet from the first to the last one; `_LACKING` where there is none."""
+        """The value of each packet from the first to the last one; `_LACKING` for packets without one."""
         table = np.full(int(self.packet[-1] - self.packet[0]) + 1, _LACKING, np.int64)
         table[self.packet - self.packet[0]] = self.value
         return table
 
 
 def of(log: Log, column: Column[Any], clock: str | None) -> Times:
-    """The times of the rows of a column. Raises ValueError if there is no such clock."""
+    """Finds the times of the rows of a column. Raises ValueError if there is no such clock."""
     if clock is not None and clock not in CLOCKS:
-        raise ValueError(f"{clock!r} is not a clock; one of {', '.join(CLOCKS)} is")
+        raise ValueError(f"{clock!r} is not a clock; use one of {', '.join(CLOCKS)}")
     numbers = column.sets
     clock = clock or chosen(log, numbers)
     if len(numbers) == 1 and clock:
@@ -74,10 +74,10 @@ def of(log: Log, column: Column[Any], clock: str | None) -> Times:
 
 
 def merged(log: Log, column: Column[Any], clock: str) -> tuple[Array, dict[str, str]]:
-    """The times of the packets of a column in nanoseconds, NONE where they have none of their own.
+    """Returns the times of the packets of a column in nanoseconds, NONE for packets without a timestamp.
 
-    Of a set without this clock, they are converted from another one, by packets that have both;
-    the second result has the name of the set and of that clock.
+    The times of a set without this clock are converted from another clock, by means of packets that have
+    both; the second result has the name of the set and of that clock.
     """
     total = np.full(len(column), NONE, np.int64)
     converted = {}
@@ -97,7 +97,7 @@ def merged(log: Log, column: Column[Any], clock: str) -> tuple[Array, dict[str, 
 
 
 def exact(known: Stamps, packet: Array) -> Array:
-    """The times of packets that have a valid timestamp themselves; NONE of others."""
+    """Returns the times of packets that have a valid timestamp; NONE for other packets."""
     if np.array_equal(packet, known.packet):
         return known.value
     if not len(known.packet):
@@ -107,7 +107,7 @@ def exact(known: Stamps, packet: Array) -> Array:
 
 
 def _pairs(log: Log, other: str, clock: str) -> tuple[Array, Array] | None:
-    """The times of packets by two clocks; None if no packet has both."""
+    """Returns the times, by both clocks, of packets that have both; None if there are none."""
     found = []
     for number in (n for n in log.sets() if n >= 0x80):
         if not timestamps.kinds(number, other) or not timestamps.kinds(number, clock):
@@ -123,30 +123,30 @@ def _pairs(log: Log, other: str, clock: str) -> tuple[Array, Array] | None:
 
 
 def _converted(time: Array, other: Array, clock: Array) -> Array:
-    """Times of one clock in that of another; outside of the pairs the difference stays the same."""
+    """Converts times of one clock to another. Before the first and after the last pair, the difference is constant."""
     begin = int(clock[0] - other[0])
     more = np.interp(time.astype(np.float64), other.astype(np.float64), (clock - other - begin).astype(np.float64))
     return np.where(time == NONE, NONE, time + begin + np.rint(more).astype(np.int64))
 
 
 def dtype(clock: str) -> str:
-    """The type of times of a clock."""
+    """Returns the NumPy type for times of a clock."""
     return "datetime64[ns]" if CLOCKS.get(clock) else "timedelta64[ns]"
 
 
 def chosen(log: Log, sets: list[int]) -> str:
-    """The first clock that has a valid timestamp in packets of each of these sets, else of any."""
+    """Chooses the first clock with a valid timestamp in packets of each of these sets, else of any of them."""
     has = {}
     for clock in CLOCKS:
         has[clock] = [stamps(log, number, clock).some for number in sets]
         if has[clock] and all(has[clock]):
-            break  # the first one is the best
+            break  # no other clock can be better
     every = [clock for clock, present in has.items() if present and all(present)]
     return next(iter([*every, *(clock for clock, present in has.items() if any(present)), ""]))
 
 
 def best(parts: Iterable[Log]) -> str | None:
-    """The first clock that has a valid timestamp in a log; looks at no more parts than that needs."""
+    """Finds the first clock that has a valid timestamp in a log. Reads no more parts than necessary."""
     seen: set[str] = set()
     for part in parts:
         sets = [number for number in part.sets() if number >= 0x80]
@@ -157,7 +157,7 @@ def best(parts: Iterable[Log]) -> str | None:
 
 
 def of_packets(log: Log, clock: str) -> Array:
-    """The valid timestamp of each packet of a log; NONE if it has none itself."""
+    """Returns the valid timestamp of each packet of a log; NONE for packets without one."""
     values = np.full(log.packets, NONE, np.int64)
     for number in log.sets():
         if number >= 0x80:
@@ -167,7 +167,7 @@ def of_packets(log: Log, clock: str) -> Array:
 
 
 def rate(log: Log, set: int, count: int, first: int, last: int) -> float | None:
-    """The rate of a field, in Hz, by the steadiest clock: that of the device, if it is there."""
+    """Computes the rate of a field in Hz, by the steadiest clock, which is the device's own if the log has it."""
     for clock in reversed(CLOCKS):
         known = stamps(log, set, clock)
         if len(known.packet):
@@ -180,7 +180,7 @@ def rate(log: Log, set: int, count: int, first: int, last: int) -> float | None:
 
 
 def at(log: Log, set: int, clock: str, packet: Array, offset: Callable[[], Array]) -> tuple[Array, Array]:
-    """The times of some packets of a set, in their order, and whether these are their own."""
+    """Returns the times of some packets of a set, in their order, and whether each is in the packet itself."""
     known = stamps(log, set, clock, int(packet[0]) if len(packet) else None)
     if not len(known.packet) or not len(packet):
         return np.full(len(packet), NONE, np.int64), np.zeros(len(packet), bool)
@@ -203,8 +203,8 @@ def at(log: Log, set: int, clock: str, packet: Array, offset: Callable[[], Array
 
 
 def stamps(log: Log, set: int, clock: str, first: int | None = None) -> Stamps:
-    """The timestamps of a set. They include those shortly before a part of a log if the first packet of interest
-    precedes all timestamps in the part."""
+    """Returns the timestamps of a set. They include those shortly before a part of a log if the first packet of
+    interest precedes all timestamps in the part."""
     own = read(log, set, clock)
     if first is not None and len(own.packet) and own.packet[0] <= first:
         return own
@@ -222,7 +222,7 @@ def stamps(log: Log, set: int, clock: str, first: int | None = None) -> Stamps:
 
 
 def read(log: Log, set: int, clock: str) -> Stamps:
-    """The timestamps of a set in a log itself."""
+    """Reads the timestamps of a set in this part of a log alone."""
     if (set, clock) not in log.own_stamps:
         log.own_stamps[set, clock] = _read(log, set, clock)
     return log.own_stamps[set, clock]
@@ -233,10 +233,10 @@ def _read(log: Log, set: int, clock: str) -> Stamps:
     columns = [c for c in log.columns(kinds, set) if len(c)] if kinds else []
     packet = _whole([column.packet for column in columns])
     value = _whole([nanoseconds(column, clock) for column in columns])
-    places = [column.where.offset for column in columns]  # not the columns, which would keep the log, and it them
+    places = [column.where.offset for column in columns]  # storing the columns would make a cycle with the log
     if (packet[1:] > packet[:-1]).all():
         return Stamps(packet, value, lambda: _whole([offset() for offset in places]))
-    order = np.argsort(packet, kind="stable")  # the first by descriptor, if a packet has several
+    order = np.argsort(packet, kind="stable")  # of several timestamps in a packet, the lowest descriptor is first
     first = np.ones(len(packet), bool)
     first[1:] = packet[order[1:]] != packet[order[:-1]]
     order = order[first]
@@ -248,7 +248,7 @@ def _whole(parts: list[Array]) -> Array:
 
 
 def nanoseconds(column: Column[Any], clock: str) -> Array:
-    """The sum of the weeks, seconds and other parts of a timestamp, in nanoseconds; UTC if the clock has a date."""
+    """Adds the weeks, seconds and other parts of timestamps, in nanoseconds; in UTC if the clock has a date."""
     total = np.zeros(len(column), np.int64)
     bad = np.zeros(len(column), bool)
     for name, p in column.parameters.items():
@@ -262,7 +262,7 @@ def nanoseconds(column: Column[Any], clock: str) -> Array:
                 bad |= ~(np.abs(values) < MOST)
                 total += values.astype(np.int64)
             else:
-                most = (MOST - 1) // scale  # by whole numbers, as a float would round it
+                most = (MOST - 1) // scale  # in integers, because a float would round it
                 if len(values) and (int(values.max()) > most or int(values.min()) < -most):
                     bad |= (values > most) | (values < -most)
                 total += values.astype(np.int64) * scale
@@ -276,6 +276,6 @@ def nanoseconds(column: Column[Any], clock: str) -> Array:
 
 
 def utc(value: Array, clock: str) -> Array:
-    """Nanoseconds of a clock as those since 1970 in UTC; during a leap second the next one begins."""
+    """Converts nanoseconds of a clock to nanoseconds since 1970 in UTC; a leap second counts as the next one."""
     begins, shifts = (np.array(numbers, np.int64) for numbers in timestamps.leaps(clock))
     return np.asarray(value + shifts[np.searchsorted(begins, value, side="right")])

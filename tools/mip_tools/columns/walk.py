@@ -1,4 +1,4 @@
-"""Finds the fields of the packets in a piece of a log, as far as they are well formed."""
+"""Finds the well-formed fields of the packets in a piece of a log."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Run(NamedTuple):
 
 
 def runs(data: Array, at: Array, end: Array) -> list[Run]:
-    """All fields of these packets."""
+    """Finds all fields of these packets."""
     if native.kernel is not None and (known := native.kernel.fields(data, at)) is not None:
         return [Run(*fields) for fields in known]
     keys = [data[at + 2].astype(np.uint16), *_fields(data, at)]
@@ -32,9 +32,9 @@ def runs(data: Array, at: Array, end: Array) -> list[Run]:
     for key in keys[1:]:
         mixed *= 31
         mixed += key
-    order = np.argsort(mixed, kind="stable")  # much faster than by all keys
+    order = np.argsort(mixed, kind="stable")  # much faster than sorting by all keys
     keys = [key[order] for key in keys]
-    new = np.ones(len(order), bool)  # the first packet of a layout: another one may have the same sum
+    new = np.ones(len(order), bool)  # the first packet of a layout; two layouts may have the same sum
     new[1:] = False
     for key in keys:
         new[1:] |= key[1:] != key[:-1]
@@ -44,7 +44,7 @@ def runs(data: Array, at: Array, end: Array) -> list[Run]:
 
 
 def _layout(packet: Array, number: int, *keys: int) -> Iterator[Run]:
-    """The fields of packets that are of one set and have the same ones."""
+    """Yields the fields of packets of one set that all have the same fields."""
     offset = 2
     for key in keys:
         if not key:
@@ -54,7 +54,7 @@ def _layout(packet: Array, number: int, *keys: int) -> Iterator[Run]:
 
 
 def _fields(data: Array, at: Array) -> Iterator[Array]:
-    """Descriptor and length of the first field of each packet, of the second one, …; 0 where there is none."""
+    """Yields descriptor and length of the first field of each packet, then of the second, …; 0 if there is none."""
     packet: Any = slice(None)
     place, left = at + HEADER, data[at + 3]
     while True:
@@ -64,7 +64,7 @@ def _fields(data: Array, at: Array) -> Iterator[Array]:
         more = np.flatnonzero(whole)
         if not len(more):
             return
-        if 2 * len(more) < len(whole):  # the others are left out, as soon as that is worth it
+        if 2 * len(more) < len(whole):  # drops packets without further fields, as soon as that is worth it
             packet = np.arange(len(at))[packet][more]
             place, left, length = place[more], left[more], length[more]
         else:
@@ -80,13 +80,13 @@ def _fields(data: Array, at: Array) -> Iterator[Array]:
 
 
 def places(runs: list[Run], packets: int) -> tuple[Array, Array]:
-    """Packet, and offset in its payload, of all fields of these runs, in the order of the log."""
+    """Returns the packets of all fields of these runs, and the offsets in their payloads, in the order of the log."""
     if len(runs) == 1:
         return runs[0].packet, _filled(runs[0], runs[0].offset)
     slot = np.zeros(packets, np.uint8)
     for run in runs:
         slot[run.packet.astype(np.intp, copy=False)] = run.offset  # much faster than indexes of 32 bits
-    packet = np.flatnonzero(slot != 0)  # much faster than of numbers
+    packet = np.flatnonzero(slot != 0)  # much faster than for numbers
     if len(packet) == sum(len(run.packet) for run in runs):  # no packet has two of them
         return packet, slot[packet]
     packet = np.concatenate([run.packet for run in runs])
@@ -98,10 +98,10 @@ def places(runs: list[Run], packets: int) -> tuple[Array, Array]:
 def in_order(
     found: Iterable[Run], made: Callable[[int, int, list[Run]], tuple[Array, Array, list[T]]]
 ) -> tuple[Array, list[T]]:
-    """The packets of some rows, and the rows, in the order of the log.
+    """Sorts rows into the order of the log. Returns their packets, and the rows.
 
-    `made` is called once for each set and descriptor, with their runs. It returns the packets of its rows, the
-    offsets in the payloads that they are sorted by, and the rows.
+    `made` is called once for each set and descriptor, with their runs. It returns the packets of its rows, their
+    offsets in the payloads, which determine the order within a packet, and the rows.
     """
     alike: dict[tuple[int, int], list[Run]] = {}
     for run in found:
@@ -119,5 +119,5 @@ def in_order(
 
 
 def _filled(run: Run, value: int | Array) -> Array:
-    """One value for each row."""
+    """Repeats one value for each row."""
     return np.full(len(run.packet), value, np.uint8) if isinstance(value, int) else value

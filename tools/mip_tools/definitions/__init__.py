@@ -1,7 +1,7 @@
-"""A package made from a `mip.json` when the tools start, in place of a generated package.
+"""Makes a package from a `mip.json` when the tools start, instead of a generated package.
 
-Its runtime is that of the generated package. Each of its other modules is built when it is first imported, with the
-classes that a generated module would have.
+Its runtime is that of an installed generated package. Each of its other modules is built when it is first imported,
+with the classes that a generated module would have.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from .document import Document
 #: The name of the package.
 NAME = "mip_definitions"
 
-#: Module -> the function that fills it. Those of descriptor sets are added for each file.
+#: Module -> the function that fills it. The modules of descriptor sets are added for each file.
 _BUILDERS: dict[str, Callable[[Document, ModuleType], None]] = {
     "_clocks": modules.clocks,
     "_index": modules.index,
@@ -35,7 +35,7 @@ _BUILDERS: dict[str, Callable[[Document, ModuleType], None]] = {
 
 
 class Finder(MetaPathFinder, Loader):
-    """Finds the modules of the package: built ones, and those of the runtime in its folder."""
+    """Finds the modules of the package: those to build, and those of the runtime in its folder."""
 
     def __init__(self, document: Document, runtime: ModuleType) -> None:
         self.document, self.runtime = document, runtime
@@ -62,7 +62,7 @@ class Finder(MetaPathFinder, Loader):
         return spec_from_loader(fullname, self) if home in self.builders else None  # else in the folder
 
     def get_source(self, fullname: str) -> str:
-        """The source from which `help` and the package take their texts."""
+        """Returns the source from which `help` and the package read their texts."""
         return prose.source(self.document, fullname.rpartition(".")[2])
 
     def exec_module(self, module: ModuleType) -> None:
@@ -76,7 +76,7 @@ def load(file: Path, runtime: ModuleType, name: str = NAME) -> str:
 
 
 def simulation(package: str) -> dict[str, Any] | None:
-    """The behaviour of virtual devices: the `simulation.json` of a package; None if it is not made of definitions."""
+    """Returns the behaviour of virtual devices, the `simulation.json` of a package; None for a generated package."""
     made = (f.document for f in sys.meta_path if isinstance(f, Finder) and f.document.package == package)
     return next(map(modules.simulation, made), None)
 

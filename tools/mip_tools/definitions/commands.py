@@ -1,4 +1,4 @@
-"""Classes of fields, with the constructors of commands and the responses to them."""
+"""Makes the classes of fields, with constructors and responses of commands."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ class Fields(Records):
         return content
 
     def constructor(self, f: Item, call: Item, function: Item) -> Any:
-        """The constructor of a command for a function, with the parameters that it takes."""
+        """Makes the constructor of a command for a function, with the parameters that this function has."""
         parameters = {p["name"]: p for p in f["parameters"]}
         required = [parameters[name] for name in call["required"]]
         optional = [parameters[name] for name in call["optional"]]
@@ -91,7 +91,7 @@ class Fields(Records):
             later = [q for q in optional[i:] if q in addable]
             if p in addable:
                 passed.append(f"{member(p['name'])}={member(p['name'])}")
-            elif "reserved" in p and later:  # it is sent with the parameters after it
+            elif "reserved" in p and later:  # it is present if the parameters after it are
                 names[f"_o{i}"] = default(p, False)
                 passed.append(f"{member(p['name'])}=_o{i} if {member(later[0]['name'])} is not None else None")
         exec(f"def made({', '.join(['cls', *asked])}): return cls({', '.join(['_function', *passed])})", names)
@@ -100,14 +100,14 @@ class Fields(Records):
         return names["made"]
 
     def condition(self, c: Item) -> Callable[[Any], bool]:
-        """Whether a command has a value; for a Boolean, everything but 0 is true."""
+        """Makes a predicate: does a command have this value? For a Boolean, all values but 0 are true."""
         name, value = self.document.member(c["parameter"]), c["value"]
         if c["label"] in ("true", "false"):
             return lambda command: bool(getattr(command, name)) == bool(value)
         return lambda command: bool(getattr(command, name) == value)
 
     def expected(self, f: Item) -> Any:
-        """The response to a command, if it depends on the values of the command."""
+        """Makes the function that selects the response to a command; None if it does not depend on the values."""
         functions = self.document.functions
         given = [functions[c["function"]] for c in f.get("calls", ())]
         responding = [x["value"] for x in given if x["responds"]]
@@ -126,7 +126,7 @@ class Fields(Records):
         return expected
 
     def matches(self, f: Item) -> Any:
-        """Whether data can be those of a field, by their size and the constants in them."""
+        """Makes a predicate: can this field have these data, judged by their size and constants?"""
         signature = constants(f)
         others = [g["min_size"] for g in self.document.layouts(f) if {*constants(g)} <= {*signature}]
         least = f["min_size"] if min(others) < f["min_size"] else 0
@@ -143,5 +143,5 @@ class Fields(Records):
 
 
 def constants(f: Item) -> list[tuple[int, bytes]]:
-    """The constants at known offsets in the data."""
+    """Returns the constants at fixed offsets in the data."""
     return [(c["offset"], c["value"].to_bytes(c["size"], "big")) for c in f.get("constants", ())]

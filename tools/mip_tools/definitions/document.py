@@ -1,4 +1,4 @@
-"""A `mip.json`, the items that its names refer to, and their names in Python."""
+"""Reads a `mip.json`: finds the items to which names refer, and their names in Python."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 
 from ..errors import NoBinding
 
-#: Names that attributes of fields cannot have, those of bits, and those of the elements of vectors.
+#: Names that attributes of fields cannot have; below, those that bits and elements of vectors cannot have.
 MEMBERS = frozenset(
     """codec types wire encode decode decode_with_trailing meaning answered expected matches find packet packet_set
     is_valid to_dict to_text mro cls self field len int float bool str bytes tuple property classmethod""".split()  # noqa: SIM905
@@ -32,14 +32,14 @@ Item = dict[str, Any]
 
 
 class Document:
-    """The content of a file. Raises NoBinding if it is not such a file, or has another format."""
+    """The content of a file. Raises NoBinding if it is not a `mip.json`, or has another format."""
 
     def __init__(self, path: Path, package: str) -> None:
         self.path, self.package = path, package
         try:
             self.content: Item = json.loads(path.read_text("utf-8"))
             if str(self.content["format"]).partition(".")[0] != "1":
-                raise NoBinding(f"{path} has format {self.content['format']}; these tools read 1")
+                raise NoBinding(f"{path} has format {self.content['format']}, but these tools read 1")
         except OSError as error:
             raise NoBinding(f"{path}: {error.strerror}") from None
         except (ValueError, KeyError, TypeError):
@@ -61,16 +61,16 @@ class Document:
 
     @cached_property
     def _places(self) -> dict[str, tuple[int, Item]]:
-        """Name of a field, in each of its sets -> number of the set, and the field."""
+        """Name of a field, in each of its sets -> set number, and the field."""
         found = {f["name"]: (f["set"], f) for f in self.content["fields"]}
         return found | {o["name"]: (o["set"], f) for f in self.content["fields"] for o in f.get("occurrences", ())}
 
     def place(self, name: str) -> tuple[int, Item]:
-        """The set in which a name of a field places it, and the field."""
+        """Returns the set that the name of a field states, and the field."""
         return self._places[name]
 
     def sets_of(self, f: Item) -> range | tuple[int, ...]:
-        """The sets in which a field occurs: the acknowledge in every command set, a shared one in every data set."""
+        """Returns the sets that have a field: the acknowledge is in all command sets, shared ones in all data sets."""
         if f["name"] == self.content["acknowledge"]:
             return range(0x01, 0x80)
         if self.sets[f["set"]]["kind"] == "shared":
@@ -78,7 +78,7 @@ class Document:
         return tuple(o["set"] for o in f.get("occurrences", ({"set": f["set"]},)))
 
     def layouts(self, f: Item) -> list[Item]:
-        """The layouts of the descriptor of a field: itself, and those that it must be distinguished from."""
+        """Returns all layouts with the descriptor of a field, among which the data decide."""
         places = {(set, f["descriptor"]) for set in self._numbers(f)}
         return [g for g in self.content["fields"] if places & {(set, g["descriptor"]) for set in self._numbers(g)}]
 
@@ -87,7 +87,7 @@ class Document:
 
     @cached_property
     def _devices(self) -> dict[str, dict[str, bool]]:
-        """Name of a field -> the devices that have it, for certain or not."""
+        """Name of a field -> the devices that have it, and whether that is certain."""
         found: dict[str, dict[str, bool]] = {}
         for d in self.content["devices"]:
             for s in d.get("supports", ()):
@@ -99,13 +99,13 @@ class Document:
         return found
 
     def devices_of(self, f: Item) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """The ids of the devices that have a field for certain, and of those that may."""
+        """Returns the ids of the devices that certainly have a field, and of those that probably have it."""
         known = self._devices.get(f["name"], {})
         ids = [d["id"] for d in self.content["devices"] if d["id"] in known]
         return tuple(x for x in ids if known[x]), tuple(x for x in ids if not known[x])
 
     def _answers(self, command: Item, support: Item, device: str) -> list[str]:
-        """The responses with which a device answers a command."""
+        """Returns the responses with which a device answers a command."""
         functions = support.get("functions", [c["function"] for c in command.get("calls", ())])
         if command.get("calls") and not any(self.functions[x]["responds"] for x in functions):
             return []
@@ -116,7 +116,7 @@ class Document:
         return answers
 
     def replies(self, command: Item) -> list[tuple[list[Item], list[Item]]]:
-        """The conditions for each response of a command, and its layouts."""
+        """Returns the conditions for each response to a command, and its layouts."""
         replies: list[tuple[list[Item], list[Item]]] = []
         for name in command.get("responses", ()):
             f = self.fields[name]
@@ -128,14 +128,14 @@ class Document:
                 known.append(f)
         return replies
 
-    # ----------------------------------------------------------------- what Python calls them
+    # ----------------------------------------------------------------- names in Python
 
     def module(self, family: str) -> str:
         symbols = [f["symbols"]["python"] for f in self.content["fields"] if f["name"].partition(".")[0] == family]
         return self.checked(symbols[0].split(".")[-2]) if symbols else self.checked(family)
 
     def symbol(self, name: str) -> tuple[str, str]:
-        """Module and class of a type or a field."""
+        """Returns the names of the module and the class of a type or a field."""
         thing = self.types.get(name) or self.fields[name]
         if thing.get("kind") == "vector":
             return "types", self.checked(thing["name"][:1].upper() + thing["name"][1:])
@@ -143,12 +143,12 @@ class Document:
         return (home[0] if home else "protocol"), self.checked(last)
 
     def get(self, name: str) -> Any:
-        """The class of a type or a field."""
+        """Returns the class of a type or a field."""
         home, called = self.symbol(name)
         return getattr(import_module(f"{self.package}.{home}"), called)
 
     def member(self, name: str, reserved: frozenset[str] = MEMBERS) -> str:
-        """The name in Python of a parameter, a function or a part of a value."""
+        """Returns the Python name of a parameter, a function or a part of a value."""
         name = f"n{name}" if name[:1].isdigit() else name
         return self.checked(f"{name}_" if name in reserved or keyword.iskeyword(name) else name)
 
@@ -156,7 +156,7 @@ class Document:
         return self.checked((f"N{name}" if name[:1].isdigit() else name).upper())
 
     def checked(self, name: str) -> str:
-        """A name that becomes part of a program."""
+        """Checks a name that becomes part of executed code. Raises NoBinding if it is not an identifier."""
         if not name.isidentifier() or name.startswith("__"):
             raise NoBinding(f"{self.path}: {name!r} is not a name")
         return name

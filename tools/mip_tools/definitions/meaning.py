@@ -1,4 +1,4 @@
-"""Facts about types and fields at run time, as the modules of `_meaning` have them."""
+"""Fills the modules of `_meaning`: facts about types and fields at run time."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from .document import Document, Item
 from .records import mask
 
-#: Attributes that a parameter and its variants share, by the same name.
+#: Attributes that have the same name in a parameter and in its variants.
 _PLAIN = ("minimum", "maximum", "above", "below", "deprecated", "optional", "fields_of", "frame")
 
 
@@ -107,7 +107,7 @@ class Meaning:
         return self.parameters.Parameter(p["name"], self.document.member(p["name"]), kind, **values)
 
     def numbers(self, value: Any, t: Item) -> Any:
-        """A default with the numbers of named values and bits; lists as tuples."""
+        """Converts a default: named values and bits to numbers, lists to tuples."""
         if t.get("kind") == "enum" and isinstance(value, str):
             return next((v["value"] for v in t["values"] if v["name"] == value), 0)
         if t.get("kind") == "bitfield" and isinstance(value, list) and all(isinstance(x, str) for x in value):
@@ -115,7 +115,7 @@ class Meaning:
         return tuple(self.numbers(x, t) for x in value) if isinstance(value, list) else value
 
     def variants(self, p: Item, record: Item) -> tuple[Any, ...]:
-        """The differences by device or with another parameter: one for all devices that share it."""
+        """Makes the variants of a parameter, by device or by another parameter; devices that agree share one."""
         groups: list[list[Item]] = []
         for v in p.get("variants", ()):
             same = next((g for g in groups if v["by"] == "device" and {**g[0], "key": v["key"]} == v), None)
@@ -153,7 +153,7 @@ class Meaning:
     # ----------------------------------------------------------------- valid flags
 
     def flags(self, paths: Iterable[str], record: Item, device: str | None = None) -> tuple[Any, ...]:
-        """The flags that mark a value as valid; none if the bit depends on the device, which is not known."""
+        """Returns the flags that mark a value as valid; none if the bit depends on the device, which is unknown."""
         found = []
         for path in paths:
             name, _, bit = path.partition(".")
@@ -165,7 +165,7 @@ class Meaning:
         return tuple(found)
 
     def mask(self, holder: Item, bit: str, device: str | None) -> int | None:
-        """The mask of a bit, as the device has it; None if that depends on a device that is not known."""
+        """Returns the mask of a bit on the device; None if it depends on the device, which is unknown."""
         readings = _readings(holder)
         own = next((v["type"] for v in readings if v["by"] == "device" and v["key"] == device), None)
         types = [own or holder.get("type", "")]
@@ -179,7 +179,7 @@ class Meaning:
         return [mask(b) for t in known if t.get("kind") == "bitfield" for b in t["bits"] if b["name"] == bit]
 
     def flags_on(self, p: Item, record: Item) -> dict[str, tuple[Any, ...]]:
-        """Devices where a parameter has another valid flag, or the same flag is another bit."""
+        """Device -> flags, for devices on which a parameter has another valid flag, or the flag is another bit."""
         valid: list[str] = p.get("valid", [])
         own: dict[str, Any] = {
             v["key"]: v["valid"]
@@ -198,7 +198,7 @@ class Meaning:
 
 
 def _readings(p: Item) -> list[Item]:
-    """The variants that name its values or bits."""
+    """Returns the variants that define other values or bits."""
     return [v for v in p.get("variants", ()) if "type" in v and "member" not in v]
 
 

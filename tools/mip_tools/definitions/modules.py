@@ -1,4 +1,4 @@
-"""The content of each module of the package."""
+"""Fills each module of the package."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def _fill(module: Any, **content: Any) -> None:
 
 
 def of_set(document: Document, module: Any) -> None:
-    """Fills the module of a family of descriptor sets. Commands name their responses, so these come first."""
+    """Fills the module of a family of descriptor sets. Responses are first, because commands refer to them."""
     home, made = module.__name__.rpartition(".")[2], Fields(document, module)
     for t in document.content["types"]:
         if document.symbol(t["name"])[0] == home:
@@ -76,7 +76,7 @@ def index(document: Document, module: Any) -> None:
 
 
 def _listed(document: Document) -> list[tuple[str, Item]]:
-    """All fields by name, the acknowledge last."""
+    """Lists all fields by name, the acknowledge last."""
     last = document.content["acknowledge"]
     return sorted(document.fields.items(), key=lambda item: item[0] == last)
 
@@ -111,13 +111,13 @@ def session(document: Document, module: Any) -> None:
 
 
 def _call(document: Document, name: str) -> Any:
-    """The constructor of a command: its first function."""
+    """Returns the constructor of a command: that of its first function."""
     kind, calls = document.get(name), document.fields[name].get("calls")
     return getattr(kind, document.member(calls[0]["function"])) if calls else kind
 
 
 def simulation(document: Document) -> dict[str, Any]:
-    """The behavior of virtual devices, in the form of `simulation.json` of a generated package."""
+    """Returns the behavior of virtual devices, in the form of a generated package's `simulation.json`."""
     given = document.content["simulation"]
     return {
         "functions": {f["letter"]: f["value"] for f in document.content["functions"]},

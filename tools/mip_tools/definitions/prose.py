@@ -1,4 +1,4 @@
-"""Texts of the definitions, as a source from which the package reads its docstrings."""
+"""Writes the texts of the definitions as Python source, from which the package reads its docstrings."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .records import derived, doc
 
 
 def source(document: Document, home: str) -> str:
-    """Classes with nothing but docstrings: those of a module."""
+    """Writes the classes of a module with nothing but docstrings."""
     return "\n".join(_lines(document, home))
 
 

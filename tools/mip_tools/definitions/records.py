@@ -1,4 +1,4 @@
-"""Classes of types and fields, as a generated package has them."""
+"""Makes the classes of types and fields, as in a generated package."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .document import BITS, ELEMENTS, LETTERS, Document, Item
 
 
 def doc(thing: Item, title: str = "") -> str:
-    """A docstring: title, description, notes and sources."""
+    """Composes a docstring: title, description, notes and sources."""
     notes = " ".join(thing.get("notes", ()))
     sources = "\n".join(f"- {s['manual']}: {s['section']}" for s in thing.get("sources", ()) if "section" in s)
     return "\n\n".join(filter(None, (title, thing.get("description", ""), notes, sources)))
@@ -29,7 +29,7 @@ class Records:
         self.field = import_module(f"{document.package}.field")
 
     def add(self, name: str, bases: tuple[type, ...], content: dict[str, Any]) -> type:
-        """A class of the module."""
+        """Adds a class to the module."""
         made = type(name, bases, {"__module__": self.module.__name__, "__qualname__": name, **content})
         setattr(self.module, name, made)
         return made
@@ -112,13 +112,13 @@ class Records:
         return content
 
     def vectors(self, p: Item) -> Iterator[Any]:
-        """The vectors that a value, or each item of an array, may be."""
+        """Yields the vector types that a value, or each item of an array, may have."""
         found = [p, *(c["parameter"] for c in p.get("cases", ()) if "parameter" in c)]
         names = [q["type"] for q in found if self.document.types.get(q.get("type", ""), {}).get("kind") == "vector"]
         return (self.document.get(name) for name in dict.fromkeys(names))
 
     def initializer(self, held: list[Item], absent: set[str]) -> Any:
-        """The constructor: the same parameters as in a generated package."""
+        """Makes the constructor, with the same parameters as in a generated package."""
         names: dict[str, Any] = {"codec": self.codec}
         given, keywords, lines = ["self"], list[str](), list[str]()
         for i, p in enumerate(held):
@@ -141,7 +141,7 @@ class Records:
     # ----------------------------------------------------------------- layouts
 
     def layout(self, operations: list[Item]) -> tuple[tuple[Any, ...], int | None]:
-        """The rows, and how many are always present, if not all."""
+        """Makes the rows of a layout. Also returns how many are always present; None if all are."""
         rows, always = list[Any](), None
         for o in operations:
             if o["kind"] == "group":
@@ -176,7 +176,7 @@ class Records:
         wire, item = self.wire, o["item"]
         if item["kind"] == "struct":
             return name, "", wire.Items(self.document.get(item["struct"]), length, o["capacity"])
-        if item["kind"] == "array":  # of vectors
+        if item["kind"] == "array":  # an array of vectors
             letters = LETTERS[item["item"]["scalar"]] * item["count"]
             return name, letters, wire.Items(self.document.get(item["vector"]), length, o["capacity"])
         letter, kind = LETTERS[item["scalar"]], self.convert(item)
@@ -191,12 +191,12 @@ class Records:
             return self.document.get(o["type"])
         return self.codec.truth if o.get("scalar") == "bool" else None
 
-    #: Array -> how many items a field holds; of the record that is being made.
+    #: Array in the current record -> the maximum number of items in a field.
     capacities: dict[str, int]
 
 
 def operations(r: Item) -> list[Item]:
-    """The operations of all parameters, without their groups."""
+    """Returns the operations of all parameters, without groups."""
     return [inner for o in r["operations"] for inner in o.get("body", [o])]
 
 
@@ -217,7 +217,7 @@ _NONE = _None()
 
 
 def default(p: Item, absent: bool) -> Any:
-    """The value of a member that the caller does not give; _NONE if there is none."""
+    """Returns the value of a member that the caller omits; _NONE if it must not be omitted."""
     if absent or "cases" in p:
         return None
     if "reserved" not in p:
@@ -226,7 +226,7 @@ def default(p: Item, absent: bool) -> Any:
 
 
 def by_name(held: list[Item], absent: set[str], i: int) -> bool:
-    """Is it a default before members without one? Then it is passed by name only."""
+    """Does a member have a default, although a member after it has none? It is then a keyword-only parameter."""
     p = held[i]
     later = (default(q, q["name"] in absent) for q in held[i + 1 :])
     return default(p, p["name"] in absent) is not _NONE and any(value is _NONE for value in later)
@@ -237,7 +237,7 @@ def _bits(b: Item, number: Any) -> Any:
 
 
 def _columns(elements: list[str]) -> int:
-    """The number of columns of a matrix; 0 for other vectors."""
+    """Returns the number of columns of a matrix; 0 for other vectors."""
     count = round(len(elements) ** 0.5)
     places = [f"m{row}{column}" for row in range(1, count + 1) for column in range(1, count + 1)]
     return count if count > 1 and places == elements else 0

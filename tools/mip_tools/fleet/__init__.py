@@ -1,6 +1,6 @@
-"""Many logs as one partitioned Parquet data set, decoded in parallel with Dask.
+"""Decodes many logs into one partitioned Parquet data set, in parallel with Dask.
 
-An interrupted run continues where it stopped, and no row is there twice: docs/fleet.md of mipgen.
+A run continues where an interrupted one stopped, and no row is duplicated: see docs/fleet.md of mipgen.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 """The folder of a data set: its files, its manifest, and how both change together.
 
-    OUT/_manifest.json                     what counts: the files, the logs that are in them, the options
+    OUT/_manifest.json                     what belongs to the data set: files, their logs, and the options
     OUT/_catalogue.parquet                 a row for each log and descriptor set: device, times, rates, gaps
     OUT/clock=gps/field=…/NAME.parquet     the rows
     OUT/_work/                             files of an unfinished run
 
-A file appears under its name when it is complete, and the name follows from its content: to make it again changes
-nothing. Only what the manifest lists counts; it is replaced as a whole.
+A file gets its name when it is complete, and the name is derived from the content: making it again changes nothing.
+Only files in the manifest belong to the data set, and the manifest is replaced as a whole.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Part:
     clock: str
     field: str
     rows: int
-    bytes: int  # in memory
+    bytes: int  # size of the rows in memory
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Manifest:
     options: dict[str, Any]
     files: list[Part] = field(default_factory=list)
     logs: list[Member] = field(default_factory=list)
-    failed: dict[str, str] = field(default_factory=dict)  # of the last run: name of a log -> why
+    failed: dict[str, str] = field(default_factory=dict)  # in the last run: name of a log -> reason
 
     @property
     def rows(self) -> int:
@@ -64,23 +64,23 @@ class Manifest:
 
 
 class Fleet:
-    """A data set that exists."""
+    """An existing data set."""
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         self.folder = Path(folder)
 
     @property
     def manifest(self) -> Manifest:
-        """The content of a data set. Raises Failure if it is not one."""
+        """The content of the data set. Raises Failure if the folder has none."""
         found = read(self.folder)
         if found is None:
-            raise Failure(f"{self.folder} is not a finished data set of a fleet")
+            raise Failure(f"{self.folder} has no complete data set; `mip fleet` makes one")
         return found
 
     def files(self, field: str, clock: str | None = None) -> list[str]:
-        """The files of a field, for any reader of Parquet, such as `dask.dataframe.read_parquet`.
+        """Returns the files of a field, for any Parquet reader, such as `dask.dataframe.read_parquet`.
 
-        Raises LookupError if there are none, or if they are of several clocks and none is named.
+        Raises LookupError if there are none, or if they have several clocks and you name none.
         """
         own = [one for one in self.manifest.files if one.field == field and clock in (None, one.clock)]
         clocks = sorted({one.clock for one in own})
@@ -90,27 +90,27 @@ class Fleet:
         return [str(self.folder / one.path) for one in own]
 
     def dataset(self, field: str, clock: str | None = None) -> Any:
-        """The rows of a field as a data set of PyArrow. Raises LookupError as `files` does."""
+        """Opens the rows of a field as a PyArrow data set. Raises LookupError as `files` does."""
         import pyarrow.dataset
 
         return pyarrow.dataset.dataset(self.files(field, clock))
 
     def catalogue(self) -> Any:
-        """A row for each log and descriptor set, as a table of PyArrow."""
+        """Reads the catalogue as a PyArrow table: a row for each log and descriptor set."""
         import pyarrow.parquet
 
         return pyarrow.parquet.read_table(self.folder / CATALOGUE, partitioning=None)
 
 
 def open_fleet(folder: str | os.PathLike[str]) -> Fleet:
-    """The data set in a folder. Raises Failure if it has none."""
+    """Opens the data set in a folder. Raises Failure if it has none."""
     fleet = Fleet(folder)
     fleet.manifest  # noqa: B018
     return fleet
 
 
 def read(folder: Path) -> Manifest | None:
-    """The manifest of a folder, if it has one. Raises Failure if it is of another version."""
+    """Reads the manifest of a folder; None if there is none. Raises Failure if it has another version."""
     try:
         said = json.loads((folder / MANIFEST).read_text("utf-8"))
     except FileNotFoundError:
@@ -118,7 +118,7 @@ def read(folder: Path) -> Manifest | None:
     except ValueError as error:
         raise Failure(f"{folder / MANIFEST} is damaged: {error}") from None
     if said.pop("version", None) != VERSION:
-        raise Failure(f"{folder / MANIFEST} is of another version of mip-tools")
+        raise Failure(f"{folder / MANIFEST} is of another version of mip-tools; use another folder")
     files, logs = [Part(**one) for one in said.pop("files")], [Member(**one) for one in said.pop("logs")]
     return Manifest(files=files, logs=logs, **said)
 
@@ -132,7 +132,7 @@ def write(folder: Path, manifest: Manifest) -> None:
 
 @contextmanager
 def placed(path: Path) -> Iterator[Path]:
-    """A file that is renamed to its final name when it is complete and on the disk."""
+    """Provides a temporary path, which is renamed to the final one when the file is complete and on the disk."""
     part = path.with_name(f"_{path.name}.{os.getpid()}.part")
     try:
         yield part
@@ -144,18 +144,18 @@ def placed(path: Path) -> Iterator[Path]:
 
 
 def home(clock: str, field: str) -> str:
-    """The folder of the rows of a field."""
+    """Returns the folder for the rows of a field."""
     return f"clock={clock or 'none'}/field={quote(field, safe='')}"
 
 
 def belongs(path: Path) -> tuple[str, str]:
-    """Clock and field of a file."""
+    """Returns the clock and the field of a file."""
     clock, field = (unquote(part.partition("=")[2]) for part in path.parts[-3:-1])
     return clock, field
 
 
 def unlisted(folder: Path, manifest: Manifest) -> list[Path]:
-    """Files of rows that are not in the manifest: a run ended while it moved them."""
+    """Finds files that are not in the manifest because a run ended while it moved them."""
     listed = {one.path for one in manifest.files}
     every = sorted(folder.glob("clock=*/field=*/*"))
     return [path for path in every if path.relative_to(folder).as_posix() not in listed]
@@ -163,18 +163,18 @@ def unlisted(folder: Path, manifest: Manifest) -> list[Path]:
 
 @contextmanager
 def alone(folder: Path) -> Iterator[None]:
-    """Keeps other runs from changing the folder meanwhile. Raises Failure if one does."""
+    """Keeps other runs from changing the folder meanwhile. Raises Failure if another run is active."""
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "_lock", "ab") as file:
         try:
             _lock(file.fileno())
         except OSError:
-            raise Failure(f"another run is at work in {folder}; wait until it has ended") from None
+            raise Failure(f"another run is active in {folder}; wait until it has ended") from None
         yield
 
 
 def _lock(number: int) -> None:
-    """Takes a lock that is held until the process ends, in whatever way."""
+    """Acquires a lock that the system releases when the process ends, for any reason."""
     try:
         import fcntl
     except ImportError:

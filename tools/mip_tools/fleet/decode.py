@@ -1,4 +1,4 @@
-"""One log as fragments: a file of Arrow for each field, with the rows and columns of `Log.frame`."""
+"""Decodes one log into fragments: an Arrow file for each field, with the rows and columns of `Log.frame`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ..occurrence import Occurrence, of
 from . import sources
 from .tasks import Work
 
-#: Bytes of a log that are decoded together.
+#: Bytes of a log that are decoded at once.
 _PART = 1 << 23
 #: The field that a log must contain to identify its device.
 _IDENTITY = "base.get_device_info_response"
@@ -49,10 +49,10 @@ def decoded(work: Work, log: sources.Log, identity: str) -> dict[str, Any]:
 
 
 def _facts(source: Log) -> dict[str, Any]:
-    """The entry of a log in the catalogue. Raises ValueError if it is not a log."""
+    """Makes the catalogue entry of a log. Raises ValueError if the file is not a log."""
     report = examine(source)
     if not report.packets:
-        raise ValueError("it has no MIP packets")
+        raise ValueError("the file has no MIP packets")
     told = _told(source) if (0x01, 0x81) in report.fields else {}
     clocks = {number: [c for c, sets in report.clocks.items() if number in sets] for number in report.sets}
     common = {"packets": report.packets, "skipped": report.skipped, "damaged": report.damaged}
@@ -60,7 +60,7 @@ def _facts(source: Log) -> dict[str, Any]:
 
 
 def _told(source: Log) -> dict[str, str]:
-    """The identity of the device, if its reply is in the log."""
+    """Returns the identity of the device, if the log contains the reply with it."""
     try:
         one = next(source.objects(registry.by_name(_IDENTITY)), None)
     except (UnknownName, LookupError):
@@ -71,7 +71,7 @@ def _told(source: Log) -> dict[str, str]:
 
 
 def _set(report: Report, number: int) -> dict[str, Any]:
-    """A descriptor set in the catalogue, by the first clock that it has."""
+    """Makes the catalogue entry of a descriptor set, by the first clock that it has."""
     said: dict[str, Any] = {"set": set_name(number), "set_packets": report.sets[number]}
     for clock, sets in report.clocks.items():
         if number in sets:
@@ -115,7 +115,7 @@ def _fragments(work: Work, source: Log, clocks: dict[int, list[str]], folder: Pa
 
 
 def _sets(source: Log, selection: Selection) -> dict[Occurrence, set[int]]:
-    """The descriptor sets of each field, in all of the log."""
+    """Finds the descriptor sets of each field in the whole log."""
     found: dict[Occurrence, set[int]] = {}
     for part in source.parts(_PART):
         for number, kind in contents.kinds(part):
@@ -125,7 +125,7 @@ def _sets(source: Log, selection: Selection) -> dict[Occurrence, set[int]]:
 
 
 def _clock(clocks: dict[int, list[str]], sets: set[int]) -> str:
-    """The first clock that all of these sets have, else any of them, as for `Log.frame`."""
+    """Chooses the first clock that all of these sets have, else that any of them has, as `Log.frame` does."""
     from ..binding import CLOCKS
 
     has = {clock: [clock in clocks.get(number, ()) for number in sets] for clock in CLOCKS}

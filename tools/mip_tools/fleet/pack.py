@@ -1,4 +1,4 @@
-"""Fragments of many logs as few files with large row groups."""
+"""Packs fragments of many logs into few files with large row groups."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from typing import Any
 from .dataset import Part, home, placed
 from .tasks import Pack, Source
 
-#: Bytes of the rows of a group in memory, at least, if a field has so many.
+#: The minimum size of a row group in memory, in bytes, if a field has that much.
 GROUP = 1 << 26
 
 
 def planned(
     folder: Path, work: Path, fresh: Sequence[tuple[str, str, Source]], before: Sequence[Part], group: int
 ) -> tuple[list[tuple[str, str, Pack]], list[Part]]:
-    """The files to make of new fragments (clock, field, rows), and the earlier ones that remain.
+    """Plans the files to make from new fragments (clock, field, rows). Also returns the earlier files that remain.
 
-    A file that is smaller than a group is made again, with the new rows.
+    A file that is smaller than a group is rewritten together with the new rows.
     """
     new = {(clock, field) for clock, field, _ in fresh}
     small = [one for one in before if one.bytes < group and (one.clock, one.field) in new]
@@ -37,7 +37,7 @@ def planned(
 
 
 def _enough(sources: Sequence[Source], group: int) -> list[list[Source]]:
-    """Parts of a list with enough rows for a group each; what is left belongs to the last one."""
+    """Divides a list into parts with enough rows for a group each; the rest is added to the last part."""
     parts: list[list[Source]] = [[]]
     for source in sources:
         if sum(one.bytes for one in parts[-1]) >= group:
@@ -49,7 +49,7 @@ def _enough(sources: Sequence[Source], group: int) -> list[list[Source]]:
 
 
 def packed(work: Pack) -> tuple[int, int]:
-    """Writes a file, unless it is there; returns the number of rows, and their bytes in memory."""
+    """Writes a file, unless it exists. Returns the number of rows, and their size in memory."""
     import pyarrow.parquet as parquet
 
     from ..cli.writers import parquet_writer
@@ -70,14 +70,14 @@ def packed(work: Pack) -> tuple[int, int]:
 
 
 def _groups(work: Pack, left: int) -> Iterator[Any]:
-    """The rows of each group; the last one includes a rest that is too small for another."""
+    """Yields the rows of each group; the last one includes a rest that is too small for a group."""
     import pyarrow as pa
 
     waiting: list[Any] = []
     size = 0
     for source in work.sources:
         for table in _tables(source):
-            own = table.drop_columns(["log", "device"]).nbytes  # these two take next to nothing in Parquet
+            own = table.drop_columns(["log", "device"]).nbytes  # these two need almost no space in Parquet
             waiting.append(table)
             size += own
             left -= own
@@ -89,7 +89,7 @@ def _groups(work: Pack, left: int) -> Iterator[Any]:
 
 
 def _tables(source: Source) -> Iterator[Any]:
-    """The rows of a source, in batches, with their log and device."""
+    """Yields the rows of a source, in batches, with their log and device."""
     import pyarrow as pa
 
     if source.path.suffix == ".parquet":
@@ -106,7 +106,7 @@ def _tables(source: Source) -> Iterator[Any]:
 
 
 def _same(text: str | None, count: int) -> Any:
-    """One text in all rows."""
+    """Makes a column with the same text in all rows."""
     import pyarrow as pa
 
     known = pa.array([] if text is None else [text], pa.string())

@@ -1,4 +1,4 @@
-"""A run: finds what is new, lets workers decode it, packs the rows, and writes the manifest."""
+"""A run: finds new logs, has workers decode them, packs the rows, and writes the manifest."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ class Built:
 
     manifest: dataset.Manifest
     added: list[str] = field(default_factory=list)  # names of logs
-    known: list[str] = field(default_factory=list)  # that were in the data set before, perhaps by another name
-    failed: dict[str, str] = field(default_factory=dict)  # name of a log -> why
+    known: list[str] = field(default_factory=list)  # logs that were in the data set before, maybe under another name
+    failed: dict[str, str] = field(default_factory=dict)  # name of a log -> reason
 
 
 def build(
@@ -44,11 +44,11 @@ def build(
     group: int = pack.GROUP,
     progress: Progress = lambda done, of, what: None,
 ) -> Built:
-    """Adds logs to the data set in the folder `out`, which is made if there is none.
+    """Adds logs to the data set in the folder `out`, which is created if it does not exist.
 
-    `sources` are logs, folders of logs, or URLs of either. `only` names fields and sets; without it, all data are in
-    the data set. `device` is a regular expression whose group finds the device in the name of a log. The workers are
-    processes of this machine, one for each core unless `workers` says otherwise, or those of a Dask scheduler.
+    `sources` are logs, folders of logs, or URLs of either. `only` names fields and sets; by default, all data are in
+    the data set. `device` is a regular expression whose first group finds the device in the name of a log. The workers
+    are `workers` processes on this machine, by default one for each core, or those of a Dask scheduler.
 
     Raises Failure if the folder cannot be written, is used by another run, or was made with other options.
     """
@@ -92,10 +92,10 @@ class _Run:
         for name, value in options.items():
             if self._before.options.get(name) != value:
                 said = f"{name} {self._before.options.get(name)!r}, not {value!r}"
-                raise Failure(f"{folder} was made with {said}; use the same, or another folder")
+                raise Failure(f"{folder} was made with {said}; use the same options, or another folder")
 
     def begin(self) -> None:
-        """Moves back the files that an interrupted run had moved already."""
+        """Moves back the files that an interrupted run had already moved."""
         for path in dataset.unlisted(self.folder, self._before):
             clock, name = dataset.belongs(path)
             back = self.work / dataset.home(clock, name) / path.name
@@ -103,7 +103,7 @@ class _Run:
             os.replace(path, back)
         said = json.dumps(self._before.options)
         stamp = self.work / "options.json"
-        if not stamp.exists() or stamp.read_text("utf-8") != said:  # unfinished work of other options is of no use
+        if not stamp.exists() or stamp.read_text("utf-8") != said:  # unfinished work with other options is useless
             dataset.cleared(self.folder)
             self.work.mkdir()
             with dataset.placed(stamp) as part:
@@ -122,13 +122,13 @@ class _Run:
             if identity in identities:
                 self.built.known.append(log.name)
             elif log.name in names:
-                self.built.failed[log.name] = "it has changed since it was added; its rows are the earlier ones"
+                self.built.failed[log.name] = "it has changed since it was added; its earlier rows are kept"
             else:
                 identities.add(identity)
                 self.new.append((log, identity, size))
 
     def decode(self, client: Any, work: tasks.Work) -> None:
-        """Lets workers decode the new logs, large ones first."""
+        """Has workers decode the new logs, large ones first."""
         order = sorted(self.new, key=lambda one: -one[2])
         jobs = [(log.name, (work, log, identity)) for log, identity, _ in order]
         for name, result in self._done(client, tasks.decode, jobs, "logs"):
@@ -141,7 +141,7 @@ class _Run:
                 self._facts[name] = result | ({"device": found} if found else {})
 
     def pack(self, client: Any) -> None:
-        """Lets workers make files of the fragments."""
+        """Has workers make files from the fragments."""
         fresh = []
         for log, identity, size in self.new:
             facts = self._facts.get(log.name)
@@ -166,7 +166,7 @@ class _Run:
             self._packed.append(path)
 
     def end(self) -> None:
-        """Moves the new files to their places, and writes the manifest."""
+        """Moves the new files to their folders, and writes the manifest."""
         manifest = self.built.manifest
         manifest.failed = self.built.failed
         manifest.logs.sort(key=lambda one: one.name)
@@ -183,7 +183,7 @@ class _Run:
         dataset.cleared(self.folder)
 
     def _write_catalogue(self) -> None:
-        """Adds the rows of the new logs, and removes those of logs that do not count."""
+        """Adds the rows of the new logs to the catalogue, and removes those of logs that are not in the data set."""
         import pyarrow as pa
         import pyarrow.parquet as parquet
 
@@ -203,7 +203,7 @@ class _Run:
     def _done(
         self, client: Any, function: Callable[..., Any], jobs: Sequence[tuple[str, tuple[Any, ...]]], what: str
     ) -> Iterator[tuple[str, Any]]:
-        """The results, or the exceptions, as they arrive."""
+        """Runs jobs. Yields the results, or the exceptions, as they arrive."""
         completed: Any = import_module("dask.distributed").as_completed
         futures = {client.submit(function, *job, pure=False): key for key, job in jobs}
         for count, future in enumerate(completed(list(futures)), 1):
@@ -227,14 +227,14 @@ def _catalogue_schema(pa: Any) -> Any:
 
 
 def _dates(each: dict[str, Any]) -> dict[str, Any]:
-    """The first and the last time as dates, if the clock has one."""
+    """Converts the first and the last time to dates, if the clock has a date."""
     if not binding.CLOCKS.get(each.get("clock", "")):
         return {}
     return {"first_utc": each["first"], "last_utc": each["last"]}
 
 
 def _why(error: BaseException) -> str:
-    """A reason in one line."""
+    """Describes the reason in one line."""
     if type(error).__name__ == "KilledWorker":
         return "the workers that read it crashed repeatedly: out of memory, or the file changed meanwhile"
     return " ".join(f"{type(error).__name__}: {error}".split())
@@ -242,11 +242,11 @@ def _why(error: BaseException) -> str:
 
 @contextmanager
 def _client(dask: Any, workers: int | None, scheduler: str | None) -> Iterator[Any]:
-    """Workers. Raises Failure if there is no scheduler at the address."""
+    """Starts workers. Raises Failure if there is no scheduler at the address."""
     try:
         if scheduler:
             made = dask.Client(scheduler, timeout=10)
-        else:  # logs are mapped, not read: a limit of memory would count what does not matter
+        else:  # logs are mapped, not read: a memory limit would count their pages
             cluster = dask.LocalCluster(
                 n_workers=workers or os.cpu_count() or 1,
                 threads_per_worker=1,

@@ -1,4 +1,4 @@
-"""The logs of a fleet: their places, their names, and whether two are the same."""
+"""Finds the logs of a fleet: their locations, their names, and whether two are the same."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from typing import IO, Any, cast
 
 from ..errors import Misuse
 
-#: Bytes at the beginning and at the end that, with its size, identify a log.
+#: The number of bytes at the beginning and at the end of a log that, with its size, identify it.
 _ENDS = 1 << 16
 
 
 @dataclass(frozen=True)
 class Log:
-    """A log by its name in the data set, and by its path or URL."""
+    """A log: its name in the data set, and its path or URL."""
 
     name: str
     place: str
 
     @property
     def remote(self) -> bool:
-        """Is it a URL, as of a bucket?"""
+        """Is the location a URL, for example of a bucket?"""
         return "://" in self.place
 
     def identity(self) -> tuple[str, int]:
-        """An identity that does not depend on the name, and the size. Raises OSError."""
+        """Returns an identity that does not depend on the name, and the size. Raises OSError."""
         with self._opened() as file:
             size = file.seek(0, 2)
             said = hashlib.sha256(b"%d" % size)
@@ -44,7 +44,7 @@ class Log:
 
     @contextmanager
     def local(self) -> Iterator[str]:
-        """A path of it on this machine; for a URL, that of a temporary copy. Raises OSError."""
+        """Provides a path on this machine; for a URL, the path of a temporary copy. Raises OSError."""
         if not self.remote:
             yield self.place
             return
@@ -62,19 +62,19 @@ class Log:
 
 
 def found(sources: Iterable[str], pattern: str) -> list[Log]:
-    """The logs in folders and under URLs whose names match a pattern, and those that are named, by name.
+    """Finds the logs whose names match a pattern in folders and under URLs, and the logs that are named directly.
 
-    Raises Misuse.
+    Returns them sorted by name. Raises Misuse.
     """
     logs: dict[str, Log] = {}
     for source in sources:
         several = list(_in(source, pattern))
         if not several:
-            raise Misuse(f"{source} has no files {pattern}; see --pattern")
+            raise Misuse(f"{source} has no files that match {pattern}; see --pattern")
         for log in several:
             other = logs.setdefault(log.name, log)
             if other.place != log.place:
-                raise Misuse(f"{other.place} and {log.place} are both called {log.name}; name a folder that has both")
+                raise Misuse(f"{other.place} and {log.place} are both called {log.name}; name a folder with both")
     return [logs[name] for name in sorted(logs)]
 
 
@@ -101,7 +101,7 @@ def _in(source: str, pattern: str) -> Iterator[Log]:
 
 
 def _system(url: str) -> tuple[Any, str]:
-    """The file system of a URL, and the path in it. Raises Misuse if a package for it is missing."""
+    """Returns the file system of a URL, and the path in it. Raises Misuse if its package is not installed."""
     try:
         return cast(tuple[Any, str], import_module("fsspec.core").url_to_fs(url))
     except (ImportError, ValueError) as error:
@@ -109,7 +109,7 @@ def _system(url: str) -> tuple[Any, str]:
 
 
 def device_in(name: str, pattern: str | None) -> str | None:
-    """The text that the first group of a regular expression matches in the name of a log."""
+    """Returns the text that the first group of a regular expression matches in the name of a log."""
     said = re.search(pattern, name) if pattern else None
     return said[1] if said else None
 

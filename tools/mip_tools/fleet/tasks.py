@@ -22,7 +22,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Source:
-    """Rows that become part of a file: a fragment, or a small file of an earlier run."""
+    """A source of rows for a file: a fragment, or a small file of an earlier run."""
 
     path: Path
     bytes: int
@@ -32,15 +32,15 @@ class Source:
 
 @dataclass(frozen=True)
 class Pack:
-    """A file that is to be made."""
+    """A file to make."""
 
     path: Path
     sources: tuple[Source, ...]
-    group: int  # bytes of a row group, at least
+    group: int  # the minimum size of a row group, in bytes
 
 
 def decode(work: Work, log: Log, identity: str) -> dict[str, Any]:
-    """Makes the fragments of a log; returns its facts, or the reason, `failed`, why there are none."""
+    """Makes the fragments of a log. Returns its facts, or, as `failed`, the reason why there are none."""
     binding.use(work.package)
     from .decode import decoded
 
@@ -48,7 +48,7 @@ def decode(work: Work, log: Log, identity: str) -> dict[str, Any]:
 
 
 def pack(work: Pack) -> tuple[int, int]:
-    """Makes a file of rows; returns their number, and their bytes in memory."""
+    """Makes a file of rows. Returns their number, and their size in memory."""
     from .pack import packed
 
     return packed(work)

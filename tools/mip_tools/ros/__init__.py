@@ -1,1 +1,1 @@
-"""Messages of ROS 2: standard ones in the axes of REP 103, and those of the package mip_msgs."""
+"""ROS 2 messages: standard ones in the axes of REP 103, and those of the package mip_msgs."""

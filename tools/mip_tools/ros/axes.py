@@ -1,4 +1,4 @@
-"""From the axes of MIP, NED and a body of forward, right, down, to those of REP 103: ENU and forward, left, up."""
+"""Converts the axes of MIP (NED; forward, right, down) to those of REP 103 (ENU; forward, left, up)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from ..columns.scan import Array
 
-#: Each is a number, or an array of numbers: many vectors at once.
+#: Each element is a number, or an array of numbers for many vectors at once.
 Vector = tuple[Any, Any, Any]
 Numbers: TypeAlias = "Sequence[Any] | Array"
 #: w, x, y, z.
@@ -31,7 +31,7 @@ def world(v: Numbers) -> Vector:
 
 
 def attitude(q: Numbers) -> Quaternion:
-    """The rotation from the body of REP 103 to ENU, from the attitude in NED that a device sends."""
+    """Converts an attitude in NED, as a device sends it, to the rotation from the body of REP 103 to ENU."""
     w, x, y, z = q
     length = np.sqrt(2 * (w * w + x * x + y * y + z * z))
     length = np.where(length == 0, 1.0, length)
@@ -39,7 +39,7 @@ def attitude(q: Numbers) -> Quaternion:
 
 
 def matrix(q: Quaternion) -> list[list[Any]]:
-    """The rotation matrix of a unit quaternion."""
+    """Returns the rotation matrix of a unit quaternion."""
     w, x, y, z = q
     return [
         [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -49,14 +49,14 @@ def matrix(q: Quaternion) -> list[list[Any]]:
 
 
 def into_body(q: Quaternion, v: Numbers) -> Vector:
-    """A vector of the world in the axes of a body with this attitude."""
+    """Rotates a vector from the world to the axes of a body with this attitude."""
     m = matrix(q)
     x, y, z = (sum(m[k][i] * v[k] for k in range(3)) for i in range(3))
     return x, y, z
 
 
 def variances_into_body(q: Quaternion, variances: Numbers) -> list[Any]:
-    """The covariance (3 x 3, row by row) in the body of independent errors along the axes of the world."""
+    """Converts variances along the axes of the world to the covariance (3 x 3, row by row) in the body."""
     m = matrix(q)
     return [sum(m[k][i] * variances[k] * m[k][j] for k in range(3)) for i in range(3) for j in range(3)]
 

@@ -1,4 +1,4 @@
-"""The encoding of messages, CDR, in the order of bytes of most machines."""
+"""Encodes messages as little-endian CDR."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ _BODY = len(HEAD) + _STAMP.size
 
 
 def stamped(message: bytes, moment: int) -> bytes:
-    """A message that begins with a header, with its time in ns."""
+    """Inserts a time in ns into a message that begins with a header."""
     return HEAD + _STAMP.pack(*divmod(moment, SECOND)) + message[_BODY:]
 
 
 class Layout(NamedTuple):
-    """The encoding of messages whose texts are known, so that all have one length."""
+    """The encoding of messages with fixed texts, so that all have the same length."""
 
     dtype: np.dtype[Any]  # the values of inner messages have paths as names: `header.stamp.sec`
     empty: bytes  # a message of zeros, with the texts
 
     def messages(self, count: int, values: Mapping[str, Any]) -> list[bytes]:
-        """Messages with these values, without their times."""
+        """Encodes messages with these values, without their times."""
         made = np.frombuffer(bytearray(self.empty * count), self.dtype)
         for path, value in values.items():
             made[path] = value
@@ -35,12 +35,12 @@ class Layout(NamedTuple):
         return [HEAD + data[at : at + size] for at in range(0, len(data), size)]
 
     def numbers(self) -> list[str]:
-        """The names of the values that are no texts."""
+        """Returns the names of the values that are not texts."""
         return [name for name in self.dtype.names or () if self.dtype[name].names is None]
 
 
 def layout(definitions: Any, name: str, texts: Mapping[str, str]) -> Layout | None:
-    """The layout of messages with these texts; None if their length varies."""
+    """Computes the layout of messages with these texts; None if their length varies."""
     names, types, offsets, values, end = [], [], [], {}, 0
     for path, base, count in _leaves(definitions, name, ""):
         if not base:
@@ -64,7 +64,7 @@ def layout(definitions: Any, name: str, texts: Mapping[str, str]) -> Layout | No
 
 
 def _leaves(definitions: Any, name: str, prefix: str) -> Iterator[tuple[str, str, int]]:
-    """The values of a message: path, type, "" if its length varies, and the length of an array."""
+    """Yields the values of a message: path, type ("" if its length varies), and array length."""
     for member, (node, detail) in definitions[name][1]:
         if node == 1:
             yield prefix + member, detail[0], 0

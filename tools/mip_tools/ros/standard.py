@@ -1,7 +1,7 @@
-"""Standard messages of ROS 2, made from columns of data fields.
+"""Makes standard ROS 2 messages from columns of data fields.
 
-What the values of messages leave out is zero. Fields that a specification or a packet does not have are left out of
-messages, and a message without its first value is not made.
+Values that are not set are zero. Fields that a specification or a packet does not have are left out of messages, and a
+message without its first value is not made.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from . import axes
 
 STANDARD_GRAVITY = 9.80665  # m/s^2 per g
 TESLA = 1e-4  # per gauss
-UNKNOWN = [-1.0, *[0.0] * 8]  # covariance of what a message does not have, as sensor_msgs defines it
+UNKNOWN = [-1.0, *[0.0] * 8]  # the covariance of a missing quantity, as sensor_msgs defines it
 
-#: The status in NavSatStatus of each fix type.
+#: Fix type -> status in NavSatStatus.
 _NO_FIX, _FIX, _SATELLITES, _GROUND = -1, 0, 1, 2
 _FIXES = {"fix_rtk_float": _GROUND, "fix_rtk_fixed": _GROUND, "fix_differential": _GROUND}
 _FIXES |= {"fix_2d": _FIX, "fix_3d": _FIX}
 
-#: How the names of the fields end that messages are made of.
+#: The ends of the names of the fields from which messages are made.
 _USED = (
     ".fix_info",
     ".llh_position",
@@ -47,7 +47,7 @@ _USED = (
 
 
 class Messages(NamedTuple):
-    """Messages of a topic, one for each of some packets; `frame` is that of their headers."""
+    """The messages of a topic for some packets, one for each; `frame` is the frame in their headers."""
 
     topic: str
     type: str
@@ -72,11 +72,11 @@ class Rows(NamedTuple):
         return self.some(np.isin(self.packet, packet))
 
     def of(self, name: str) -> Array:
-        """The values of a parameter; of a vector, an array for each element."""
+        """Returns the values of a parameter; for a vector, an array for each element."""
         return np.asarray(self.column[name][self.row], np.float64).T
 
     def valid(self, name: str) -> Array:
-        """The rows in which a parameter is valid by its flags, and a number."""
+        """Finds the rows in which a parameter is valid according to its flags, and not NaN."""
         both = (self.column.valid(name), np.isfinite(self.column[name]))
         good, finite = (np.asarray(each.reshape(len(self.column), -1).all(axis=1))[self.row] for each in both)
         return np.asarray(good & finite)
@@ -86,7 +86,7 @@ Fields = Mapping[str, Rows]
 
 
 def fields(log: Log, kinds: Iterable[Occurrence], kept: Callable[[Column[Any]], Array]) -> Fields:
-    """The fields of a part of a log that messages are made of, by name; `kept` selects rows of a column."""
+    """Returns, by name, the fields of a part of a log from which messages are made; `kept` selects rows of a column."""
     used = [one for one in kinds if one.name.endswith(_USED)]
     found = {}
     for one, column in zip(used, log.columns(used)):
@@ -104,7 +104,7 @@ class _Last:
         self._last = np.array([first])
 
     def at(self, packet: Array, known: Array, values: Array) -> Array:
-        """The values at some packets; `values` are those of the packets `known`."""
+        """Returns the values at some packets; `values` are the values in the packets `known`."""
         every = np.concatenate((self._last, values))
         self._last = every[-1:]
         found: Array = every[np.searchsorted(known, packet, side="right")]
@@ -117,12 +117,12 @@ class Converter:
     def __init__(self, frame: str = "imu_link", world: str = "odom") -> None:
         self._frame, self._world = frame, world
         self._origin: tuple[float, float, earth.Vector] | None = None  # radians, and Earth-fixed
-        self._status: dict[str, _Last] = {}  # of fixes, by the set of the receiver
+        self._status: dict[str, _Last] = {}  # status of the fix, by the set of the receiver
         self._spread: dict[str, _Last] = {}  # squares of uncertainties
 
     def messages(self, fields: Fields) -> list[Messages]:
-        """The messages of a part. Those of one packet are in the order of their topics here."""
-        with np.errstate(all="ignore"):  # infinite values, and NaNs that signal
+        """Makes the messages of a part. Messages of one packet are in the order of the topics below."""
+        with np.errstate(all="ignore"):  # for infinite values and signaling NaNs
             made = (self._imu(fields), self._magnetic(fields), self._fixes(fields), self._odometry(fields))
             return [one for each in made for one in each if len(one.packet)]
 
@@ -137,7 +137,7 @@ class Converter:
             quaternion = quaternion.within(packet)
             at = np.searchsorted(packet, quaternion.packet)
             orientation[at] = np.transpose(axes.attitude(quaternion.of("q")))
-            of_orientation[at] = 0  # zeros: not known
+            of_orientation[at] = 0  # zeros: unknown
         if gyro is not None:
             at = np.searchsorted(packet, gyro.packet)
             rate[at] = np.transpose(axes.body(gyro.of("scaled_gyro")))
@@ -226,7 +226,7 @@ class Converter:
         yield Messages("/filter/odometry", "nav_msgs/msg/Odometry", self._world, packet, values, self._frame)
 
     def _local(self, latitude: float, longitude: float, height: float) -> axes.Vector:
-        """East, north, up of the first position, in m."""
+        """Returns east, north, up from the first position, in m."""
         lat, lon = radians(latitude), radians(longitude)
         at = earth.ecef(lat, lon, height)
         if self._origin is None:
@@ -236,7 +236,7 @@ class Converter:
         return axes.world(earth.to_ned(lat, lon, (x, y, z)))
 
     def _variances(self, fields: Fields, packet: Array, name: str, *parameters: str) -> Array:
-        """The squares of the last standard deviations; zeros if they are not known."""
+        """Returns the squares of the last standard deviations; zeros if they are unknown."""
         field = fields.get(f"filter_data.{name}_uncertainty")
         known, values = _NONE, _each(_NONE, _ZERO)
         if field is not None:
@@ -250,7 +250,7 @@ _ZERO = (0.0, 0.0, 0.0)
 
 
 def _status(fix: Rows) -> tuple[Array, Array]:
-    """Packets, and the status in NavSatStatus that their fixes have."""
+    """Returns the packets with a fix, and its status in NavSatStatus."""
     fix = fix.some(fix.valid("fix_type"))
     kinds, flags = (info(fix.column.parameters[name].type) for name in ("fix_type", "fix_flags"))
     of_value = {value: _FIXES.get(name, _NO_FIX) for value, name in kinds.names.items()}
@@ -261,7 +261,7 @@ def _status(fix: Rows) -> tuple[Array, Array]:
 
 
 def _each(packet: Array, first: Sequence[float]) -> Array:
-    """The same values for each packet."""
+    """Repeats the same values for each packet."""
     return np.tile(np.array(first), (len(packet), 1))
 
 
@@ -274,14 +274,14 @@ def _quaternion(path: str, q: Array) -> dict[str, Array]:
 
 
 def _diagonal(variances: Array) -> Array:
-    """Covariances of 3 x 3, row by row."""
+    """Makes diagonal 3 x 3 covariances, row by row."""
     made = np.zeros((len(variances), 9))
     made[:, ::4] = variances
     return made
 
 
 def _blocks(first: Array, second: Array) -> Array:
-    """Covariances of 6 x 6 of two of 3 x 3 whose errors are independent."""
+    """Joins two 3 x 3 covariances with independent errors to 6 x 6 ones."""
     made = np.zeros((len(first), 6, 6))
     made[:, :3, :3], made[:, 3:, 3:] = first.reshape(-1, 3, 3), second.reshape(-1, 3, 3)
     return made.reshape(-1, 36)

@@ -1,4 +1,4 @@
-"""The types of messages, with the package rosbags, and messages of them as bytes."""
+"""Finds the types of messages, and encodes messages, with the package rosbags."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ PACKAGE = "mip_msgs"
 
 
 class Types:
-    """The types of a release of ROS 2 and, from a folder, those of mip_msgs."""
+    """The message types of a ROS 2 release and, from a folder, those of mip_msgs."""
 
     def __init__(self, messages: Path | None = None) -> None:
         try:
             typesys: Any = import_module("rosbags.typesys")
         except ImportError:
-            raise Failure(f"{MissingExtra('rosbags', 'ros')}; mcap with JSON needs mcap only") from None
+            raise Failure(f"{MissingExtra('rosbags', 'ros')}; MCAP with JSON needs only mcap") from None
         self.store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
         self._of_field: dict[str, str] = {}
         folder = messages or installed()
@@ -37,7 +37,7 @@ class Types:
     def _add(self, folder: Path, parse: Any) -> None:
         found = sorted(folder.glob("*.msg"))
         if not found:
-            raise Failure(f"{folder} has no .msg files; name the folder of {PACKAGE}, as mipgen generates it")
+            raise Failure(f"{folder} has no .msg files; name the folder of {PACKAGE} that mipgen generates")
         types: dict[str, Any] = {}
         for path in found:
             text = path.read_text("utf-8")
@@ -48,23 +48,23 @@ class Types:
         self.store.register(types)
 
     def of(self, kind: type[Field]) -> str | None:
-        """The type of a field's messages; None if there is none."""
+        """Returns the type of a field's messages; None if there is none."""
         return self._of_field.get(kind.NAME)
 
     def rows(self, name: str, count: int, values: Mapping[str, Any], texts: Mapping[str, str]) -> list[bytes]:
-        """Messages of a type whose length depends on texts only. What is left out is zero, or empty.
+        """Encodes messages of a type whose length depends only on texts. Values that are left out are zero or empty.
 
-        `values`: path -> those of all messages, as `pose.pose.position.x`; `texts`: the same in each message.
+        `values`: path, such as `pose.pose.position.x` -> the values of all messages; `texts` are the same in each.
         """
         layout = self._layout(name, tuple(texts.items()))
         assert layout is not None
         return layout.messages(count, values)
 
     def of_column(self, name: str, column: Column[Any], frame: str) -> list[bytes] | None:
-        """The messages of all rows of a column, without their times; None if their lengths vary."""
+        """Encodes the messages of all rows of a column, without their times; None if their lengths vary."""
         texts = (("header.frame_id", frame),)
         layout = self._layout(name, texts)
-        paths = [] if layout is None else layout.numbers()[2:]  # without those of the time
+        paths = [] if layout is None else layout.numbers()[2:]  # without the two numbers of the time
         if layout is None or len(paths) != len(column.names):
             return None
         return layout.messages(len(column), {path: column[own] for path, own in zip(paths, column)})
@@ -75,12 +75,12 @@ class Types:
         return cdr.layout(self.store.fielddefs, name, dict(texts))
 
     def of_field(self, name: str, field: Field, frame: str) -> bytes:
-        """The message of a field, without its time."""
+        """Encodes the message of a field, without its time."""
         values = {"header": {"frame_id": frame}, **self._content(field, name)}
         return bytes(self.store.serialize_cdr(self._build(name, values), name, little_endian=True))
 
     def _build(self, name: str, values: dict[str, Any]) -> Any:
-        """A message with these values. What is left out is zero, or empty."""
+        """Makes a message with these values. Values that are left out are zero or empty."""
         made = {}
         for member, (node, detail) in self.store.fielddefs[name][1]:
             made[member] = self._value(int(node), detail, values.get(member))
@@ -104,7 +104,7 @@ class Types:
         return [self._value(int(inner), inside, v) for v in value or ()]
 
     def _content(self, record: Described, name: str) -> dict[str, Any]:
-        """The values of a field for `_build`, in the order of the members of its message."""
+        """Returns the values of a field for `_build`, in the order of the members of its message."""
         held: list[Any] = []
         for p in info(type(record)).members:
             value = getattr(record, p.attribute)
@@ -136,7 +136,7 @@ def _is(record: Described, p: Any, case: Any) -> bool:
 
 
 def installed() -> Path | None:
-    """The folder of mip_msgs in a sourced ROS 2 workspace."""
+    """Finds the folder of mip_msgs in a sourced ROS 2 workspace."""
     for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
         folder = Path(prefix, "share", PACKAGE)
         if prefix and folder.is_dir():

@@ -1,4 +1,4 @@
-"""Responses: which one answers a command, and its contents."""
+"""Composes the responses to commands."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ EMPTY = FieldValues()
 
 
 def response(device: VirtualDevice, command: Command) -> Response | None:
-    """The response to a command that is carried out; None if it requests none."""
+    """Composes the response to a command that was carried out; None if it requests none."""
     kind = _layout(device, command)
     if kind is None:
         return None
@@ -36,7 +36,7 @@ def response(device: VirtualDevice, command: Command) -> Response | None:
 
 
 def _layout(device: VirtualDevice, command: Command) -> Any:
-    """The layout of the device, if there are several; else the first that is not limited to certain devices."""
+    """Chooses the layout for this device if there are several, else the first that is not limited to some devices."""
     layouts = command.expected
     of = COMMANDS.get(command.NAME, NOTHING).answers
     own = [kind for kind in layouts if device.profile.id in of.get(kind.NAME.partition(".")[2], ())]
@@ -86,7 +86,7 @@ def _shown(device: VirtualDevice, p: Parameter, value: Value, context: dict[str,
 
 
 def quantity(device: VirtualDevice, name: str, context: dict[str, Any]) -> Any:
-    """The value from the device itself, else from the world."""
+    """Returns a value of the device itself, else of the world around it."""
     own = knowledge.QUANTITIES.get(name)
     return device.world.quantity(name, context) if own is None else own(device, context)
 

@@ -1,4 +1,4 @@
-"""The data between one client and the device: a bounded queue, at the rate of the line."""
+"""Passes data between one client and the device, through a bounded queue at the rate of the line."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .endpoints import Scramble
 
 #: Bytes that may wait for a slow client; beyond that, the oldest packets are dropped.
 CAPACITY = 32768
-#: A line that was idle may send this much at once, in seconds of its baud rate.
+#: How much an idle line may send at once, in seconds at its baud rate.
 BURST = 0.005
 #: Bytes that are written at once.
 AT_ONCE = 4096
@@ -47,24 +47,23 @@ class Channel:
     """One client and its link."""
 
     def __init__(self, peer: Peer, link: Link, garble: Scramble | None, pace: float, capacity: int = CAPACITY) -> None:
-        """`garble`: what a wrong baud rate makes of bytes; None: rates do not matter.
+        """`garble`: how a wrong baud rate changes bytes; None: rates are ignored.
 
-        `pace`: simulated seconds in a second of the clock, where the baud rate limits what passes;
-        0: no limit.
+        `pace`: simulated seconds per real second, if the baud rate limits the data; 0: no limit.
         """
         self.peer = peer
         self.link = link
         self.dropped = 0  # packets
         self.waits: float | None = math.inf  # the last result of `send`
         self.wanted = selectors.EVENT_READ
-        self.until = 0.0  # how long a closed link waits for the client to read
+        self.until = 0.0  # until when a closed link waits for the client to read
         self._garble = garble
         self._pace = pace
         self._capacity = capacity
         self._queue: deque[bytes] = deque()
         self._size = 0
         self._started = 0  # bytes of the first chunk that are sent
-        self._free = 0.0  # until when the line has earlier bytes to send
+        self._free = 0.0  # when the line will have sent all earlier bytes
         self._baud: int | None = None
 
     @property
@@ -73,8 +72,7 @@ class Channel:
         return self._size
 
     def collect(self) -> None:
-        """Collects the bytes that the device has sent. Without room for them, the oldest packets are
-        dropped whole."""
+        """Collects the bytes that the device has sent. If there is no room, drops the oldest packets."""
         if self.link.baud != self._baud:
             self._baud = self.link.baud
             if self._baud and self._garble is None:
@@ -99,10 +97,10 @@ class Channel:
         return speed is not None and self._baud is not None and speed != self._baud
 
     def send(self, now: float) -> float | None:
-        """Writes what may be written.
+        """Writes as many bytes as possible.
 
-        Returns when to continue: a time of the clock if the baud rate limits, infinity if nothing
-        is left, None as soon as the client has room. Raises OSError if the client is gone.
+        Returns when to continue: a time if the baud rate limits the data, infinity if nothing is left, None
+        for as soon as the client has room. Raises OSError if the client is gone.
         """
         if self.peer.flushed():  # the queued bytes are as old as the discarded ones
             self._queue.clear()
@@ -129,7 +127,7 @@ class Channel:
         return math.inf
 
     def _front(self) -> bytes:
-        """The bytes to write next: the first chunk, and those behind it, as long as they are small."""
+        """Returns the bytes to write next: the first chunk, and following ones while they are small."""
         if len(self._queue) == 1:
             return self._queue[0]
         front: list[bytes] = []

@@ -24,7 +24,10 @@ SAME = Difference()
 
 
 def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
-    """Raises Refused. `keys` select an instance of a setting. Values that are not required may be dummies."""
+    """Raises Refused if the device rejects a value.
+
+    `keys` select an instance of a setting. Values that the function does not require may be placeholders.
+    """
     function = getattr(command, "function", None) if command.REQUIRED else None
     required = 0 if function is None else command.REQUIRED.get(function, 0)
     for number, p in enumerate(reflection.info(type(command)).parameters):
@@ -40,7 +43,7 @@ def check(command: Command, profile: Device, keys: tuple[str, ...]) -> None:
 
 
 def _value(p: Parameter, record: Structure) -> Any:
-    """The value of a parameter; None if it has none, or always the same."""
+    """Returns the value of a parameter; None if it has none, or is a constant."""
     if p.counts:
         counted = getattr(record, p.counts)
         return None if counted is None else len(counted)
@@ -48,18 +51,18 @@ def _value(p: Parameter, record: Structure) -> Any:
 
 
 def meaning_all(command: Command, name: str, value: Any, function: int | None) -> bool:
-    """Does the value select all instances, and may it with this function?"""
+    """Does the value select all instances, and does this function permit that?"""
     everything = COMMANDS.get(command.NAME, NOTHING).all.get(name)
     return everything is not None and value == everything and function not in (*SETS, READ)
 
 
 def data_sets(profile: Device) -> frozenset[int]:
-    """The data sets that a device sends."""
+    """Returns the data sets that a device sends."""
     return frozenset(set for set, _ in profile.fields if 0x80 <= set < 0xFF)
 
 
 def set_of(p: Parameter, record: Any) -> int | None:
-    """The set of a field descriptor: of the parameter beside it, or always the same. None if it is not stated."""
+    """Returns the set of a field descriptor: the value of another parameter, or a fixed set; None if it is unknown."""
     if not p.fields_of:
         return None
     beside = getattr(record, p.fields_of, None)
@@ -77,7 +80,7 @@ def _instances(command: Command, profile: Device, function: int | None) -> None:
             known = value in data_sets(profile) or not data_sets(profile)  # a profile may not list them
         elif what == PORTS:
             known = any(port.id == value for port in profile.ports)
-        elif what == AFFECTED:  # 0 may mean all of them where no value is given or asked
+        elif what == AFFECTED:  # 0 may mean all, if the function neither writes nor reads a value
             number = set_of(reflection.info(type(command))[name], command)
             known = (number, value) in behavior.affected & profile.fields or function not in (*SETS, READ)
         else:
@@ -121,7 +124,7 @@ def _one(p: Parameter, value: Any, record: Structure, differs: Difference, readi
 
 
 def _named(p: Parameter, value: Any, record: Structure, differs: Difference, reading: Any) -> bool:
-    """Is it one of the named values, if the parameter is an enumeration?"""
+    """Is the value defined, if the parameter is an enumeration?"""
     if differs.values is not None:
         return value in differs.values
     kind = p.type or p.of(record).type or reading
@@ -131,7 +134,7 @@ def _named(p: Parameter, value: Any, record: Structure, differs: Difference, rea
 
 
 def inside(p: Parameter, value: float, differs: Difference) -> bool:
-    """Is it within the limits of a parameter?"""
+    """Is the value within the limits of a parameter?"""
     least = p.minimum if differs.minimum is None else differs.minimum
     most = p.maximum if differs.maximum is None else differs.maximum
     if p.scalar == "float":  # limits are rounded as the parameter's values are: pi is rounded up

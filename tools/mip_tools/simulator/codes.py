@@ -1,4 +1,4 @@
-"""Codes of rejected commands on the wire, and the function selectors that every device treats alike."""
+"""NACK codes, and the function selectors that all devices treat alike."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SETS = (WRITE, APPLY)
 
 
 class Refused(Exception):
-    """The device rejects a command, with this `code`."""
+    """The device rejects a command with this `code`."""
 
     def __init__(self, code: int) -> None:
         super().__init__(f"refused with code {code}")

@@ -40,11 +40,11 @@ examples:
   mip simulate --scenario test.yaml               devices, ports, motions and events of a file
   mip simulate {_EXAMPLE} --fault lose=0.01,noise=0.1:16,lose_answer@3 --fault-log faults.jsonl
 
-When the device can be reached, its endpoints are printed, one in a line: those of --pty, --tcp, --udp and
---port, in the order in which they are given, and those of a scenario in the order of the file.
+When the device is ready, its endpoints are printed, one per line: first those of --pty, then --tcp, --udp and
+--port; those of a scenario in the order of the file.
 
-faults: KIND=RATE with a probability, KIND=RATE:AMOUNT with how much at most, KIND@N at the Nth
-chance; all=RATE is every kind.
+faults: KIND=RATE with a probability, KIND=RATE:AMOUNT also with a maximum amount, KIND@N at the Nth
+chance; all=RATE stands for every kind.
 {table()}
 """
 
@@ -71,7 +71,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="MOTION",
         help="standing (default), circle:radius=20,speed=5, track:file=CSV, trajectory:file=CSV or replay:file=LOG",
     )
-    add("--scenario", type=Path, metavar="FILE", help="a YAML file with events, and perhaps devices and their ports")
+    add("--scenario", type=Path, metavar="FILE", help="a YAML file with events, and optionally devices and their ports")
     add("--schema", action="store_true", help="print the JSON schema of scenario files and exit")
     add(
         "--signal",
@@ -81,7 +81,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="PIN=HZ",
         help="a square wave at a pin of the device",
     )
-    add("--noise", type=_noise, default=1.0, metavar="X", help="multiple of the usual noise (default: 1); 0: none")
+    add("--noise", type=_noise, default=1.0, metavar="X", help="scales the noise (default: 1); 0: only constant biases")
     add("--seed", type=int, default=0, metavar="N", help="seed of noise and faults (default: 0)")
     add(
         "--speed",
@@ -105,8 +105,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="BYTES",
         help=f"how much waits for a slow client (default: {CAPACITY}); beyond it, the oldest packets are dropped",
     )
-    add("--storage", type=Path, metavar="FILE", help="keep saved settings here (default: they are lost at the end)")
-    add("--strict-baud", action="store_true", help="baud rates limit the data, and wrong ones garble them")
+    add("--storage", type=Path, metavar="FILE", help="keep saved settings in this file (default: lost at the end)")
+    add("--strict-baud", action="store_true", help="baud rates limit the data, and a wrong one garbles it")
     add("--fault", action="append", default=[], metavar="FAULT,...", help="inject faults; see below")
     add("--fault-log", type=Path, metavar="FILE", help="log each fault as a line of JSON")
     add("--log-packets", action="store_true", help="also log each packet that is sent")
@@ -134,7 +134,7 @@ def run(options: argparse.Namespace) -> int:
     with ExitStack() as stack:
         file = _log(options, stack)
         logs: list[Log | None] = [None] * len(wanted)
-        if file is not None:  # several devices are numbered in it
+        if file is not None:  # several devices are numbered in the log
             numbers = ({"device": i} if wanted[1:] else {} for i in range(1, len(wanted) + 1))
             logs = [json_log(file, **number) for number in numbers]
         server = Server(
@@ -223,7 +223,7 @@ def _log(options: argparse.Namespace, stack: ExitStack) -> TextIO | None:
 
 
 def _introduce(whole: Device, sure: bool) -> None:
-    """Prints what is known of a device, and what is assumed."""
+    """Prints how much of a device is certain, and what is assumed."""
     profile = certain(whole) if sure else whole
     _complain(_evidence(whole, sure))
     if profile.incomplete:
@@ -259,7 +259,7 @@ def _complain(text: str) -> None:
 
 def _profile(name: str | None) -> Device:
     if name is None:
-        raise Misuse("which device? `mip simulate --list` lists them all")
+        raise Misuse("the device is missing; `mip simulate --list` lists all devices")
     return device_named(name)
 
 
@@ -279,7 +279,7 @@ def _different(endpoints: list[Endpoint]) -> None:
 
 def _signal(text: str) -> tuple[int, float]:
     pin, _, hertz = text.partition("=")
-    what = "signal; write PIN=HZ, such as 1=10"
+    what = "signal; write PIN=HZ, for example 1=10"
     return int(_number(pin, 1, 255, what)), _number(hertz, 1e-6, 1e6, what)
 
 
@@ -288,11 +288,11 @@ def _seconds(text: str) -> float:
 
 
 def _bytes(text: str) -> int:
-    return int(_number(text, 1024, 1e9, "queue; use a number of bytes from 1024 on"))
+    return int(_number(text, 1024, 1e9, "queue; use at least 1024 bytes"))
 
 
 def _noise(text: str) -> float:
-    return _number(text, 0, 1e3, "noise; use 1 for the usual one, 0 for none")
+    return _number(text, 0, 1e3, "noise; use 1 for the usual noise, 0 for none")
 
 
 def _speed(text: str) -> float:
@@ -310,7 +310,7 @@ def _number(text: str, least: float, most: float, what: str) -> float:
 
 
 def start_time(text: str) -> int:
-    """Nanoseconds since the GPS epoch."""
+    """Parses a start time. Returns nanoseconds since the GPS epoch."""
     try:
         when = datetime.now(timezone.utc) if text == "now" else datetime.fromisoformat(text.replace("Z", "+00:00"))
         if when.tzinfo is not None:
@@ -325,6 +325,6 @@ def start_time(text: str) -> int:
 
 
 def _assumed(rates: Mapping[int, float]) -> str:
-    """The base rates that no source states."""
+    """Lists the base rates that no source states."""
     each = ", ".join(f"{SETS[set][0]} {rate:g} Hz" for set, rate in rates.items())
     return f"base rates that no source states are assumed: {each}"

@@ -17,14 +17,14 @@ if TYPE_CHECKING:
     from .device import VirtualDevice
     from .link import Link
 
-Group = Sequence[RawField]  # an acknowledge, perhaps with a response
+Group = Sequence[RawField]  # an acknowledge field, and a response if there is one
 
-#: Commands that a device still accepts in a direct mode, in which the host talks to a sensor inside.
+#: Commands that a device still accepts in a direct mode, in which the host communicates with an internal sensor.
 ALWAYS = ("communication_mode", "device_status")
 
 
 def carry_out(device: VirtualDevice, link: Link, packet: Packet) -> Iterator[tuple[RawField, Group, Outcome]]:
-    """Each command, its answer, which may be empty, and its outcome."""
+    """Carries out the commands of a packet. Yields each command, its answer, which may be empty, and its outcome."""
     try:
         for raw in packet:
             try:
@@ -36,12 +36,12 @@ def carry_out(device: VirtualDevice, link: Link, packet: Packet) -> Iterator[tup
             except Refused as refusal:
                 code = _known(device, refusal.code)
                 yield raw, [_acknowledge(raw.set, raw.descriptor, code)], DONE
-    except PacketError:  # nothing can be found behind a malformed field
+    except PacketError:  # no field can be found after a malformed one
         return
 
 
 def _known(device: VirtualDevice, code: int) -> int:
-    """Devices that have no code for an unknown set answer that they do not know the command."""
+    """Returns the code, or, if the device has no code for unknown sets, the one for an unknown command."""
     codes = device.profile.ack_codes
     return UNKNOWN_COMMAND if code == UNKNOWN_SET and codes and code not in codes else code
 
@@ -51,7 +51,7 @@ def _acknowledge(set: int, descriptor: int, code: int) -> RawField:
 
 
 def _command(device: VirtualDevice, raw: RawField) -> Command | None:
-    """The command in a field; None if it is not answered at all. Raises Refused."""
+    """Decodes the command in a field; None if the device does not answer it. Raises Refused."""
     if raw.descriptor == Acknowledge.DESCRIPTOR or raw.descriptor >= 0x80:
         return None  # an answer, not a command
     if all(set != raw.set for set, _ in device.known):
@@ -93,7 +93,7 @@ def _done(device: VirtualDevice, link: Link, command: Command) -> tuple[Group, O
 
 
 def _written(command: Command) -> Command:
-    """The command as it is kept: always as a write."""
+    """Converts a command to the form in which it is stored: a write."""
     kind: Any = type(command)
     function = next(f for f in SETS if f in kind.REQUIRED)
     kept: Command = kind.decode(bytes((function,)) + command.encode()[1:])
@@ -115,7 +115,7 @@ def _kept(device: VirtualDevice, command: Command, function: int) -> Outcome:
 
 
 def _silenced(device: VirtualDevice, command: Command) -> bool:
-    """Does the setting of another command suppress the acknowledge of this one?"""
+    """Does a setting suppress the acknowledge of this command?"""
     for set, descriptor, attribute, value in command.SILENCED_BY:
         kind: Any = types(set, descriptor)[0]
         if getattr(device.settings.current(asking(kind.NAME, [0] * len(keys(kind)))), attribute) == value:

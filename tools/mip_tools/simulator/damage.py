@@ -9,7 +9,7 @@ from .nmea import checksum
 
 
 def damage(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, str]:
-    """A packet that is no longer valid, and its damage."""
+    """Damages a packet. Returns the result, which is no longer valid, and a description of the damage."""
     for _ in range(100):
         size = random.randint(1, min(most, len(packet)))
         at = random.randrange(len(packet) - size + 1)
@@ -19,7 +19,7 @@ def damage(kind: str, packet: bytes, most: int, random: Random) -> tuple[bytes, 
             at = random.randrange(1, len(packet))
             made, what = packet[:at], f"{len(packet) - at} bytes at the end are lost"
         elif kind == "double":
-            made, what = packet[: at + size] + packet[at:], f"{size} bytes at {at} come twice"
+            made, what = packet[: at + size] + packet[at:], f"{size} bytes at {at} arrive twice"
         else:
             made, what = _changed(packet, size, random)
         if made != packet and not packets(made):
@@ -36,14 +36,13 @@ def _changed(packet: bytes, count: int, random: Random) -> tuple[bytes, str]:
 
 
 def packets(stream: bytes) -> list[bytes]:
-    """The packets that a parser finds."""
+    """Returns the packets that a parser finds."""
     parser = Parser()
     return [bytes(p) for p in parser.feed(stream) + parser.flush()]
 
 
 def noise(most: int, random: Random) -> bytes:
-    """Random bytes, in which the first bytes of packets are more frequent than by chance; they
-    contain no packet."""
+    """Makes random bytes that contain no packet, but more of the bytes that begin packets than by chance."""
     while True:
         made = bytearray(random.randbytes(random.randint(1, most)))
         if random.random() < 0.25:
@@ -53,7 +52,7 @@ def noise(most: int, random: Random) -> bytes:
 
 
 def false_header(random: Random) -> bytes:
-    """The start of a packet of a known set, with a plausible length; perhaps the start of a field."""
+    """Makes the header of a packet with a known set and a plausible length; the start of a field may follow."""
     payload = random.randrange(2, MAX_PAYLOAD + 1)
     made = SYNC + bytes((random.choice(sorted(MODULES)), payload))
     field = bytes((random.randrange(2, payload + 1), random.randrange(1, 256)))
@@ -61,7 +60,7 @@ def false_header(random: Random) -> bytes:
 
 
 def nmea(random: Random) -> bytes:
-    """An NMEA sentence as a receiver beside the device may send it."""
+    """Makes an NMEA sentence, such as a GNSS receiver sends on the same line."""
     clock = f"{random.randrange(24):02}{random.randrange(60):02}{random.randrange(60):02}.00"
     north, east = random.randrange(9000), random.randrange(18000)
     text = random.choice(
@@ -75,7 +74,7 @@ def nmea(random: Random) -> bytes:
 
 
 def unknown_packet(random: Random) -> bytes:
-    """A correct packet of a descriptor set that the specification does not have."""
+    """Makes a valid packet with a descriptor set that the specification does not define."""
     number = random.choice([n for n in range(0x80, 0xFF) if n not in MODULES])
     builder = PacketBuilder(number)
     for _ in range(random.randint(1, 3)):

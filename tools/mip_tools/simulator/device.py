@@ -1,4 +1,4 @@
-"""A simulated device: it answers every command of a profile and streams data, all in simulated time.
+"""A simulated device, which answers every command of a profile and streams data, in simulated time.
 
     device = VirtualDevice("3dm-cv7-gnss-ins")
     link = device.connect()
@@ -7,7 +7,7 @@
     device.advance(0.5)  # half a second passes
     link.read()          # the data of that time
 
-Nothing happens by itself: bytes and time come from the caller, so that the same calls give the same bytes.
+Nothing happens by itself: the caller supplies bytes and time, so the same calls always result in the same bytes.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ from .world import World
 #: The start-up time of a device, during which it does not reply.
 BOOT_TIME = SECOND // 2
 
-#: The longest pause of a host inside a packet; after it, the device searches the bytes for another one.
+#: The longest pause of a host inside a packet; after it, the device searches the received bytes for another packet.
 SILENCE = SECOND // 10
 
-#: Packets of commands that wait while another command takes its time; more are lost.
+#: The number of command packets that may wait while a command takes long; further ones are lost.
 MOST_WAITING = 32
 
 #: The interval at which disturbances may happen.
@@ -66,13 +66,13 @@ class VirtualDevice:
         events: Iterable[ScriptedEvent] = (),
         trace: Callable[[str, bytes], None] | None = None,
     ) -> None:
-        """`motion`: an object, or as `mip simulate --motion` has it: "circle:radius=20,speed=5".
+        """`motion`: an object, or a text as for `mip simulate --motion`: "circle:radius=20,speed=5".
 
-        `noise`: how much of the noise of sensors and the errors of the filter there is; 0: none, but biases.
+        `noise`: scales the noise of the sensors and the errors of the filter; 0 leaves only constant biases.
 
         `start`: nanoseconds since the GPS epoch. `storage`: the file of saved settings.
 
-        `events`: events at given times, such as a GNSS outage.
+        `events`: scripted events, such as a GNSS outage.
 
         `trace` is called for every packet, before faults, with "command", "answer" or "data", and the bytes.
         """
@@ -95,9 +95,9 @@ class VirtualDevice:
         self.bytes_sent: int = 0
         self.bytes_received: int = 0
         self.ready_at = 0
-        self._busy_until: int | None = None  # while a command takes long, others wait
+        self._busy_until: int | None = None  # the end of a command that takes long; others wait
         self._waiting: list[tuple[Link, Packet]] = []
-        self._behind: list[Callable[[], None]] = []  # actions that follow the answer to this command
+        self._behind: list[Callable[[], None]] = []  # actions to run after the answer to this command
         self.trace = trace
         self._streams: list[Stream] = []
         self._encoders: dict[tuple[int, int, str], Encoder] = {}
@@ -110,10 +110,10 @@ class VirtualDevice:
     # ----------------------------------------------------------------------- the host's side
 
     def connect(self, port: str | None = None, capacity: int | None = None) -> Link:
-        """Connects a host with a port, the first one of the profile unless it is named. Hosts may share a port.
+        """Connects a host to a port, by default the first one of the profile. Hosts may share a port.
 
         `capacity`: how many bytes may wait until the host reads them; the device drops packets that do not fit.
-        Without it there is no limit: a host that no longer reads should `disconnect`. Raises ConnectionError while a
+        By default there is no limit: a host that no longer reads should `disconnect`. Raises ConnectionError while a
         scripted event has unplugged the device.
         """
         if not self.plugged:
@@ -169,11 +169,11 @@ class VirtualDevice:
             self.drive(pin, not self.world.signals.get(pin, False))
 
     def advance(self, seconds: float) -> None:
-        """Time passes."""
+        """Lets time pass."""
         self.run_until(self.now + round(seconds * SECOND))
 
     def run_until(self, time: int) -> None:
-        """Advances time up to this moment, with everything that is due by then."""
+        """Advances time to this moment, and does everything that is due by then."""
         while (due := self.next) is not None and due <= time:
             self._move(due)
             self.script.run(due)
@@ -198,7 +198,7 @@ class VirtualDevice:
 
     @property
     def next(self) -> int | None:
-        """The time at which something happens next without the host."""
+        """Returns the time of the next event that the host does not cause; None if there is none."""
         times = [stream.next for stream in (*self._streams, *self._waves)]
         times += [link.next for link in self.links if link.next is not None]
         times += [link.heard + SILENCE for link in self.links if link.parser.pending]
@@ -209,7 +209,7 @@ class VirtualDevice:
 
     @property
     def busy(self) -> bool:
-        """Does it have something to send, now or later, by itself?"""
+        """Will the device send something without a command?"""
         late = any(link.next is not None for link in self.links)
         streams = bool(self._streams) or self.events.sends
         return self.plugged and (streams or late or self._busy_until is not None)
@@ -231,7 +231,7 @@ class VirtualDevice:
 
     @property
     def dropped(self) -> int:
-        """Packets dropped because hosts had no room."""
+        """The number of packets that were dropped because hosts had no room."""
         return sum(link.dropped for link in self.links)
 
     def _move(self, time: int) -> None:
@@ -264,7 +264,7 @@ class VirtualDevice:
                 self._answer(link, packet)
 
     def _answer(self, link: Link, packet: Packet) -> None:
-        """Carries out the commands of a packet in order; actions that follow them come after the answers."""
+        """Carries out the commands of a packet in order. Actions that follow a command run after its answer."""
         if self._busy_until is not None:
             if len(self._waiting) < MOST_WAITING:
                 self._waiting.append((link, packet))
@@ -284,7 +284,7 @@ class VirtualDevice:
                 behind.append(outcome.after)
         for data in answers(packet.set, groups):
             self._tell("answer", data)
-            self._transmit(link, data, max(delay, busy, link.held(self.now)))  # answers stay in order
+            self._transmit(link, data, max(delay, busy, link.held(self.now)))  # keeps the order of answers
         self._behind += behind
         if busy > 0:
             self._busy_until = self.now + busy
@@ -308,20 +308,20 @@ class VirtualDevice:
     # ----------------------------------------------------------------------- settings
 
     def settings_of(self, effect: str) -> list[dict[str, Any]]:
-        """The current settings of the commands with an effect, instance by instance: the arguments of the effect."""
+        """Returns the current settings with an effect, one for each instance, as the arguments of the effect."""
         return [
             arguments(kept) for _, kept in self.settings.items() if COMMANDS.get(kept.NAME, NOTHING).effect == effect
         ]
 
     def apply(self, at: Place, kept: Command | None) -> None:
-        """Runs the effect of a setting that has changed by itself."""
+        """Runs the effect of a setting that changed without a write command."""
         command = kept if kept is not None else self.settings.factory(command_type(at[0]), asking(*at))
         outcome = act(self, command, None, None)
         if outcome.after is not None:
             outcome.after()
 
     def restore(self, at: Place, saved: bool) -> None:
-        """Gives a setting its saved value, or its factory default."""
+        """Restores the saved value of a setting, or its factory default."""
         kept = self.settings.load(at) if saved else None
         if not saved:
             self.settings.reset(at)
@@ -369,16 +369,16 @@ class VirtualDevice:
     # ----------------------------------------------------------------------- streams
 
     def sends(self, set: int, descriptor: int) -> bool:
-        """Is it a field of this data set, or a shared one?"""
+        """Does the device send this field in this data set? It may be a shared one."""
         return (set, descriptor) in self.known or (0xFF, descriptor) in self.known
 
     def arrange(self) -> None:
-        """Starts the streams that the settings ask for, and no others."""
+        """Starts the streams that the settings define, and no others."""
         quiet = self.idle or self.direct
         self._streams = [] if quiet else formats.streams(self, max(self.now, self.ready_at))
 
     def encoder(self, set: int, descriptor: int, channel: str = "") -> Encoder:
-        """The encoder of a field. Each channel counts from the time at which it last sent the field."""
+        """Returns the encoder of a field. Each channel counts from the time at which it last sent the field."""
         encoder = self._encoders.get((set, descriptor, channel))
         if encoder is None:
             kind = registry.types(set, descriptor)[0]
@@ -388,7 +388,7 @@ class VirtualDevice:
         return encoder
 
     def send_data(self, set: int, wanted: Iterable[int], link: Link | None = None) -> None:
-        """Sends fields of a data set, by their descriptors; those that the device does not have are left out."""
+        """Sends fields of a data set by their descriptors, without those that the device does not have."""
         self.send_fields(set, [self.encoder(set, x) for x in wanted if self.sends(set, x)], link)
 
     def send_fields(self, set: int, encoders: Iterable[Encoder], link: Link | None = None) -> None:
@@ -400,7 +400,7 @@ class VirtualDevice:
             self._send(data, link, ports.MIP)
 
     def send_sentences(self, entries: Iterable[Any], link: Link | None = None) -> None:
-        """NMEA sentences."""
+        """Sends NMEA sentences."""
         text = nmea.sentences(entries, self.world)
         if text:
             self._send(text, link, ports.NMEA)
@@ -408,14 +408,14 @@ class VirtualDevice:
     # ----------------------------------------------------------------------- bytes
 
     def _send(self, data: bytes, link: Link | None, protocol: int) -> None:
-        """Sends data to one host, or to all whose ports send the protocol."""
+        """Sends data to one host, or to all hosts at ports that send this protocol."""
         self._tell("data", data)
         for other in self.links if link is None else (link,):
             if other.gives & protocol or link is not None:
                 self._transmit(other, data)
 
     def _transmit(self, link: Link, data: bytes, delay: int = 0) -> None:
-        """Sends bytes, now or late. Late ones get the faults of the line when they are sent, which keeps the order."""
+        """Sends bytes, now or delayed. Delayed bytes get their faults when they are sent, which keeps the order."""
         if delay > 0:
             link.hold(self.now + delay, data)
             return

@@ -1,6 +1,6 @@
 """The Earth of the simulation: WGS84, its gravity, the standard atmosphere, and time.
 
-It does not turn in inertial space: a gyroscope at rest measures no rate, and there is no Coriolis acceleration.
+This Earth does not rotate: a gyroscope at rest measures no rate, and there is no Coriolis acceleration.
 """
 
 from __future__ import annotations
@@ -23,31 +23,31 @@ LIGHT = 299792458.0
 
 SECOND = 1_000_000_000
 WEEK = 604_800 * SECOND
-LAST_WEEK = 0xFFFF  # the last one that data can show, in the year 3236
+LAST_WEEK = 0xFFFF  # the last GPS week that data can represent, in the year 3236
 _EPOCH = datetime(1980, 1, 6)
 _LEAPS = [datetime.fromisoformat(day) for day, _ in LEAP_SECONDS]
-#: GPS times in nanoseconds from which on UTC is 1, 2, 3 … seconds behind.
+#: GPS times in nanoseconds at which UTC falls 1, 2, 3 … seconds behind.
 _LEAP_TIMES = [(round((day - _EPOCH).total_seconds()) + count) * SECOND for count, day in enumerate(_LEAPS)]
 
 
 def leap_seconds(gps: int) -> int:
-    """GPS time minus UTC at a time in nanoseconds since the GPS epoch."""
+    """Returns GPS time minus UTC, in seconds, at a time in nanoseconds since the GPS epoch."""
     return bisect_right(_LEAP_TIMES, gps)
 
 
 def utc(gps: int) -> datetime:
-    """UTC without a time zone; microseconds are cut off, not rounded. A leap second repeats 23:59:59."""
+    """Converts GPS time to UTC, without a time zone; truncates to microseconds. A leap second repeats 23:59:59."""
     return _EPOCH + timedelta(microseconds=gps // 1000, seconds=-leap_seconds(gps))
 
 
 def from_utc(time: datetime) -> int:
-    """Nanoseconds since the GPS epoch at a UTC time without a time zone."""
+    """Converts a UTC time without a time zone to nanoseconds since the GPS epoch."""
     behind = bisect_right(_LEAPS, time)
     return (time - _EPOCH) // timedelta(microseconds=1) * 1000 + behind * SECOND
 
 
 def radii(latitude: float) -> tuple[float, float]:
-    """Radii of curvature: along the meridian, and across it."""
+    """Returns the radii of curvature: along the meridian, and across it."""
     s = sin(latitude)
     w = 1 - E2 * s * s
     across = A / sqrt(w)
@@ -55,7 +55,7 @@ def radii(latitude: float) -> tuple[float, float]:
 
 
 def ecef(latitude: float, longitude: float, height: float) -> Vector:
-    """Earth-fixed coordinates of a position in radians and metres."""
+    """Converts a position in radians and metres to Earth-fixed coordinates."""
     s, c = sin(latitude), cos(latitude)
     n = A / sqrt(1 - E2 * s * s)
     r = (n + height) * c
@@ -63,7 +63,7 @@ def ecef(latitude: float, longitude: float, height: float) -> Vector:
 
 
 def llh(x: float, y: float, z: float) -> Vector:
-    """Latitude, longitude, height of Earth-fixed coordinates, to better than a micrometre near the surface."""
+    """Converts Earth-fixed coordinates to latitude, longitude, height, within a micrometre near the surface."""
     p = hypot(x, y)
     latitude = atan2(z, p * (1 - E2))
     for _ in range(6):
@@ -77,7 +77,7 @@ def llh(x: float, y: float, z: float) -> Vector:
 
 
 def from_ned(latitude: float, longitude: float, v: Vector) -> Vector:
-    """A vector of the local level frame in Earth-fixed axes."""
+    """Rotates a vector from the local level frame to Earth-fixed axes."""
     s, c, sl, cl = sin(latitude), cos(latitude), sin(longitude), cos(longitude)
     n, e, d = v
     across = -s * n - c * d
@@ -85,7 +85,7 @@ def from_ned(latitude: float, longitude: float, v: Vector) -> Vector:
 
 
 def to_ned(latitude: float, longitude: float, v: Vector) -> Vector:
-    """A vector of Earth-fixed axes in the local level frame."""
+    """Rotates a vector from Earth-fixed axes to the local level frame."""
     s, c, sl, cl = sin(latitude), cos(latitude), sin(longitude), cos(longitude)
     x, y, z = v
     out = cl * x + sl * y
@@ -93,7 +93,7 @@ def to_ned(latitude: float, longitude: float, v: Vector) -> Vector:
 
 
 def gravity(latitude: float, height: float) -> float:
-    """Magnitude of gravity by the WGS84 formula, with its change by height to second order."""
+    """Returns the magnitude of gravity by the WGS84 formula, with the height to second order."""
     s2 = sin(latitude) ** 2
     normal = 9.7803253359 * (1 + 0.00193185265241 * s2) / sqrt(1 - E2 * s2)
     m = 0.00344978650684
@@ -115,14 +115,14 @@ _AIR = 0.0341631947363104  # g0 * molar mass / gas constant, K/m
 
 
 def geopotential(height: float) -> float:
-    """Geopotential height of a height above mean sea level."""
+    """Converts a height above mean sea level to a geopotential height."""
     return 6356766.0 * height / (6356766.0 + height)
 
 
 def atmosphere(height: float) -> tuple[float, float, float]:
-    """Temperature in degrees Celsius, pressure in mbar, density in kg/m^3 at a geopotential height.
+    """Returns temperature in degrees Celsius, pressure in mbar, density in kg/m^3 at a geopotential height.
 
-    US Standard Atmosphere of 1976; beyond its range, the values at the end of the range.
+    These are of the US Standard Atmosphere 1976; outside its range, the values at the end of the range.
     """
     h = min(max(height, -5000.0), 84852.0)
     base, t0, p0, lapse = next((layer for layer in reversed(_LAYERS) if h >= layer[0]), _LAYERS[0])
@@ -132,13 +132,13 @@ def atmosphere(height: float) -> tuple[float, float, float]:
 
 
 def turned(m: Matrix, v: Vector) -> Vector:
-    """The product of a matrix and a vector."""
+    """Multiplies a matrix and a vector."""
     x, y, z = v
     return (m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z)
 
 
 def turned_back(m: Matrix, v: Vector) -> Vector:
-    """The product of a transposed matrix and a vector."""
+    """Multiplies a transposed matrix and a vector."""
     x, y, z = v
     return (m[0] * x + m[3] * y + m[6] * z, m[1] * x + m[4] * y + m[7] * z, m[2] * x + m[5] * y + m[8] * z)
 
@@ -150,6 +150,6 @@ def product(a: Matrix, b: Matrix) -> Matrix:
 
 
 def heading(north: float, east: float) -> float:
-    """Angle from north of a direction, 0 to 2 pi."""
+    """Returns the angle of a direction from north, 0 to 2 pi."""
     angle = atan2(east, north)
     return angle if angle >= 0 else angle + radians(360)

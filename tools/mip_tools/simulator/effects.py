@@ -1,7 +1,7 @@
 """Effects of commands besides storing a setting, by their names in `spec/simulation`.
 
 The effect of a plain command takes place when the command arrives. The effect of a setting takes place
-whenever the setting changes, before it is kept; it may refuse the change.
+whenever the setting changes, before it is stored; it may reject the change.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Outcome:
-    """The continuation of a command after its reply."""
+    """How a command continues: the delay of its answer, and an action after it."""
 
     delay: int = 0  # nanoseconds until the answer
     after: Callable[[], None] | None = None  # done once it is sent
@@ -36,11 +36,11 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Call:
-    """A command on its way: `values` are the arguments of its effect."""
+    """A command, or a setting, that takes effect: `values` are the arguments of the effect."""
 
     command: Command
     values: dict[str, Any]
-    link: Link | None  # None: no command, but a setting that changes for another reason
+    link: Link | None  # None: a setting that changes without a command
     function: int | None
 
     @property
@@ -112,7 +112,7 @@ def _switch(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _poll(device: VirtualDevice, call: Call) -> Outcome:
-    """One packet with these fields, else with those of the format."""
+    """Sends one packet with these fields, or, without any, with those of the message format."""
     set, wanted = call.values["set"], call.values["fields"]
     descriptors = [getattr(entry, "descriptor", entry) for entry in wanted]
     if set not in data_sets(device.profile):
@@ -132,7 +132,7 @@ def _poll_sentences(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _factory_streaming(device: VirtualDevice, call: Call) -> Outcome:
-    """A format with a few fields of each set, in place of the present formats or after them."""
+    """Sets formats with a few fields of each set, which replace the current formats or are appended to them."""
     formats.factory(device, keep=call.values["action"] != 0)
     return Outcome(after=device.arrange)
 
@@ -147,7 +147,7 @@ def _all_settings(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _baud_rate(device: VirtualDevice, call: Call) -> Outcome:
-    """Takes effect after the answer, which is sent at the old rate."""
+    """Changes the baud rate after the answer, which is sent at the old rate."""
     port = ports.with_baud_rates(device, call.values.get("port"))
     baud = call.values["baud"]
     if call.writes and (port is None or (port.baud_rates and baud not in port.baud_rates)):
@@ -175,7 +175,7 @@ def _gyro_bias(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _capture(device: VirtualDevice, call: Call) -> Outcome:
-    """The whole bias of the sensor becomes the setting, whether it rests or not."""
+    """Sets the bias setting to the true bias of the sensor, even if the device moves."""
     setting: Any = command_type(COMMANDS[call.command.NAME].setting)
     parameter = str(COMMANDS[setting.NAME].arguments["bias"])
     factory: Any = device.settings.factory(setting, call.command)
@@ -209,7 +209,7 @@ def _protocols(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _trigger(device: VirtualDevice, call: Call) -> Outcome:
-    """A trigger is disabled after its configuration. It may watch only what the device sends."""
+    """Disables a trigger that is configured. Rejects one that watches data that the device does not send."""
     if call.writes:
         if call.values["set"] is not None and not events.can_watch(device, call.values):
             raise Refused(INVALID_PARAMETER)
@@ -242,7 +242,7 @@ def _trigger_mode(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _pin(device: VirtualDevice, call: Call) -> Outcome:
-    """Gives a new output the level of its behavior; an input with a pull-up is high."""
+    """Sets a new output to the level of its behavior; an input with a pull-up is high."""
     pin, behavior = call.values["pin"], call.values["behavior"].name
     if call.values["feature"].name == "GPIO" and behavior in ("OUTPUT_LOW", "OUTPUT_HIGH"):
         device.world.pins[pin] = behavior == "OUTPUT_HIGH"
@@ -270,7 +270,7 @@ def _nothing(device: VirtualDevice, call: Call) -> Outcome:
 
 
 def _of_filter(name: str) -> Effect:
-    """An effect that never refuses its values; `kind` is the kind of aiding measurement of a command."""
+    """Makes an effect that accepts all values; its argument `kind` is the kind of aiding measurement of a command."""
 
     def effect(device: VirtualDevice, call: Call) -> Outcome:
         kind = call.command.NAME.replace(".", "_")
@@ -315,7 +315,7 @@ EFFECTS: dict[str, Effect] = {
 
 
 def act(device: VirtualDevice, command: Command, link: Link | None, function: int | None) -> Outcome:
-    """The effect of a command, if it has one that this function calls for."""
+    """Runs the effect of a command, if it has one for this function."""
     effect = COMMANDS.get(command.NAME, NOTHING).effect
     if not effect or function == READ:
         return DONE

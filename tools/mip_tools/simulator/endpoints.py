@@ -31,14 +31,14 @@ DEFAULT_HOST = "localhost"
 
 @dataclass(frozen=True, eq=False)
 class Endpoint:
-    """One place to connect to: `pty` at a path (empty: no link is made), or `tcp` or `udp` at a host."""
+    """A place to connect to: `pty` at a path (empty: no link is made), or `tcp` or `udp` at a host."""
 
     kind: str
     host: str = ""
     number: int = 0
     path: str = ""
     port: str | None = None
-    """The port of the device, as its profile calls it; None: its main port."""
+    """The name of the device's port in its profile; None: its main port."""
     device: int = 0
     """The number of the device, from 0."""
 
@@ -48,12 +48,12 @@ def pty_at(path: str, port: str | None = None) -> Endpoint:
 
 
 def tcp_at(text: str, port: str | None = None) -> Endpoint:
-    """From "5000", "localhost:5000" or "[::1]:5000"; 0 lets the system choose. Raises Failure."""
+    """Parses "5000", "localhost:5000" or "[::1]:5000"; with 0, the system chooses a port. Raises Failure."""
     return _at_host("tcp", text, port)
 
 
 def udp_at(text: str, port: str | None = None) -> Endpoint:
-    """The same for UDP."""
+    """Parses the same for UDP."""
     return _at_host("udp", text, port)
 
 
@@ -65,7 +65,7 @@ def _at_host(kind: str, text: str, port: str | None) -> Endpoint:
     return Endpoint(kind, host=host.strip("[]") or DEFAULT_HOST, number=int(digits), port=port)
 
 
-#: The kinds of endpoints, and the function that reads the place of each.
+#: Kind of an endpoint -> the function that parses its address.
 KINDS: dict[str, Callable[[str, str | None], Endpoint]] = {"pty": pty_at, "tcp": tcp_at, "udp": udp_at}
 
 
@@ -79,11 +79,11 @@ class Pty:
         try:
             self._master, self._slave = os.openpty()
         except OSError as error:
-            raise Failure(f"no pseudo-terminal: {error.strerror}; close some, or use --tcp") from None
-        # The slave stays open: without it, a client that leaves ends the terminal.
+            raise Failure(f"no pseudo-terminal is available: {error.strerror}; close some, or use --tcp") from None
+        # The slave stays open: otherwise, the terminal would end when a client closes it.
         tty.setraw(self._slave)
         os.set_blocking(self._master, False)
-        # Packet mode: the first byte of a read shows when a client discards what it has not read.
+        # Packet mode: the first byte of a read shows when a client discards its unread data.
         fcntl.ioctl(self._master, termios.TIOCPKT, array("i", [1]))
         self._flushed = self._full = False
         self.name = os.ttyname(self._slave)
@@ -100,7 +100,7 @@ class Pty:
             leads = os.readlink(self._path)
             if not leads.startswith("/dev/"):
                 raise Failure(f"{self._path} is a link to something else; choose another path, or remove it")
-            # A simulator that was killed leaves its link, and the system assigns its terminal again.
+            # A killed simulator leaves its link, and the system may assign the same terminal again.
             if self._path.exists() and leads != self.name:
                 raise Failure(
                     f"{self._path} leads to {leads}, perhaps of another simulator; "
@@ -115,7 +115,7 @@ class Pty:
         except OSError as error:
             with suppress(OSError):
                 part.unlink()
-            raise Failure(f"{self._path} cannot be made: {error.strerror}; choose another path") from None
+            raise Failure(f"{self._path} cannot be created: {error.strerror}; choose another path") from None
 
     def fileno(self) -> int:
         return self._master
@@ -125,15 +125,15 @@ class Pty:
 
     def read(self) -> bytes:
         data = os.read(self._master, 4097)
-        if data[:1] > b"\0":  # an event, no data
+        if data[:1] > b"\0":  # an event, not data
             self._flushed |= bool(data[0] & termios.TIOCPKT_FLUSHREAD)
             raise BlockingIOError
         return data[1:]
 
     def flushed(self) -> bool:
-        """Has a client discarded what it has not read, while there was no room for more? Since the last call.
+        """Has a client, since the last call, discarded its unread data while the buffer was full?
 
-        Most do when they open a terminal.
+        Most clients do so when they open a terminal.
         """
         events = select.poll()
         events.register(self._master, select.POLLPRI)
@@ -151,20 +151,20 @@ class Pty:
 
     @property
     def speed(self) -> int | None:
-        """The baud rate that the client has set; None if it has no name."""
+        """The baud rate that the client has set; None if the system has no constant for it."""
         code = termios.tcgetattr(self._slave)[5]
         return _SPEEDS.get(code)
 
     @property
     def unread(self) -> int:
-        """Bytes that the client has not read; they are lost when the terminal ends."""
+        """The number of bytes that the client has not read, which are lost when the terminal ends."""
         select.select([self._slave], [], [], 0)  # makes the system pass on bytes that are in transit
         size = array("i", [0])
         fcntl.ioctl(self._slave, termios.FIONREAD, size)
         return size[0]
 
     def set_speed(self, baud: int) -> None:
-        """Shows the baud rate of the device, where the system has a name for it."""
+        """Sets the terminal to the baud rate of the device, if the system has a constant for it."""
         code = getattr(termios, f"B{baud}", None)
         if code is not None:
             mode = termios.tcgetattr(self._slave)
@@ -173,7 +173,7 @@ class Pty:
 
     def close(self) -> None:
         path = self._path
-        if path is not None and path.is_symlink() and os.readlink(path) == self.name:  # not one made by others since
+        if path is not None and path.is_symlink() and os.readlink(path) == self.name:  # unless it was replaced
             path.unlink(missing_ok=True)
         self._close_files()
 
@@ -196,7 +196,7 @@ class Client:
         self._socket = connection
         connection.setblocking(False)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        # Bytes that wait here are old when they are read: no more of them than a device would keep.
+        # Bytes that wait here are old when they are read, so the buffer is not larger than that of a device.
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 32768)
         peer = connection.getpeername()
         self.name = f"{peer[0]}:{peer[1]}"
@@ -213,8 +213,8 @@ class Client:
     def write(self, data: bytes | memoryview) -> int:
         return self._socket.send(data)
 
-    speed: int | None = None  # a connection has none
-    unread = 0  # the system delivers what was sent
+    speed: int | None = None  # a TCP connection has no baud rate
+    unread = 0  # the system delivers all sent bytes
 
     def flushed(self) -> bool:
         return False
@@ -224,7 +224,7 @@ class Client:
 
     def close(self) -> None:
         try:
-            while self._socket.recv(4096):  # unread bytes would make the system discard what was sent
+            while self._socket.recv(4096):  # if unread bytes remained, the system would discard sent ones
                 pass
         except OSError:
             pass
@@ -246,7 +246,7 @@ class Listener:
         return _address(self._host, self.number)
 
     def accept(self) -> Client | None:
-        """The next client; None if it has left already."""
+        """Accepts the next client; None if it has already left."""
         try:
             return Client(self._socket.accept()[0])
         except OSError:
@@ -257,9 +257,9 @@ class Listener:
 
 
 class Udp:
-    """A UDP port. What the device sends goes to the host that has sent the last datagram; without one it is lost."""
+    """A UDP port. The device sends to the host of the last datagram; before the first one, its output is lost."""
 
-    #: Bytes of a datagram that most networks pass in one piece.
+    #: The size of a datagram that most networks do not fragment.
     MOST = 1400
 
     def __init__(self, host: str, number: int) -> None:
@@ -277,14 +277,14 @@ class Udp:
     def read(self) -> bytes:
         try:
             data, self._client = self._socket.recvfrom(65536)
-        except OSError:  # may report a host that is gone; others will connect
+        except OSError:  # may report that a host is gone; others may connect
             raise BlockingIOError from None
         if not data:
             raise BlockingIOError
         return data
 
     def write(self, data: bytes | memoryview) -> int:
-        """Sends one datagram, of whole packets if it has several."""
+        """Sends one datagram, which contains only whole packets if it has several."""
         if self._client is None:
             return len(data)
         if len(data) > self.MOST:
@@ -294,7 +294,7 @@ class Udp:
             return self._socket.sendto(data, self._client)
         except BlockingIOError:
             raise
-        except OSError:  # it cannot be reached
+        except OSError:  # the host cannot be reached
             return len(data)
 
     speed: int | None = None
@@ -315,7 +315,7 @@ def _address(host: str, number: int) -> str:
 
 
 def _bound(kind: str, host: str, number: int) -> socket.socket:
-    """A socket at this address that does not block; for TCP, it listens. Raises Failure."""
+    """Opens a non-blocking socket at this address; a TCP socket listens. Raises Failure."""
     wanted = socket.SOCK_STREAM if kind == "tcp" else socket.SOCK_DGRAM
     try:
         family, type, protocol, _, address = socket.getaddrinfo(
@@ -340,9 +340,9 @@ def _bound(kind: str, host: str, number: int) -> socket.socket:
 def _refused(error: OSError, kind: str, host: str, number: int) -> str:
     what = f"{kind.upper()} port {number}"
     if error.errno == errno.EADDRINUSE:
-        return f"{what} is in use; end the program that has it, or use another: --{kind} {number + 1}"
+        return f"{what} is in use; end the program that uses it, or choose another: --{kind} {number + 1}"
     if error.errno == errno.EACCES:
-        return f"{what} needs privileges; use one from 1024 on"
+        return f"{what} needs privileges; use 1024 or above"
     if error.errno == errno.EADDRNOTAVAIL:
         return f"{host} is not an address of this machine; use localhost, or 0.0.0.0 for all networks"
     return f"{what} of {host} cannot be opened: {error.strerror}"
@@ -352,6 +352,6 @@ Scramble = Callable[[bytes], bytes]
 
 
 def scrambler(seed: int) -> Scramble:
-    """The effect of a wrong baud rate on bytes."""
+    """Makes the function that changes bytes as a wrong baud rate does."""
     random = Random(f"{seed}:baud")
     return lambda data: random.randbytes(len(data))

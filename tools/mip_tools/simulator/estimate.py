@@ -1,7 +1,7 @@
-"""The estimation filter of a device: its states, and the errors of what it estimates.
+"""The estimation filter of a device: its states, and the errors of its estimates.
 
 An estimate is the truth plus an error. Errors and variances change by the same steps, those of a Kalman filter for
-each axis, so that the errors are as large as the uncertainties indicate: they grow without aiding, and shrink with it.
+each axis, so the errors match the uncertainties: they grow without aiding, and shrink with it.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ if TYPE_CHECKING:
 
 #: The step of the filter, and of GNSS receivers, in nanoseconds.
 STEP = SECOND // 5
-#: The most steps at once; a longer time is divided into this many longer steps.
+#: The maximum number of steps at once; a longer time is divided into this many longer steps.
 MOST_STEPS = 3000
-#: Seconds for which the filter of a new simulation has run, in as many long steps, before as many short ones.
+#: For how many seconds the filter of a new simulation has run; the number of long steps, and then of short ones.
 SETTLED, SETTLING_STEPS = 600.0, 100
 #: Seconds from the start of the filter until it has leveled itself, a heading, and a position.
 LEVELED, ALIGNED, PLACED = 1.0, 1.5, 2.0
-#: From this speed in m/s on, the direction of the motion is a heading.
+#: The speed in m/s from which on the direction of motion is used as the heading.
 KINEMATIC = 2.0
-#: Seconds for which a measurement of the user counts.
+#: Seconds for which a measurement from the user is considered recent.
 FRESH = 5.0
 
 # Deviations of a new filter, and of measurements in each step.
@@ -40,19 +40,19 @@ DUAL_ANTENNA, STANDS, RESTS, ACCEL_BIAS = 0.01, 0.01, 2e-4, 0.05
 FIX = (sqrt(0.5), sqrt(0.5), 1.5)
 FIX_VELOCITY = 0.1 / sqrt(3)
 UNKNOWN_HEADING = pi / sqrt(3)
-#: Deviations above which the filter converges, and warns: tilt, bias of the gyroscope, heading, position, velocity.
+#: Deviations above which the filter is still converging, and warns: tilt, gyroscope bias, heading, position, velocity.
 CONVERGED = (0.01, 6e-5, 0.05, 2.0, 0.3)
 WARNED = (0.03, inf, 0.2, 10.0, 1.0)
-#: A bias of the gyroscope that is too high, and an antenna offset that is wrong by too much.
+#: The gyroscope bias, and the error of an antenna offset, above which the filter warns.
 HIGH_GYRO_BIAS, WRONG_OFFSET = 0.01, 0.5
 #: The random walk of the complementary filter's attitude, in rad per square root of a second.
 WANDERS = 1e-3
-#: The largest error, which means that nothing is known.
+#: The largest error, which stands for an unknown value.
 MOST = 1e12
 
 #: Headings that the user sends, by their names in the commands.
 HEADINGS = ("filter_external_heading_update", "filter_external_heading_update_with_time", "aiding_true_heading")
-#: Sources that `aiding_measurement_enable` names -> kinds of measurements.
+#: Source in `aiding_measurement_enable` -> kinds of measurements.
 SOURCES = {
     "gnss_position_velocity": "gnss", "gnss_heading": "dual_antenna", "altimeter": "pressure", "speed": "speed",
     "mag": "mag", "external_heading": "heading", "external_altimeter": "aiding_height_above_ellipsoid",
@@ -72,7 +72,7 @@ class Aid(NamedTuple):
 class Options:
     """The settings of the filter."""
 
-    waits: bool = False  # for a command to run
+    waits: bool = False  # for the command `filter.run`
     automatic: bool = True  # initializes itself
     given: str = "AUTO_POSITION_VELOCITY_ATTITUDE"  # which initial conditions the user specifies
     alignment: frozenset[str] = frozenset(("dual_antenna", "kinematic", "mag"))
@@ -97,11 +97,11 @@ class Options:
     gyro_bias_noise: Vector = (1e-6, 1e-6, 1e-6)
     stops_below: float = 0.0  # m/s; below this, it is at rest
     turns_above: float = 0.0  # rad/s; below this, it does not turn
-    offsets: dict[int, Vector] = field(default_factory=dict)  # receiver -> how wrong its antenna offset is
+    offsets: dict[int, Vector] = field(default_factory=dict)  # receiver -> error of its antenna offset
 
 
 class Filter:
-    """The filter of a world. `settled`: it has already run for long at the start."""
+    """The filter of a world. `settled`: it has already converged at the start."""
 
     def __init__(self, world: World, settled: bool) -> None:
         self._world = world
@@ -195,7 +195,7 @@ class Filter:
             self._fix(receiver)
 
     def _fix(self, receiver: int) -> None:
-        """The position error of a receiver: north, east, down."""
+        """Changes the position error of a receiver: north, east, down."""
         noise, gauss = self._world.noise, self._fixes.gauss
         n, e, d = (noise * deviation * gauss(0.0, 1.0) for deviation in FIX)
         u, v, w = (noise * FIX_VELOCITY * gauss(0.0, 1.0) for _ in range(3))
@@ -229,7 +229,7 @@ class Filter:
                 self.set_place(state, *self._external)  # type: ignore[arg-type]
 
     def _align(self, state: State) -> None:
-        """Finds the heading by one of the ways that are allowed."""
+        """Determines the heading by one of the permitted methods."""
         allowed, yaw = self.options.alignment, self.attitude[2]
         speed = hypot(*state.velocity[:2])
         if "dual_antenna" in allowed and self._has("dual_antenna"):
@@ -246,7 +246,7 @@ class Filter:
         self.aligned = True
 
     def set_attitude(self, state: State, roll: float | None, pitch: float | None, yaw: float | None) -> None:
-        """Levels the filter, by gravity or as given; the heading counts from there."""
+        """Levels the filter, by gravity or as given. Without a yaw, the heading is relative to the initial one."""
         true = euler(self._world.vehicle_of(state))
         left = self._world.gyro_bias_left
         for i, angle in enumerate((roll, pitch, yaw)):
@@ -263,13 +263,13 @@ class Filter:
         self.level = True
 
     def set_heading(self, state: State, yaw: float) -> None:
-        """Sets the heading to that of the user."""
+        """Sets the heading to the one from the user."""
         self.attitude[2].begin(NEW_HEADING, sqrt(self.attitude[2].r))
         self.attitude[2].error = remainder(yaw - self._yaw(state), 2 * pi)
         self.aligned = True
 
     def set_place(self, state: State, place: Vector, velocity: Vector) -> None:
-        """Sets the position and the velocity to those of the user."""
+        """Sets the position and the velocity to those from the user."""
         wrong = self._from(state, place)
         for i, pair in enumerate(self.navigation):
             pair.begin(FIX[i], FIX_VELOCITY)
@@ -284,7 +284,7 @@ class Filter:
     # ------------------------------------------------------------------ aiding
 
     def _has(self, kind: str) -> bool:
-        """Is there a kind of measurement, and is it enabled?"""
+        """Does the device have this kind of measurement, and is it enabled?"""
         options, world = self.options, self._world
         if ("heading" if kind in HEADINGS else kind) in options.disabled:
             return False
@@ -319,7 +319,7 @@ class Filter:
         return 0.0 if assumed is None else assumed - self._world.declination
 
     def _level(self, state: State, often: float) -> None:
-        """Levels the attitude by gravity, less while the device accelerates, and by the velocity from GNSS, always."""
+        """Levels the attitude by gravity, which counts less while the device accelerates, and by the GNSS velocity."""
         if not self.level:
             return
         if self.options.gravity:
@@ -349,7 +349,7 @@ class Filter:
             yaw.measure(often * hypot(NEW_HEADING, FIX_VELOCITY / speed))
 
     def _with_noise(self, often: float) -> float | None:
-        """The error of a heading by the magnetometer, if it is more than noise."""
+        """Returns the error of the magnetometer heading if it is more than noise, else None."""
         wrong = self._declination_error
         if not wrong:
             return None
@@ -379,7 +379,7 @@ class Filter:
             for pair in self.navigation[:2]:
                 pair.measure_rate(often * self._world.odometer)
 
-    # ------------------------------------------------------------------ what the user sends
+    # ------------------------------------------------------------------ measurements from the user
 
     def stands(self) -> None:
         """Applies the measurement that the device is stationary."""
@@ -436,14 +436,14 @@ class Filter:
         heard = self._heard.get(kind)
         return heard is not None and self._world.time - heard <= FRESH
 
-    # ------------------------------------------------------------------ what it shows
+    # ------------------------------------------------------------------ outputs
 
     def _yaw(self, state: State) -> float:
         return euler(self._world.vehicle_of(state))[2]
 
     @staticmethod
     def _from(state: State, place: Vector) -> Vector:
-        """North, east and down from the true place to another one."""
+        """Returns north, east and down from the true position to another one."""
         m, across = earth.radii(state.latitude)
         latitude, longitude, height = place
         return (
@@ -514,7 +514,7 @@ class Filter:
         return tuple(sorted({names[kind] for kind in self._used if kind in names}))
 
     def aids(self) -> Iterator[Aid]:
-        """The measurements that the filter knows, of the device and of the user."""
+        """Yields the aiding measurements, of the device and from the user."""
         receivers = self._receivers
         for receiver in (1, 2):
             if self._world.has(f"gnss_{receiver}"):
@@ -537,13 +537,13 @@ class Filter:
 
 
 class Complementary:
-    """The attitude without the estimation filter: gyroscopes, which gravity and the magnetic field correct slowly."""
+    """The complementary filter: an attitude from the gyroscopes, slowly corrected by gravity and the magnetic field."""
 
     def __init__(self, world: World) -> None:
         self._world = world
         self._random = Random(f"{world.seed}:complementary")
         self._time: int | None = None
-        self.constants = [10.0, 10.0, 10.0]  # seconds of each angle; inf: it is not corrected
+        self.constants = [10.0, 10.0, 10.0]  # time constant of each angle in s; inf: it is not corrected
         self._errors = [0.0, 0.0, 0.0]
 
     @property
@@ -566,7 +566,7 @@ class Complementary:
 
 
 def rotated(deviations: Vector, latitude: float, longitude: float) -> Vector:
-    """Deviations along north, east and down as those along Earth-fixed axes."""
+    """Converts deviations along north, east and down to deviations along Earth-fixed axes."""
     rows = [earth.from_ned(latitude, longitude, v) for v in ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))]
     x, y, z = (sqrt(sum((row[i] * d) ** 2 for row, d in zip(rows, deviations))) for i in range(3))
     return x, y, z

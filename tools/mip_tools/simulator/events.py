@@ -21,12 +21,12 @@ Given = dict[str, Any]  # the arguments of an effect
 #: Event cycles per second of a device whose profile does not state them.
 USUAL_RATE = 1000
 
-#: Levels that a pin with timestamps must change to, by its behavior: rising, falling, either.
+#: Behavior of a pin with timestamps -> the levels to which it must change: rising, falling, either.
 EDGES = {"RISING": (True,), "FALLING": (False,), "EITHER": (True, False)}
 
 
 class Trigger:
-    """A trigger that is not free."""
+    """A configured trigger."""
 
     __slots__ = ("active", "begins", "given", "mode", "moment", "pulsed")
 
@@ -40,7 +40,7 @@ class Trigger:
 
 
 class Action:
-    """An action that is not free."""
+    """A configured action."""
 
     __slots__ = ("count", "given", "start")
 
@@ -59,7 +59,7 @@ class Events:
         self.reset()
 
     def reset(self) -> None:
-        """Deactivates everything, as the device has started."""
+        """Deactivates everything, as at power-up."""
         self._triggers: dict[int, Trigger] = {}
         self._actions: dict[int, Action] = {}
         self._pins: dict[int, Given] = {}
@@ -69,7 +69,7 @@ class Events:
         self.arrange()
 
     def arrange(self) -> None:
-        """Follows the settings. A trigger or an action that is configured as before keeps its state."""
+        """Applies the settings. A trigger or an action with an unchanged configuration keeps its state."""
         device = self._device
         self._pins = {given["pin"]: given for given in device.settings_of("pin")}
         self._triggers = _kept(self._triggers, device.settings_of("trigger"), Trigger)
@@ -94,12 +94,12 @@ class Events:
 
     @property
     def sends(self) -> bool:
-        """May it send data by itself?"""
+        """Can any action send data?"""
         return self._cycle is not None and any(action.given["set"] is not None for action in self._actions.values())
 
     @property
     def next(self) -> int | None:
-        """The time of the next event cycle."""
+        """Returns the time of the next event cycle."""
         return None if self._cycle is None else self._cycle.next
 
     def run(self, time: int) -> None:
@@ -116,7 +116,7 @@ class Events:
         return found is not None and found.active
 
     def keep_mode(self, instance: int, mode: Command | None) -> None:
-        """Keeps the mode to which a trigger returns after a test pulse; None: the new mode is permanent."""
+        """Stores the mode to which a trigger returns after a test pulse; None: the new mode is permanent."""
         if mode is None:
             self._earlier.pop(instance, None)
         else:
@@ -133,7 +133,7 @@ class Events:
     # ----------------------------------------------------------------------- the cycle
 
     def _update(self, _: Any) -> None:
-        """Updates triggers first, as actions depend on them; those that combine others come after those."""
+        """Updates simple triggers, then those that combine others, then the actions, which depend on triggers."""
         self._end_pulses()
         for combining in (False, True):
             for instance, trigger in sorted(self._triggers.items()):
@@ -187,7 +187,7 @@ class Events:
         return self._device.world.level(given["pin"]) == wanted
 
     def _combined(self, given: Given) -> bool:
-        """The row of the truth table. The trigger's own state is that of the last cycle."""
+        """Looks up the truth table. A trigger that refers to itself has its state from the last cycle."""
         row = sum(self.active(x) << n for n, x in enumerate(given["inputs"]))
         return bool(given["table"] >> row & 1)
 
@@ -218,7 +218,7 @@ class Events:
             pins[pin] = not pins[pin]
 
     def _stream(self, instance: int, action: Action, trigger: Trigger) -> None:
-        """Sends a packet when the trigger becomes active; with a decimation, more while it is."""
+        """Sends a packet when the trigger becomes active; with a decimation, further ones while it remains active."""
         given, now = action.given, self._device.now
         if not trigger.active:
             action.start = None
@@ -248,7 +248,7 @@ class Events:
 
 
 def _kept(old: dict[int, Any], settings: Iterable[Given], make: Any) -> dict[int, Any]:
-    """Instance -> trigger or action; those whose arguments are as before are the same objects."""
+    """Instance -> trigger or action. Those with unchanged arguments remain the same objects."""
     kept = {}
     for given in settings:
         if given["type"]:
@@ -259,12 +259,12 @@ def _kept(old: dict[int, Any], settings: Iterable[Given], make: Any) -> dict[int
 
 
 def can_watch(device: VirtualDevice, given: Given) -> bool:
-    """Does the device have the value that a trigger is to watch?"""
+    """Does the device have the value that the trigger watches?"""
     return _watched(device, given, "check") is not None
 
 
 def _watched(device: VirtualDevice, given: Given, channel: str) -> float | None:
-    """The value that a trigger compares; None if the device does not have it."""
+    """Returns the value that a trigger compares; None if the device does not have it."""
     set, descriptor = given["set"], given["field"]
     if not device.sends(set, descriptor):
         return None
@@ -275,7 +275,7 @@ def _watched(device: VirtualDevice, given: Given, channel: str) -> float | None:
 
 
 def _numbers(value: Any) -> Iterator[float]:
-    """All numbers in a value, one after another."""
+    """Yields all numbers in a value."""
     if isinstance(value, Structure):
         for p in reflection.info(type(value)).parameters:
             if p.kind not in ("constant", "counter"):

@@ -1,4 +1,4 @@
-"""Facts of a specification about simulated devices, by full names of fields: `simulation.json` of its package."""
+"""Facts about simulated devices, by full name of a field, from `simulation.json` of the package."""
 
 from __future__ import annotations
 
@@ -11,27 +11,27 @@ from ..binding import Field, Parameter, data, info
 
 @dataclass(frozen=True)
 class Value:
-    """The value of a parameter: a quantity times `factor`, a constant, or a parameter of the command."""
+    """The source of a parameter's value: a quantity times `factor`, a constant, or a parameter of the command."""
 
     quantity: str = ""
     factor: float = 1.0
-    names: tuple[str, ...] = ()  # of values: the first one that the enumeration has
+    names: tuple[str, ...] = ()  # names of values, of which the first that the enumeration has is used
     bits: tuple[str, ...] = ()
     number: float | None = None
     text: str | None = None
-    parameter: str = ""  # of a response: the parameter of its command whose setting it shows
+    parameter: str = ""  # in a response, the parameter of the command whose setting it reports
 
 
 @dataclass(frozen=True)
 class FieldValues:
-    """The values of a field. `parameters`: parameter, or parameter.member of a structure -> value."""
+    """The sources of a field's values. `parameters`: parameter, or parameter.member of a structure -> value."""
 
-    for_each: str = ""  # a quantity that is a list: the field is sent once for each item
-    valid_if: str = ""  # a quantity that shows whether the values are valid; else all of them are 0
+    for_each: str = ""  # a list quantity: the field is sent once for each item
+    valid_if: str = ""  # a quantity that states whether the values are valid; if not, all of them are 0
     parameters: dict[str, Value] = field(default_factory=dict)
 
 
-#: Instances that are not numbers up to a limit: ports, data sets, and the data that the command affects.
+#: Kinds of instances that are not numbers up to a limit: ports, data sets, and the data that the command affects.
 PORTS, DATA_SETS, AFFECTED = "ports", "data_sets", "affected"
 
 
@@ -44,10 +44,10 @@ class Behavior:
     all: dict[str, int] = field(default_factory=dict)  # parameter -> the value that means all
     instances: dict[str, str] = field(default_factory=dict)  # parameter -> limit, or one of the words below
     translate: dict[str, dict[int, int]] = field(default_factory=dict)  # number -> number of a set
-    setting: str = ""  # the command whose setting it is, if not its own
-    key: dict[str, int] = field(default_factory=dict)  # which instance of that setting
+    setting: str = ""  # the command that owns the setting, if it is another one
+    key: dict[str, int] = field(default_factory=dict)  # the instance of that setting
     initial: dict[str, Any] = field(default_factory=dict)  # values on a new device
-    once: bool = False  # a write acts at that moment: what it wrote is not a setting to be restored
+    once: bool = False  # a write acts only at that moment, so its values are not a setting to restore
     affected: frozenset[tuple[int, int]] = frozenset()  # set and descriptor of the data that AFFECTED selects from
     answers: dict[str, tuple[str, ...]] = field(default_factory=dict)  # response -> devices with this layout
 
@@ -59,12 +59,12 @@ class Difference:
     default: Any = None
     minimum: float | None = None
     maximum: float | None = None
-    values: frozenset[int] | None = None  # the only ones that there are
+    values: frozenset[int] | None = None  # the only values that the device has
     constant: int | None = None
 
 
 def difference(p: Parameter, device: str) -> Difference:
-    """The whole difference on a device (its id)."""
+    """Returns how a parameter differs on the device with this id."""
     changes: dict[str, Any] = {}
     for v in p.variants:
         if v.by == "device" and device in v.keys and not v.member:
@@ -76,7 +76,7 @@ def difference(p: Parameter, device: str) -> Difference:
 
 
 def _tuples(value: Any) -> Any:
-    """A value of JSON with tuples in place of lists."""
+    """Converts lists in a JSON value to tuples."""
     if isinstance(value, dict):
         return {k: _tuples(x) for k, x in value.items()}
     return tuple(map(_tuples, value)) if isinstance(value, list) else value
@@ -112,7 +112,7 @@ _NOTHING = FieldValues()
 
 
 def shown(kind: type[Field], set: int) -> FieldValues:
-    """The values of a field in packets of a set: as stated for that set, else for all sets."""
+    """Returns the sources of a field's values in packets of a set: those for this set, else those for all sets."""
     return VALUES.get(kind.name_in(set)) or VALUES.get(kind.NAME) or _NOTHING
 
 

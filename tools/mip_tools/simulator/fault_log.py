@@ -19,16 +19,16 @@ class Injected:
     kind: str
     detail: str
     packet: bytes | None = None
-    """The packet that was to be sent."""
+    """The packet before the fault."""
     damaged: bool = False
     """May this packet be missing or changed at the receiver? All others arrive intact."""
     added: bytes = b""
-    """Bytes that were sent in addition."""
+    """The extra bytes that the fault inserted."""
     command: RawField | None = None
     """The command whose answer is wrong, late or missing."""
 
     def as_json(self, **more: Any) -> str:
-        """One line, without absent values; bytes are hexadecimal."""
+        """Formats one line, without absent values; bytes are hexadecimal."""
         line: dict[str, Any] = {"time": self.now / 1e9, **more, "kind": self.kind, "detail": self.detail}
         if self.packet is not None:
             line |= {"packet": self.packet.hex(), "damaged": self.damaged}
@@ -41,7 +41,7 @@ class Injected:
 
 
 def json_log(file: TextIO, **more: Any) -> Callable[[Injected], None]:
-    """A log that writes one JSON object for each fault, at once, with `more` in each."""
+    """Makes a log that writes each fault at once, as one JSON object that also contains `more`."""
 
     def write(injected: Injected) -> None:
         file.write(injected.as_json(**more) + "\n")

@@ -23,23 +23,23 @@ _INSERTED = ("noise", "nmea", "false_header", "unknown_set")
 class _Line:
     """The state of a receiver at the end of one line."""
 
-    free: int = 0  # when the line has sent what was delayed
-    pending: bytes = b""  # what may be the start of a packet
-    hidden: list[bytes] = field(default_factory=list)  # the packets in it
-    late: list[tuple[int, bytes]] = field(default_factory=list)  # packets, and when they are there
+    free: int = 0  # when the line has sent all delayed bytes
+    pending: bytes = b""  # bytes that may be the start of a packet
+    hidden: list[bytes] = field(default_factory=list)  # the packets in these bytes
+    late: list[tuple[int, bytes]] = field(default_factory=list)  # arrival times, and packets
 
 
 class Faults:
-    """Injects faults into what a device sends and receives.
+    """Injects faults into the data that a device sends and receives.
 
     Each keyword is a kind of fault of `fault_kinds.KINDS` with its rate, a probability, or with
-    (rate, amount). `script` has faults at exact places. The same seed and the same traffic give the
-    same faults; a kind of fault does not change when others happen.
+    (rate, amount). `script` has faults at exact chances. The same seed and the same traffic result in
+    the same faults; each kind of fault is independent of the others.
 
         faults = Faults(seed=1, lose=0.01, noise=(0.1, 32), script=["lose_answer@3"])
 
-    Noise and false headers are only ever between packets, and never cost a receiver that searches
-    again after a false start a packet: packets not logged as damaged arrive intact.
+    Noise and false headers are inserted only between packets. A receiver that searches again after a
+    false start loses no packet because of them: all packets that are not logged as damaged arrive intact.
     """
 
     def __init__(
@@ -101,21 +101,21 @@ class Faults:
         return int(self._plans[kind].amount)
 
     def _seconds(self, kind: str) -> int:
-        """A random duration in nanoseconds, 10 % to 100 % of the longest one."""
+        """Returns a random duration in nanoseconds, 10 % to 100 % of the maximum."""
         most = self._plans[kind].amount
         return int(self._random[kind].uniform(0.1, 1.0) * most * 1e9)
 
     def tell(self, now: int, kind: str, detail: str, **more: Any) -> None:
-        """Logs what has happened."""
+        """Logs a fault."""
         if self._log is not None:
             self._log(Injected(now, kind, detail, **more))
 
     # ----------------------------------------------------------------- from the device
 
     def transmit(self, now: int, packet: bytes, line: Hashable = None) -> list[tuple[int, bytes]]:
-        """Returns what a line transmits in place of a packet: bytes, each with a delay in ns, in order.
+        """Returns what a line transmits instead of a packet: pieces of bytes, each with a delay in ns, in order.
 
-        Calls for one line are in the order of their times. An NMEA sentence passes as it is.
+        Calls for one line must be in the order of their times. An NMEA sentence passes unchanged.
         """
         mip = packet[:2] == SYNC
         if self._every and mip:
@@ -133,7 +133,7 @@ class Faults:
         if intact and mip:
             right.append(packet)
         if "double_packet" in struck:
-            self.tell(now, "double_packet", "the packet comes twice", packet=packet, added=packet)
+            self.tell(now, "double_packet", "the packet arrives twice", packet=packet, added=packet)
             body += packet
             right.append(packet)
         before = self._apart(now, at, before, body, right)
@@ -147,7 +147,7 @@ class Faults:
         at = self._lines.pop(line, _Line())
         for arrival, packet in at.late:
             if arrival > now:
-                text = "the packet was on the way when the line was cut"
+                text = "the packet was in transit when the line was cut"
                 self.tell(now, "disconnect", text, packet=packet, damaged=True)
 
     def _inserted(self, now: int, kind: str, right: list[bytes]) -> bytes:
@@ -165,11 +165,11 @@ class Faults:
         return made
 
     def _body(self, now: int, packet: bytes, struck: list[str]) -> tuple[bytes, bool]:
-        """The rest of a packet, and whether it is complete."""
+        """Returns what remains of a packet, and whether it is complete."""
         if "lose_packet" in struck:
             self.tell(now, "lose_packet", "the packet is lost", packet=packet, damaged=True)
             return b"", False
-        kind = next((k for k in _DAMAGE if k in struck), "")  # one fault for one packet
+        kind = next((k for k in _DAMAGE if k in struck), "")  # at most one fault damages a packet
         if not kind:
             return packet, True
         body, what = damage.damage(kind, packet, self._most(kind) or 1, self._random[kind])
@@ -177,11 +177,11 @@ class Faults:
         return body, False
 
     def _apart(self, now: int, at: _Line, before: bytes, body: bytes, right: list[bytes]) -> bytes:
-        """Adds zeros to the bytes before a packet, if they would form a packet with it by accident.
+        """Adds zeros to the bytes before a packet if they would otherwise form a packet with it by chance.
 
-        A false start swallows the packets after it until it is complete. Once in 65536 times its
-        checksum is correct by accident; bytes in between prevent this. Lost bytes may be replaced by
-        equal ones in the same way.
+        A false start swallows the packets after it until it is complete. In one of 65536 cases, its
+        checksum is correct by chance; extra bytes prevent this. In the same way, the bytes after a lost
+        byte may happen to equal it.
         """
         wanted, spare = at.hidden + right, 0
         found: list[bytes] = []
@@ -197,14 +197,14 @@ class Faults:
                 self.tell(now, "noise", "bytes make up a packet", packet=lost, damaged=True)
         at.hidden, at.pending = wanted[len(found) :], pending
         if spare:
-            text = f"{spare} bytes keep a false start from being complete by accident"
+            text = f"{spare} bytes keep a false start from becoming a packet by chance"
             self.tell(now, "noise", text, added=bytes(spare))
         return bytes(spare) + before
 
     def _timed(
         self, now: int, at: _Line, before: bytes, body: bytes, struck: list[str], packet: bytes
     ) -> list[tuple[int, bytes]]:
-        """The parts of a stream with their delays. A line keeps its order: a delay also delays what follows."""
+        """Returns the parts of a stream with their delays. The line keeps the order: a delay affects what follows."""
         first = max(at.free - now, 0)
         if "delay_packet" in struck:
             later = self._seconds("delay_packet")
@@ -216,7 +216,7 @@ class Faults:
             later = self._seconds("delay")
             cut = len(before) + self._random["delay"].randrange(1, len(body))
             parts = [(first, stream[:cut]), (first + later, stream[cut:])]
-            text = f"{len(stream) - cut} bytes at the end come {later / 1e9:.3f} s late"
+            text = f"{len(stream) - cut} bytes at the end arrive {later / 1e9:.3f} s late"
             self.tell(now, "delay", text, packet=packet)
         at.late = [entry for entry in at.late if entry[0] > now]
         if parts[-1][0] and packet[:2] == SYNC:
@@ -226,13 +226,13 @@ class Faults:
         return [part for part in parts if part[1]]
 
     def data(self, now: int, set: int, fields: list[RawField]) -> list[RawField]:
-        """The fields of a packet of data."""
+        """Returns the fields of a data packet, with faults."""
         for kind in self._struck("data"):
             fields = self._extended(now, kind, set, fields, range(len(fields)))
         return fields
 
     def _extended(self, now: int, kind: str, set: int, fields: list[RawField], places: range) -> list[RawField]:
-        """Fields with more than the specification knows."""
+        """Adds a field, or bytes, that the specification does not define."""
         random, fields = self._random[kind], list(fields)
         if kind.startswith("unknown"):
             added = wrong.unknown_field(set, fields, random)
@@ -253,7 +253,7 @@ class Faults:
     # ----------------------------------------------------------------- answers
 
     def answer(self, now: int, command: RawField, answer: list[RawField]) -> tuple[int, list[RawField]]:
-        """The delay in ns and the fields of the answer to a command; no fields: no answer."""
+        """Returns the delay in ns and the fields of the answer to a command; without fields, there is no answer."""
         struck = self._struck("answer")
         if len(answer) > 1:
             struck += self._struck("response")
@@ -279,7 +279,7 @@ class Faults:
     # ----------------------------------------------------------------- to the device
 
     def receive(self, now: int, data: bytes) -> bytes:
-        """Returns the bytes that the device receives. The faults do not depend on the sizes of the pieces."""
+        """Returns the bytes that the device receives. The faults do not depend on how the data is divided."""
         if not self._active["byte"]:
             return data
         made = bytearray()
@@ -298,7 +298,7 @@ class Faults:
         return bytes(made)
 
     def event(self, now: int) -> str:
-        """An event of the device itself, checked every 100 ms of simulated time."""
+        """Returns a fault of the device itself, or an empty text; called every 100 ms of simulated time."""
         for kind in self._struck("tick"):
             self.tell(now, kind, KINDS[kind].description)
             return kind

@@ -1,6 +1,6 @@
 """Effects of commands on the filter, the receivers and the calibration of sensors, by their names in `spec/simulation`.
 
-A setting changes what is computed from now on: the filter first advances to the present.
+A setting affects only later results: the filter first advances to the present.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 Values = dict[str, Any]  # argument of the effect -> its value
 Act = Callable[["VirtualDevice", Values], None]
 
-#: Units of ranges -> those of the world.
+#: Type of a range -> sensor, and the factor to the unit of the world.
 _SENSORS = {1: ("accel", 9.80665), 2: ("gyro", radians(1)), 3: ("mag", 1.0)}
 
 
 def _names(bits: Any) -> frozenset[str]:
-    """The names of the bits that are set."""
+    """Returns the names of the bits that are set."""
     return frozenset(member.name.lower() for member in type(bits) if member & bits)
 
 
@@ -73,19 +73,19 @@ def _odometer(device: VirtualDevice, v: Values) -> None:
 
 
 def _point(device: VirtualDevice, v: Values) -> None:
-    """Sets the point whose position and velocity are shown."""
+    """Sets the point whose position and velocity the device reports."""
     device.world.offset = tuple(v["offset"])
 
 
 def _antenna(device: VirtualDevice, v: Values) -> None:
-    """Sets the error of an antenna offset: its difference from that of a new device, which is right."""
+    """Sets the error of an antenna offset: its difference from the factory default, which is correct."""
     receiver = v["receiver"] if v["receiver"] in (1, 2) else receiver_of(v["receiver"])
     if receiver:
         device.world.filter.options.offsets[receiver] = tuple(v["offset"])
 
 
 def _tare(device: VirtualDevice, v: Values) -> None:
-    """Sets the angles of these axes to 0: the vehicle is level now, or points north."""
+    """Makes the current roll, pitch or yaw of the vehicle zero."""
     world, axes = device.world, _names(v["axes"])
     if axes:
         angles = (0.0 if name in axes else x for name, x in zip(("roll", "pitch", "yaw"), euler(world.dcm)))
@@ -163,7 +163,7 @@ def _automatic(device: VirtualDevice, v: Values) -> None:
 
 
 def _attitude(device: VirtualDevice, v: Values) -> None:
-    """Sets all angles to those of the user, or the heading alone."""
+    """Sets all angles, or only the heading, to those from the user."""
     world = device.world
     if "roll" in v or not world.filter.level:
         world.filter.set_attitude(world.state, v.get("roll"), v.get("pitch"), v["heading"])
@@ -265,7 +265,7 @@ def _position_measured(device: VirtualDevice, v: Values) -> None:
 
 
 def _fixed_position_measured(device: VirtualDevice, v: Values) -> None:
-    """Applies an Earth-fixed position; its deviations are used as those along north, east and down."""
+    """Applies an Earth-fixed position, with its deviations taken as north, east and down."""
     device.world.filter.position(v["kind"], earth.llh(*v["position"]), tuple(v["uncertainty"]))
 
 
@@ -304,7 +304,7 @@ def _body_velocity_measured(device: VirtualDevice, v: Values) -> None:
 
 
 def _speed_measured(device: VirtualDevice, v: Values) -> None:
-    """Applies a forward speed; a vehicle moves neither sideways nor up in its own frame."""
+    """Applies a forward speed. A vehicle is assumed not to move sideways or vertically in its own frame."""
     velocity = earth.turned_back(device.world.dcm, (v["speed"], 0.0, 0.0))
     device.world.filter.velocity(v["kind"], velocity, (max(v["uncertainty"], 1e-3),) * 3)
 

@@ -1,4 +1,4 @@
-"""The streams of a device: the formats and switches of its settings."""
+"""Derives the streams of a device from its settings: message formats and switches."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .streams import Stream
 if TYPE_CHECKING:
     from .device import VirtualDevice
 
-#: The rate in Hz of sets whose data is sent as it arises.
+#: The rate in Hz of sets without a base rate, whose data a real device sends as it becomes available.
 RATE_AS_THEY_ARISE = 1.0
 
 #: The number of fields of each set in factory streaming, and their rate in Hz.
@@ -24,18 +24,18 @@ FACTORY_FIELDS, FACTORY_RATE = 4, 10
 
 
 def rate(device: VirtualDevice, set: int) -> int:
-    """The base rate as commands report it; 0 if the set has none."""
+    """Returns the base rate that commands report; 0 if the set has none."""
     known = device.profile.base_rates
     return round(known[set] if set in known else assumed_rates(device.profile).get(set, 0))
 
 
 def ticks(device: VirtualDevice, set: int) -> float:
-    """The rate in Hz at which a set is sent without decimation."""
+    """Returns the rate in Hz at which a set is sent without decimation."""
     return rate(device, set) or RATE_AS_THEY_ARISE
 
 
 def of_set(device: VirtualDevice, set: int) -> list[tuple[int, int]]:
-    """The message format of a set: descriptors and decimations."""
+    """Returns the message format of a set: descriptors and decimations."""
     for given in device.settings_of("format"):
         if given["set"] == set:
             return [(entry.descriptor, entry.decimation) for entry in given["fields"]]
@@ -43,7 +43,7 @@ def of_set(device: VirtualDevice, set: int) -> list[tuple[int, int]]:
 
 
 def of_sentences(device: VirtualDevice) -> list[Any]:
-    """The NMEA sentences that are streamed."""
+    """Returns the streamed NMEA sentences."""
     return [entry for given in device.settings_of("sentences") for entry in given["entries"]]
 
 
@@ -56,7 +56,7 @@ def enabled(device: VirtualDevice, set: int) -> bool:
 
 
 def streams(device: VirtualDevice, begin: int) -> list[Stream]:
-    """The streams that the settings ask for, from a moment on."""
+    """Makes the streams that the settings define, starting at `begin`."""
     streams = []
     for set in sorted(data_sets(device.profile)):
         known = [(d, x) for x, d in of_set(device, set) if device.sends(set, x)]
@@ -75,7 +75,7 @@ def _stream(device: VirtualDevice, set: int, items: list[tuple[int, Any]], fire:
 
 
 def _keeper(device: VirtualDevice, set: int) -> Any:
-    """The command that keeps the message format of a set."""
+    """Returns the command that stores the message format of a set."""
     for name, behavior in COMMANDS.items():
         if behavior.effect == "format" and device.knows(name):
             kind = home(command_type(name))
@@ -85,7 +85,7 @@ def _keeper(device: VirtualDevice, set: int) -> Any:
 
 
 def factory(device: VirtualDevice, keep: bool) -> None:
-    """Message formats with the first fields of each set, in place of the present ones or after them."""
+    """Sets message formats with the first fields of each set; `keep` appends them to the current formats."""
     for set in sorted(data_sets(device.profile)):
         kind = _keeper(device, set)
         if kind is None:

@@ -1,4 +1,4 @@
-"""The error of an estimate, and the variance that a filter computes for it: both change by the same steps."""
+"""Simulates the error of an estimate together with the variance that a filter computes for it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Pair:
         self.error = self.rate = self.p = self.pr = self.r = 0.0
 
     def begin(self, deviation: float, of_rate: float) -> None:
-        """Starts anew, with errors of these deviations."""
+        """Restarts with errors of these deviations."""
         self.p, self.pr, self.r = deviation * deviation, 0.0, of_rate * of_rate
         self.error, self.rate = deviation * self.gauss(), of_rate * self.gauss()
 
@@ -43,7 +43,7 @@ class Pair:
         self.p, self.pr = self.p * (1 - k), self.pr * (1 - k)
 
     def measure_rate(self, deviation: float, wrong: float | None = None) -> None:
-        """The same for the rate."""
+        """Applies a measurement of the rate."""
         d = (deviation * self.gauss() if wrong is None else wrong) - self.rate
         s = self.r + deviation * deviation
         k, kr = self.pr / s, self.r / s
@@ -58,7 +58,7 @@ class Pair:
         return d * d <= LIKELY * (self.p + deviation * deviation)
 
 
-#: The square of the number of deviations within which a measurement is used.
+#: The square of the number of standard deviations within which a measurement is used.
 LIKELY = 25.0
 
 __all__ = ["Pair"]

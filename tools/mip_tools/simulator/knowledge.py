@@ -14,7 +14,7 @@ from .facts import COMMANDS
 if TYPE_CHECKING:
     from .device import VirtualDevice
 
-#: Descriptors in one response, besides its acknowledge.
+#: The maximum number of descriptors in one response, with room for its acknowledge.
 MOST_DESCRIPTORS = 124
 
 Context = dict[str, Any]  # the values of the command, and the arguments of its effect
@@ -34,7 +34,7 @@ def _number(device: VirtualDevice, last: str) -> str:
 
 
 def descriptors(device: VirtualDevice) -> list[int]:
-    """Set and descriptor of all commands and data, in order; shared data as such."""
+    """Lists set and descriptor of all commands and data, in order; shared data has its own set."""
     return sorted(set << 8 | descriptor for set, descriptor in device.known)
 
 
@@ -42,7 +42,7 @@ def descriptors(device: VirtualDevice) -> list[int]:
 
 
 def _configured(device: VirtualDevice, effect: str) -> dict[int, Context]:
-    """Instance -> configuration of a trigger or an action that is not free."""
+    """Instance -> configuration, of the configured triggers or actions."""
     return {given["instance"]: given for given in device.settings_of(effect) if given["type"]}
 
 
@@ -56,7 +56,7 @@ def _slots(device: VirtualDevice, limit: str) -> int:
 
 
 def _event_types(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
-    """Type and number of instances, of triggers or of actions."""
+    """Returns the types of triggers or actions, each with its number of instances."""
     names = TRIGGER_LIMITS if context["query"] == 1 else ACTION_LIMITS
     counts = [(number, _slots(device, limit)) for number, limit in names.items()]
     return [(number, count) for number, count in counts if count]
@@ -71,7 +71,7 @@ ACTION_LIMITS = {1: "event_gpio_actions", 2: "event_message_actions"}
 
 
 def has_room(device: VirtualDevice, effect: str, given: Context) -> bool:
-    """May one more trigger or action be of this type, in a slot that may have had another one?"""
+    """Does the device permit one more trigger or action of this type? It replaces the one in its slot."""
     names = TRIGGER_LIMITS if effect == "trigger" else ACTION_LIMITS
     most = device.profile.limits.get(names.get(given["type"], ""))
     others = _configured(device, effect)
@@ -84,7 +84,7 @@ def _asked(device: VirtualDevice, context: Context, limit: str) -> Sequence[int]
 
 
 def _trigger_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
-    """The type and the state of each trigger. A trigger in a test mode is active."""
+    """Returns the type and the state of each trigger. A trigger in a test mode is active."""
     modes = {given["instance"]: given["mode"] for given in device.settings_of("trigger_mode")}
     rows = []
     for instance in _asked(device, context, TRIGGERS):
@@ -95,7 +95,7 @@ def _trigger_status(device: VirtualDevice, context: Context) -> Sequence[tuple[i
 
 
 def _action_status(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int]]:
-    """Type and trigger."""
+    """Returns the type and the trigger of each action."""
     actions = _configured(device, "action")
     asked = (actions.get(instance, FREE) for instance in _asked(device, context, ACTIONS))
     return [(int(action["type"]), int(action["trigger"])) for action in asked]
@@ -103,7 +103,7 @@ def _action_status(device: VirtualDevice, context: Context) -> Sequence[tuple[in
 
 # --------------------------------------------------------------------------- others
 
-#: Ranges of sensors: type of the sensor -> setting and largest value; g, degrees per second, gauss, mbar.
+#: Type of a sensor -> its ranges: setting and largest value in g, degrees per second, gauss or mbar.
 RANGES: dict[int, Sequence[tuple[int, float]]] = {
     1: ((1, 2.0), (2, 4.0), (3, 8.0), (4, 10.0)),
     2: ((1, 75.0), (2, 150.0), (3, 300.0), (4, 1000.0)),
@@ -113,7 +113,7 @@ RANGES: dict[int, Sequence[tuple[int, float]]] = {
 
 
 def _receivers(device: VirtualDevice, context: Context) -> Sequence[tuple[int, int, str]]:
-    """The number, the data set and the description of each receiver."""
+    """Returns the number, the data set and the description of each receiver."""
     sets = sorted(data_sets(device.profile) & {context["only"], context["first"], context["second"]})
     return [(i, set, f"Simulated receiver {i}".ljust(32)) for i, set in enumerate(sets, 1)]
 
@@ -132,7 +132,7 @@ def _port_protocols(way: int) -> Quantity:
 
 
 def _stream(name: str) -> Quantity:
-    """Is the data set in an argument streamed?"""
+    """Makes a quantity: is the data set in this argument streamed?"""
 
     def found(device: VirtualDevice, context: Context) -> bool:
         return formats.enabled(device, context[name]) and bool(formats.of_set(device, context[name]))
@@ -141,7 +141,7 @@ def _stream(name: str) -> Quantity:
 
 
 def without_effect() -> list[str]:
-    """Commands that change nothing on a virtual device: those with settings only remember them."""
+    """Lists the commands without effect on a virtual device, which only remembers their settings."""
     kinds = [kind for _, kind in registry.all_types() if issubclass(kind, Command)]
     silencing = {(set, descriptor) for kind in kinds for set, descriptor, _, _ in kind.SILENCED_BY}
     return [

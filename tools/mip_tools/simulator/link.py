@@ -10,9 +10,9 @@ from ..binding import Parser
 
 
 class Link:
-    """One host at one port. `write` and `read` are the host's; `VirtualDevice.connect` makes it.
+    """The connection of one host to one port, made by `VirtualDevice.connect`. The host calls `write` and `read`.
 
-    It is not a port for `Device`, as no time passes at it: `LivePort` is.
+    Time does not pass by itself, so it is not a port for `Device`; use a `LivePort` for that.
     """
 
     def __init__(self, port: str, receive: Callable[[Link, bytes], None], capacity: int | None) -> None:
@@ -20,11 +20,11 @@ class Link:
         self.baud: int | None = None  # None: the port has no baud rate
         self.takes = self.gives = ~0  # protocols of the port, as bits
         self.closed = False
-        self.dropped = 0  # packets for which the host has left no room
+        self.dropped = 0  # packets for which there was no room
         self.parser = Parser()
         self.heard = 0  # when the host has last sent something
         self._late: list[tuple[int, int, bytes]] = []  # time, order, bytes on the way
-        self._held: list[tuple[int, int, bytes]] = []  # the same, that the device has yet to send
+        self._held: list[tuple[int, int, bytes]] = []  # the same, for bytes that the device has not sent yet
         self._receive = receive
         self._capacity = capacity
         self._ready = bytearray()
@@ -37,7 +37,7 @@ class Link:
         self._receive(self, bytes(data))
 
     def read(self) -> bytes:
-        """The bytes that the device has sent by now."""
+        """Returns the bytes that have arrived since the last call."""
         data = bytes(self._ready)
         self._ready.clear()
         return data
@@ -49,32 +49,32 @@ class Link:
 
     @property
     def on_the_way(self) -> bytes:
-        """Bytes that the device has sent and that have not arrived, of which a slow port has many."""
+        """Returns the bytes that the device has sent and that have not arrived yet; on a slow port, they are many."""
         return b"".join(data for _, _, data in sorted(self._late))
 
     @property
     def next(self) -> int | None:
-        """The time at which delayed bytes arrive, or the device has to send something."""
+        """Returns the next time at which delayed bytes arrive or are sent."""
         return min((queue[0][0] for queue in (self._late, self._held) if queue), default=None)
 
     def held(self, now: int) -> int:
-        """The time that the device needs to send what precedes its next reply."""
+        """Returns the time that the device needs to send everything before its next reply."""
         return max((time - now for time, _, _ in self._held), default=0)
 
     def hold(self, time: int, data: bytes) -> None:
-        """Keeps bytes that the device has to send at that time."""
+        """Stores bytes that the device sends at this time."""
         self._order += 1
         heapq.heappush(self._held, (time, self._order, data))
 
     def due(self, now: int) -> list[bytes]:
-        """The bytes that the device has to send by now."""
+        """Returns the stored bytes that the device sends by now."""
         due = []
         while self._held and self._held[0][0] <= now:
             due.append(heapq.heappop(self._held)[2])
         return due
 
     def send(self, now: int, parts: list[tuple[int, bytes]]) -> None:
-        """Sends bytes from the device, each after a delay in nanoseconds. Without room, all are dropped."""
+        """Sends parts from the device, each after a delay in nanoseconds. Drops all of them if there is no room."""
         size = sum(len(data) for _, data in parts)
         if self.closed or (self._capacity is not None and self.waiting + size > self._capacity):
             self.dropped += 1
@@ -92,8 +92,7 @@ class Link:
             self._ready += heapq.heappop(self._late)[2]
 
     def clear(self) -> None:
-        """Discards what the device was about to send, as in a reset; bytes already on the way
-        arrive."""
+        """Discards the bytes that the device has not sent yet, as in a reset; bytes in transit still arrive."""
         self._held.clear()
         self.parser = Parser()
 

@@ -1,4 +1,4 @@
-"""A port of a virtual device at which time passes by itself."""
+"""A port of a virtual device on which simulated time passes automatically."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..binding import READ_TIMEOUT
 from .device import VirtualDevice
 from .streams import SECOND
 
-#: Seconds of the clock that are caught up at once; more are lost, for example in a debugger.
+#: The longest real time, in seconds, that is caught up at once; more is lost, for example in a debugger.
 LATE = 1.0
 
 
@@ -19,14 +19,14 @@ class LivePort:
         with Device(LivePort(VirtualDevice("3dm-cv7-gnss-ins"))) as device:
             device.request(Ping())
 
-    While the port is open, do not use the virtual device yourself, as other threads do. It may have
-    one such port.
+    While the port is open, other threads use the virtual device: do not use it directly. A virtual device can have
+    only one such port at a time.
     """
 
     def __init__(self, device: VirtualDevice, port: str | None = None, *, speed: float = 1.0) -> None:
-        """`port`: its name, as for `VirtualDevice.connect`. `speed`: simulated seconds in a second."""
+        """`port`: the name of the port, as for `VirtualDevice.connect`. `speed`: simulated seconds per real second."""
         if not 0 < speed < float("inf"):
-            raise ValueError(f"speed {speed}: needs simulated seconds in a second, more than 0")
+            raise ValueError(f"speed {speed}: simulated seconds per real second must be above 0")
         self._device = device
         self._speed = speed
         self._link = device.connect(port)
@@ -35,7 +35,8 @@ class LivePort:
         self._rest = b""
 
     def read(self, size: int) -> bytes:
-        """The bytes that the device has sent; none after a short wait. Raises ConnectionError when it is closed."""
+        """Returns the bytes that the device has sent; empty after a short wait. Raises ConnectionError if the port is
+        closed."""
         with self._wake:
             self._pass()
             if not self._rest:
@@ -59,14 +60,14 @@ class LivePort:
             self._wake.notify()
 
     def _pass(self) -> None:
-        """Advances the device to the present, and reads what it has sent."""
+        """Advances the device to the present, and reads the bytes that it has sent."""
         now = time.monotonic()
         self._device.advance(min(now - self._now, LATE) * self._speed)
         self._now = now
         self._rest += self._link.read()
 
     def _pause(self) -> float:
-        """The time without events, as far as is known."""
+        """Returns the time until the next known event."""
         then = self._device.next
         if then is None:
             return READ_TIMEOUT

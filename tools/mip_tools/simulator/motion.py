@@ -1,4 +1,4 @@
-"""Motions of the simulated device, and their names in texts."""
+"""Motions of the simulated device, and how they are written."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from .track import Track
 from .trajectory import Trajectory
 from .waypoints import Waypoint
 
-#: The place of motions without one of their own: degrees and metres.
+#: The default position: degrees and metres.
 LATITUDE, LONGITUDE, HEIGHT = 47.0, 8.0, 500.0
 
 
 class Standing:
-    """At rest; angles in degrees."""
+    """Stays at rest. Angles are in degrees."""
 
     def __init__(
         self, latitude: float = LATITUDE, longitude: float = LONGITUDE, height: float = HEIGHT, *,
@@ -34,7 +34,7 @@ class Standing:
 
 
 class Circle:
-    """Clockwise at a constant speed (m/s), from the northernmost point of a circle of `radius` metres."""
+    """Moves clockwise at a constant speed (m/s), from the northernmost point of a circle of `radius` metres."""
 
     def __init__(
         self, radius: float = 20.0, speed: float = 5.0, latitude: float = LATITUDE, longitude: float = LONGITUDE,
@@ -73,7 +73,7 @@ def _number(text: str) -> float:
 
 _PLACE: dict[str, Callable[[str], Any]] = {"latitude": _number, "longitude": _number, "height": _number}
 
-#: Names of motions -> class, and its options with what reads them.
+#: Name of a motion -> its class, and its options with the functions that parse them.
 MOTIONS: dict[str, tuple[Callable[..., Motion], dict[str, Callable[[str], Any]]]] = {
     "standing": (Standing, _PLACE | {"heading": _number, "pitch": _number, "roll": _number}),
     "circle": (Circle, {"radius": _number, "speed": _number} | _PLACE),
@@ -87,7 +87,7 @@ _REQUIRED = dict.fromkeys(("track", "trajectory", "replay"), "file")
 
 
 def parse_motion(text: str, folder: Path = Path()) -> Motion:
-    """A motion by name, optionally with options; its file is relative to a folder. Raises MotionError.
+    """Parses a motion: a name, optionally followed by options. Its file is relative to `folder`. Raises MotionError.
 
     >>> parse_motion("circle:radius=20,speed=5").at(0).velocity[1]
     5.0

@@ -1,4 +1,4 @@
-"""Numbers for names of the specification."""
+"""Finds the numbers for names in the specification."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Any
 
 
 def named(kind: Any, names: tuple[str, ...]) -> int:
-    """The first value of these names that an enumeration has, or all bits of these names that a bitfield has.
+    """Returns the first value with one of these names in an enumeration, or all bits with these names in a bitfield.
 
-    `bits.value` is a number inside a bitfield. Names that the type does not have are ignored.
+    `bits.value` names a value of a multi-bit field in a bitfield. Names that the type does not have are ignored.
     """
     return _named(kind, names)
 

@@ -1,4 +1,4 @@
-"""NMEA-0183 sentences of the simulated device: standard ones, and the proprietary ones of the vendor."""
+"""Composes the NMEA 0183 sentences of the device: standard ones, and the vendor's proprietary ones."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from .world import World
 KNOT = 1852 / 3600
 GRAVITY = 9.80665
 
-#: Names of data sets -> the receiver whose antenna the sentences are about; None: the filter.
+#: Data set -> the receiver whose antenna position the sentences contain; None: the position of the filter.
 _SOURCES: dict[str, int | None] = {"filter_data": None, "gnss_data": 1, "gnss_1": 1, "gnss_2": 2}
 _TALKERS = {"gnss": "GN", "gps": "GP", "galileo": "GA", "glonass": "GL"}
 
-#: Constellation -> talker of its satellites, and what is added to their numbers.
+#: Constellation -> talker of its satellites, and the offset of their numbers.
 _CONSTELLATIONS = {"gps": ("GP", 0), "glonass": ("GL", 64), "galileo": ("GA", 0), "beidou": ("GB", 0)}
 
 
@@ -64,7 +64,7 @@ def _clock(time: datetime) -> str:
 
 
 def _angle(radians: float, width: int, signs: str) -> str:
-    """Degrees and minutes with five decimals, and the hemisphere."""
+    """Formats an angle in degrees and minutes with five decimals, and the hemisphere."""
     minutes = round(abs(degrees(radians)) * 60 * 100_000)
     whole, rest = divmod(minutes, 60 * 100_000)
     return f"{whole:0{width}d}{rest // 100_000:02d}.{rest % 100_000:05d},{signs[radians < 0]}"
@@ -172,7 +172,7 @@ _SENTENCES = {
 
 
 def _sentence(entry: Entry) -> tuple[_Sentence, str, str] | None:
-    """The sentence, its source and its talker."""
+    """Finds the sentence, its source and its talker; None if there is no such sentence."""
     found = _SENTENCES.get(getattr(entry.message_id, "name", "").lower())
     source = SETS.get(entry.source_descriptor_set, ("",))[0]
     if found is None or source not in found.sources:
@@ -189,7 +189,7 @@ def known(entry: Entry) -> bool:
 
 
 def sentences(entries: Iterable[Entry], world: World) -> bytes:
-    """The sentences at the time of the world, with checksums and ends of line; unknown entries produce none."""
+    """Composes the sentences at the world's time, with checksums and line ends; unknown entries are skipped."""
     lines = []
     for entry in entries:
         found = _sentence(entry)
@@ -201,7 +201,7 @@ def sentences(entries: Iterable[Entry], world: World) -> bytes:
 
 
 def checksum(text: str) -> str:
-    """The checksum of the text between `$` and `*`.
+    """Computes the checksum of the text between `$` and `*`.
 
     >>> checksum("PMSRA,221336.93,-0.172,-0.681,3.072")
     '5D'

@@ -1,7 +1,7 @@
-"""The noise of sensors: white noise, and a drift of the bias. It is kept as an integral, which all fields share.
+"""The noise of sensors: white noise, and a drift of the bias. It is stored as an integral that all fields share.
 
-A rate shows the mean of the noise since it was last sent, a delta its integral, so that both agree, and the deviation
-follows from the interval.
+A rate contains the mean of the noise since it was last sent, a delta its integral. So both agree, and the deviation
+depends on the interval.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .earth import SECOND
 
 Values = tuple[float, ...]
 
-#: Moments that are kept, so that fields that begin to be sent together see the same noise before.
+#: The number of past integrals that are stored, so that fields that start at the same time have the same noise.
 KEPT = 8
 
 
@@ -36,7 +36,7 @@ class Noise:
         self._kept: dict[int, Values] = {}
 
     def integral(self, now: int) -> Values:
-        """The integral since the first call; for a time before the last one, the last result."""
+        """Returns the integral since the first call; for a time before the last call, the last result."""
         if self._time is None:
             self._time = now
         passed = (now - self._time) / SECOND
@@ -62,7 +62,7 @@ class Noise:
         return self._integral
 
     def before(self, then: int, now: int) -> Values:
-        """The integral at a time before now, which may not have been requested then."""
+        """Returns the integral at an earlier time, even if it was not requested then."""
         last = self.integral(now)
         if then not in self._kept:
             passed = max(now - then, 0) / SECOND
@@ -76,14 +76,14 @@ class Noise:
             del self._kept[next(iter(self._kept))]
 
     def white(self, deviation: float) -> Values:
-        """Additional white noise, independent of all else."""
+        """Returns additional, independent white noise."""
         return tuple([deviation * self._gauss(0.0, 1.0) for _ in self._axes])
 
 
 @lru_cache(64)
 def _change(passed: float, drift: float, period: float) -> tuple[float, float, float, float, float]:
-    """A Gauss-Markov process after a time: how much of it is left, what it adds to its integral, the deviation
-    of its change, what the change adds to the integral, and the deviation of the rest."""
+    """Computes the step of a Gauss-Markov process over a time: the remaining share, its contribution to the integral,
+    the deviation of the change, the contribution of the change to the integral, and the deviation of the rest."""
     lost = -expm1(-passed / period)
     decay = 1 - lost
     spread = drift * sqrt(lost * (1 + decay))

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 PROTOCOLS = {"MIP": 1, "NMEA": 1 << 8, "RTCM": 1 << 9, "SPARTN": 1 << 24}
 MIP, NMEA = PROTOCOLS["MIP"], PROTOCOLS["NMEA"]
 
-#: Limits on the number of ports, besides the main one, that receive a protocol.
+#: Protocol -> the maximum number of ports, besides the main one, that may receive it.
 PARSERS = {
     "MIP": "mip_input_ports",
     "NMEA": "nmea_input_ports",
@@ -27,7 +27,7 @@ PARSERS = {
 
 
 def main(device: VirtualDevice, name: str) -> bool:
-    """Is it a main port: the first of its kind, such as UART 1?"""
+    """Is this a main port, the first of its kind, such as UART 1?"""
     kinds = [port.name.split()[0] for port in device.profile.ports if port.name != name]
     before = [port.name for port in device.profile.ports]
     first = before.index(name) if name in before else 0
@@ -35,7 +35,7 @@ def main(device: VirtualDevice, name: str) -> bool:
 
 
 def protocols(device: VirtualDevice, port: Port) -> tuple[int, int]:
-    """The protocols that a port receives and sends; if no command sets it, every protocol of the port."""
+    """Returns the protocols that a port receives and sends; if no command sets them, all protocols of the port."""
     takes, gives = (sum(PROTOCOLS.get(name, 0) for name in names) or MIP for names in (port.receives, port.sends))
     for given in device.settings_of("protocols"):
         if given["port"] == port.id:
@@ -71,14 +71,14 @@ def check(device: VirtualDevice, values: dict[str, Any], link: Link | None) -> N
 
 
 def with_baud_rates(device: VirtualDevice, number: int | None) -> Port | None:
-    """A port by its number; without one, the first that has baud rates."""
+    """Finds a port by its number; without a number, the first port with baud rates."""
     if number is not None:
         return by_number(device, number)
     return next((port for port in device.profile.ports if port.baud_rates), None)
 
 
 def baud_rates(device: VirtualDevice) -> dict[str, int]:
-    """The baud rates of the ports that have one, by their names."""
+    """Name of a port -> its baud rate, for ports that have one."""
     rates: dict[str, int] = {}
     for name, behavior in COMMANDS.items():
         if behavior.effect != "baud_rate" or not device.knows(name):

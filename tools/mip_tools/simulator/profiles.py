@@ -1,4 +1,4 @@
-"""Devices and their ports, by the names that people write."""
+"""Finds devices and ports by the names that people write."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from ..binding import DEVICES, Device, Port, Support
 from ..errors import Misuse
 from .checks import data_sets
 
-#: The rate in Hz of a set that no device of the same generation is known to send faster.
+#: The highest rate in Hz that is assumed if no device of the same generation has a known rate for a set.
 UNKNOWN_RATE = 10.0
 
 
 def device_named(name: str) -> Device:
-    """A device by its id, its title or another name; case does not matter. Raises Failure."""
+    """Finds a device by its id, its title or another name; case is ignored. Raises Failure."""
     names = {alias.lower(): d for d in DEVICES.values() for alias in (d.id, d.title, *d.also)}
     wanted = name.lower()
     if wanted not in names:
@@ -26,12 +26,12 @@ def device_named(name: str) -> Device:
 
 
 def certain(profile: Device) -> Device:
-    """A device with only those commands and data that it has without a doubt."""
+    """Returns a profile with only the commands and data that the device certainly has."""
     return replace(profile, evidence=tuple(e for e in profile.evidence if e.answer is not Support.PROBABLE))
 
 
 def assumed_rates(profile: Device) -> dict[int, float]:
-    """Base rates that no source states, of the data sets of a device: the lowest of its generation, else a low one."""
+    """Assumes the base rates that no source states: the lowest of the same generation, else a low one."""
     unknown = sorted(data_sets(profile) - profile.base_rates.keys())
     return {set: _lowest(set, profile.generation) for set in unknown}
 
@@ -43,7 +43,7 @@ def _lowest(set: int, generation: int | None) -> float:
 
 
 def port_named(profile: Device, name: str) -> Port:
-    """A port of a device; case, spaces and underscores do not matter. Raises Failure."""
+    """Finds a port of a device by name; case, spaces and underscores are ignored. Raises Failure."""
     for port in profile.ports:
         if _plain(port.name) == _plain(name):
             return port

@@ -1,6 +1,6 @@
-"""The quantities that the specification names: world, and an item -> value in the unit of the specification.
+"""Computes the quantities that the specification names: (world, item) -> value in the unit of the specification.
 
-The item is that of a list (`for_each`), an `Output` for other data, and the values of the command for responses.
+The item is an item of a list (`for_each`), an `Output` for other data, or, for responses, the values of the command.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ def _flags(w: World) -> tuple[str, ...]:
 
 
 def _measured(w: World, sensor: str, true: Vector, constant: Vector, out: Any) -> Vector:
-    """The mean of an inertial sensor since the last output, in its own frame: `constant` is its bias
-    without drift, which is in the noise."""
+    """Returns the mean of an inertial sensor since the last output, in its own frame. `constant` is its bias without
+    the drift, which is part of the noise."""
     noise = w.mean_noise(sensor, out)
     return _sum(true, constant) if noise is None else _sum(_sum(true, constant), noise)
 
@@ -76,7 +76,7 @@ def _single(sensor: str, true: float, w: World, out: Any) -> float:
 
 
 def _compensated_rate(w: World, out: Any) -> Vector:
-    """The angular rate of the gyroscope, without the bias that the filter estimates."""
+    """Returns the angular rate of the gyroscope, without the bias that the filter estimates."""
     found = _sum(w.state.rate, _scaled(w.gyro_bias_error, -1.0))
     noise = _white(w, GYRO, out)
     return w.vehicle(w.low_passed(GYRO, out, found if noise is None else _sum(found, noise)))  # type: ignore[arg-type]
@@ -89,13 +89,13 @@ def _compensated_force(w: World, true: Vector, out: Any) -> Vector:
 
 
 def _white(w: World, sensor: str, out: Any) -> Vector | None:
-    """The noise without the drift, which the filter knows as well as the bias."""
+    """Returns the noise without the drift, because the filter estimates the drift with the bias."""
     noise = w.mean_noise(sensor, out)
     return None if noise is None else _sum(noise, _scaled(w.sensors[sensor].bias, -w.noise))
 
 
 def _overrange(w: World, _: Any) -> tuple[str, ...]:
-    """Axes that are near the end of their range."""
+    """Lists the axes that are near the end of their range."""
     field = _raw_magnetic(w, None)
     values = {"accel": _sum(w.specific_force, w.accel_bias_left), "gyro": _sum(w.state.rate, w.gyro_bias_left)}
     values["mag"] = field
@@ -146,7 +146,7 @@ def _ecef(w: World) -> Vector:
 
 
 def _deviations(w: World) -> tuple[tuple[Vector, Vector], ...]:
-    """The deviations of attitude and gyroscope bias, of position and velocity, and of the accelerometer bias."""
+    """Returns the deviations of attitude and gyroscope bias, of position and velocity, and of accelerometer bias."""
 
     def of(pairs: Any) -> tuple[Vector, Vector]:
         a, b, c = pairs
@@ -169,12 +169,12 @@ def _earth_fixed(part: int) -> Function:
 
 
 def _of_quaternion(w: World, _: Any) -> tuple[float, ...]:
-    """An upper bound of the deviation of each element: half that of the whole rotation."""
+    """Returns an upper bound for the deviation of each element: half the deviation of the whole rotation."""
     return (hypot(*_deviation(0, 0)(w, None)) / 2,) * 4
 
 
 def _complementary(w: World) -> Matrix:
-    """The attitude by the complementary filter."""
+    """Returns the attitude that the complementary filter estimates."""
 
     def found() -> Matrix:
         wrong = w.complementary.errors
@@ -340,12 +340,12 @@ _SURROUNDINGS: dict[str, Function] = {
 
 QUANTITIES: dict[str, Function] = {**_TIME, **_SENSORS, **_MOTION, **_SURROUNDINGS, **GNSS}
 
-#: Quantities that count from the last output: their item must be an `Output`.
+#: Quantities that count from the last output. Their item must be an `Output`.
 INTERVALS = frozenset(
     ("reference.delta", "external.delta", "ticks.delta", "delta.rotation", "delta.velocity", "delta.matrix")
 )
 
-#: Means since the last output: their item is an `Output`, too, one for each field.
+#: Means since the last output. Their item must also be an `Output`, one for each field.
 MEANS = frozenset(
     name
     for name in QUANTITIES

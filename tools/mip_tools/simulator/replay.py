@@ -1,4 +1,4 @@
-"""A recorded log of MIP packets, as a motion and as data."""
+"""Replays a log of MIP packets, as a motion and as recorded data."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .facts import shown
 from .names import named
 from .state import MotionError, Quaternion, State, between, matrix, quaternion, rotation, rotation_vector
 
-#: A clock that jumps by more than this, or backwards, has been set: time goes on without a gap.
+#: A clock that jumps by more than this, or backwards, was set: the replay continues without a gap.
 GAP = 60 * SECOND
 GPS, REFERENCE = "gps.tow", "reference.time"
 
@@ -36,9 +36,9 @@ class _Series:
     values: list[Any]
 
     def around(self, t: float) -> tuple[Any, Any, float, float]:
-        """The values before and after a time, its place between them (0 to 1), and their distance in seconds.
+        """Returns the values before and after a time, its fraction between them (0 to 1), and their distance in s.
 
-        Outside of the times, the distance is 0.
+        Before the first and after the last time, the distance is 0.
         """
         i = bisect_right(self.times, t)
         if i == 0 or i == len(self.times):
@@ -49,11 +49,11 @@ class _Series:
 
 
 class Replay:
-    """Data fields that the log has are sent as recorded: the latest one at each time, at the rate that is asked for.
+    """Replays a log. Data fields in the log are sent as recorded: the latest one at each time, at the requested rate.
 
-    Other fields show a motion that goes through the attitudes, positions and velocities of the log; without any,
-    they show a device at rest. Times are always those of the simulation, which begins at the GPS time of the log
-    (`start`), if it has one. At its end the log begins anew (`loop`), or the last values stay and the device rests.
+    Other fields agree with a motion through the attitudes, positions and velocities of the log; without any of these,
+    the device is at rest. Times are always those of the simulation, which begins at the GPS time of the log (`start`),
+    if it has one. At its end, the log is repeated (`loop`), or the last values remain and the device is at rest.
     """
 
     def __init__(self, path: str | Path, *, loop: bool = False, rate: float | None = None) -> None:
@@ -65,7 +65,7 @@ class Replay:
         parser = Parser()
         packets = [p for p in [*parser.feed(data), *parser.flush()] if p.set >= 0x80]
         if not packets:
-            raise MotionError(f"replay: {path} has no packets of data")
+            raise MotionError(f"replay: {path} has no data packets")
         if rate is not None and not rate > 0:
             raise MotionError(f"replay: rate={rate:g} must be above 0")
         self._loop = loop
@@ -87,7 +87,7 @@ class Replay:
         self._velocity = self._series(_VELOCITY)
 
     def recorded(self, set: int, descriptor: int, t: float) -> list[bytes]:
-        """The data of a field at a time: of each such field, if the log has several; empty if it has none."""
+        """Returns the data of a field at a time; several if the log has several at once, empty if it has none."""
         found = self._recorded.get((set, descriptor))
         if found is None:
             return []
@@ -120,12 +120,12 @@ class Replay:
     # ------------------------------------------------------------------ times
 
     def _times(self, packets: Sequence[Packet], rate: float | None, path: str) -> list[int]:
-        """When each packet was sent, in ns: by the clock that most of them have, between those in equal steps."""
+        """Returns when each packet was sent, in ns, by the clock that most have; others are evenly spaced between."""
         said = [_clocks(p) for p in packets]
         counts = Counter(name for clocks in said for name in clocks)
         if not counts:
             if rate is None:
-                raise MotionError(f"replay: {path} has no times; state the rate of its packets: rate=HZ")
+                raise MotionError(f"replay: {path} has no times; add the rate of its packets: rate=HZ")
             return _even(packets, rate)
         clock = max((GPS, REFERENCE), key=lambda name: counts[name])
         known: list[tuple[int, int]] = []  # number of the packet, time
@@ -148,7 +148,7 @@ class Replay:
     # ------------------------------------------------------------------ the motion
 
     def _series(self, alternatives: Sequence[Sequence[str]]) -> _Series:
-        """The data of the log about a part of the motion, in the best form that it has."""
+        """Reads one part of the motion, such as the attitude, from the best fields in the log."""
         for names in alternatives:
             for set, descriptor in sorted(self._recorded, reverse=True):
                 times, groups = self._recorded[set, descriptor]
@@ -193,7 +193,7 @@ def _even(packets: Sequence[Packet], rate: float) -> list[int]:
 
 
 def _clocks(packet: Packet) -> dict[str, int]:
-    """The clocks of a packet in ns, GPS time since its epoch. An invalid clock runs nevertheless."""
+    """Returns the clocks of a packet in ns, with GPS time since its epoch, even if they are not valid."""
     clocks: dict[str, int] = {}
     for raw in _fields(packet):
         reference = _shown(raw.set, raw.descriptor, raw.data, (REFERENCE,), valid=False)
@@ -207,7 +207,7 @@ def _clocks(packet: Packet) -> dict[str, int]:
 
 @cache
 def _places(set: int, kind: Any, names: Sequence[str]) -> tuple[tuple[Any, float], ...]:
-    """The parameters that show these quantities, with their factors; empty if one is missing."""
+    """Finds the parameters that contain these quantities, with their factors; empty if one is missing."""
     held = {v.quantity: (path, v.factor) for path, v in shown(kind, set).parameters.items()}
     if not all(name in held for name in names):
         return ()
@@ -216,7 +216,7 @@ def _places(set: int, kind: Any, names: Sequence[str]) -> tuple[tuple[Any, float
 
 
 def _shown(set: int, descriptor: int, data: bytes, names: Sequence[str], valid: bool = True) -> list[Any] | None:
-    """The values of these quantities in a field, if it has them and, where asked, they are valid."""
+    """Returns the values of these quantities in a field; None if it lacks one or, with `valid`, if one is not valid."""
     types = registry.types(set, descriptor)
     kind: Any = types[0] if len(types) == 1 else None
     places = _places(set, kind, tuple(names)) if kind else ()
@@ -242,7 +242,7 @@ def _shown(set: int, descriptor: int, data: bytes, names: Sequence[str], valid: 
 
 
 def _standard(name: str, value: list[Any]) -> Quaternion | Vector:
-    """An attitude as a quaternion, a position as latitude, longitude, height."""
+    """Converts an attitude to a quaternion, and a position to latitude, longitude, height."""
     if name == "attitude.quaternion":
         length = sum(x * x for x in value[0]) ** 0.5 or 1.0
         w, x, y, z = (c / length for c in value[0])

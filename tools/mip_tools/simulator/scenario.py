@@ -46,12 +46,12 @@ class Scenario:
 
 
 def read_scenario(path: Path) -> Scenario:
-    """Reads a scenario. Raises Failure, which names all mistakes with their places."""
+    """Reads a scenario. Raises Failure with all mistakes and their positions."""
     return _Reader(path).scenario()
 
 
 def endpoint(text: str, profile: Device) -> Endpoint:
-    """From "pty:PATH", "tcp:[HOST:]PORT" or "udp:[HOST:]PORT", perhaps with "NAME=" of the device's port. Raises
+    """Parses "pty:PATH", "tcp:[HOST:]PORT" or "udp:[HOST:]PORT", optionally after "NAME=", a port of the device. Raises
     Failure."""
     name, equals, where = text.rpartition("=")
     kind, _, place = where.partition(":")
@@ -109,7 +109,7 @@ class _Reader(YamlReader):
         return str(node.value)
 
     def tried(self, node: Any, read: Any) -> Any:
-        """Parses a text of the command line."""
+        """Parses a text in the form of the command line. Raises Wrong at this node."""
         try:
             return read(self.text(node))
         except (Failure, MotionError) as error:

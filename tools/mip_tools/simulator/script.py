@@ -19,19 +19,19 @@ KINDS = ("gnss_outage", "magnetic_disturbance", "faults", "disconnect", "unplug"
 
 @dataclass(frozen=True)
 class ScriptedEvent:
-    """One event, or one that recurs. Times are in simulated seconds."""
+    """An event, which may recur. Times are in simulated seconds."""
 
     event: str
     at: float
     """The time since the start of the simulation."""
     duration: float | None = None
-    """None: until the end of the simulation; a restart has none."""
+    """None: until the end of the simulation. A restart has no duration."""
     every: float | None = None
-    """The time from one such event to the next; None: it happens once."""
+    """The interval at which the event recurs; None: it happens once."""
     field: Vector = (0.0, 0.0, 0.0)
     """The field of a magnetic disturbance, in gauss, along the axes of the sensor."""
     faults: str = ""
-    """In the form of `mip simulate --fault`."""
+    """The faults, as for `mip simulate --fault`."""
 
     def check(self) -> None:
         """Raises ValueError or Failure if the event is impossible."""
@@ -106,7 +106,7 @@ class Script:
                 device.reset()
             else:
                 device.unplug()
-        elif event.event == "unplug":  # it has power again
+        elif event.event == "unplug":  # power has returned
             device.reset()
 
 

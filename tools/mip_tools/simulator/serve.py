@@ -14,17 +14,17 @@ from .channel import CAPACITY, Channel, Link, Peer
 from .endpoints import Endpoint, Listener, Pty, Udp, scrambler
 
 SECOND = 1_000_000_000
-#: Seconds of the clock for which the device may be advanced before clients are served again.
+#: Real seconds for which the device may be advanced before clients are served again.
 TURN = 0.02
-#: Seconds of the clock by which simulated time may be late before it gives up catching up, and
-#: for which clients may read what is left.
+#: Real seconds by which simulated time may be late before it stops catching up, and for which clients may read the
+#: remaining data at the end.
 LATE = 1.0
-#: Seconds of the clock by which data may be late, so that it is sent in fewer pieces at high rates.
+#: Real seconds by which data may be late, so that it is sent in fewer pieces at high rates.
 GRAIN = 0.004
 
 #: Simulated nanoseconds after which the data sent by the device is collected.
 SLICE = SECOND // 100
-#: Clients of one TCP port.
+#: The maximum number of clients of one TCP port.
 CLIENTS = 64
 
 
@@ -56,7 +56,7 @@ class Together:
 
     @property
     def next(self) -> int | None:
-        """The time at which something happens next without a host."""
+        """Returns the time of the next event that no host causes."""
         return min((d.next for d in self.devices if d.next is not None), default=None)
 
     @property
@@ -85,8 +85,8 @@ class Server:
         ready: Callable[[str], None] = lambda text: None,
         complain: Callable[[str], None] = lambda text: None,
     ) -> None:
-        """`speed`: simulated seconds in a second; 0: as fast as clients read what the device sends,
-        and in real time while it sends nothing.
+        """`speed`: simulated seconds per real second; 0: as fast as clients read the data, and in real time while
+        the device sends nothing.
 
         `duration`: simulated seconds until `run` returns. `ready` is called with each endpoint.
         """
@@ -104,9 +104,9 @@ class Server:
         self._listeners: dict[Endpoint, Listener] = {}
         self._channels: dict[Channel, Endpoint] = {}
         self._plugged: set[Endpoint] = set()
-        self._numbers: dict[Endpoint, int] = {}  # those that the system chose
+        self._numbers: dict[Endpoint, int] = {}  # port numbers that the system chose
         self._stopped = False
-        self._lost = 0.0  # seconds of the clock that simulated time has given up
+        self._lost = 0.0  # real seconds that simulated time has not caught up
         self._origin = 0.0
         self._wake, self._woken = socket.socketpair()
 
@@ -186,7 +186,7 @@ class Server:
             return
         self._selector.unregister(channel.peer)
         if channel.dropped:
-            # It may have no client: whether a terminal is open is not known.
+            # There may be no client: the simulator cannot tell whether a terminal is open.
             packets = f"{channel.dropped} packet{'s' * (channel.dropped != 1)}"
             self._complain(f"{channel.peer}: {packets} dropped, as no client read them in time")
         self._of(endpoint).disconnect(channel.link)
@@ -210,7 +210,7 @@ class Server:
         self._stopped = True
         try:
             self._wake.send(b"\0")
-        except OSError:  # awake already, or closed
+        except OSError:  # already awake, or closed
             pass
 
     def _wakened(self, _: int) -> None:
@@ -230,27 +230,27 @@ class Server:
         self._drain()
 
     def _simulated(self, nanoseconds: float) -> float:
-        """The seconds of the clock for this number of simulated nanoseconds."""
+        """Converts simulated nanoseconds to real seconds."""
         return nanoseconds / SECOND / (self._speed or 1.0)
 
     @property
     def _free(self) -> bool:
-        """Does time pass as fast as clients read?"""
+        """Does simulated time pass as fast as clients read?"""
         return not self._speed and self._device.busy
 
     def _target(self) -> float:
-        """The time that the device should have now."""
+        """Returns the simulated time that the device should have now."""
         if self._free:
             return self._end if self._hungry() else self._device.now
         target = int((self._clock() - self._origin) * (self._speed or 1.0) * SECOND)
         return min(target, self._end)
 
     def _hungry(self) -> bool:
-        """Has every client room for more? Without a client, nobody asks for time to pass."""
+        """Can every client receive more? Without clients, time does not pass."""
         return bool(self._channels) and all(c.size < self._capacity // 2 for c in self._channels)
 
     def _advance(self) -> None:
-        """Brings the device to the present, and what it sends to the clients."""
+        """Advances the devices to the present, and passes their data to the clients."""
         device, turn = self._device, self._clock() + TURN
         target = self._target()
         while self._clock() < turn:
@@ -263,7 +263,7 @@ class Server:
                 self._origin = self._clock() - self._simulated(device.now)
                 self._pump()
                 target = self._target()
-            else:  # all that is due by now, in pieces
+            else:  # everything that is due by now, in pieces
                 until = min(target, max(following, now + SLICE))
                 device.advance(max(until - now, 1) / SECOND)
                 for channel in self._channels:
@@ -273,7 +273,7 @@ class Server:
         self._slip()
 
     def _slip(self) -> None:
-        """Gives up time that cannot be caught up: the machine was asleep, or is too slow."""
+        """Skips time that cannot be caught up, because the machine was asleep or is too slow."""
         behind = self._clock() - self._origin - self._simulated(self._device.now)
         if self._free:
             self._origin += behind
@@ -284,7 +284,7 @@ class Server:
             self._lost += behind
 
     def _patience(self) -> float | None:
-        """The time to wait for clients; None: until one connects."""
+        """Returns how long to wait for clients; None: until one connects."""
         if self._stopped:
             return 0.0
         waits = [c.waits for c in self._channels if c.waits is not None]
@@ -295,7 +295,7 @@ class Server:
         elif self._hungry():
             return 0.0
         first = min(waits, default=math.inf)
-        if os.name != "posix":  # where a signal does not end the wait
+        if os.name != "posix":  # on other systems, a signal does not end the wait
             first = min(first, now + 0.5)
         return None if first == math.inf else min(max(first - now, GRAIN), 3600.0)
 
@@ -323,7 +323,7 @@ class Server:
             self._selector.modify(channel.peer, wanted, self._selector.get_key(channel.peer).data)
 
     def _read_out(self, channel: Channel) -> bool:
-        """Has the client all that was sent before the link was closed, or had it the time to read it?"""
+        """Has the client read all data sent before the link was closed, or has its time to do so run out?"""
         now = self._clock()
         channel.until = channel.until or now + LATE
         if now < channel.until and (channel.size or channel.peer.unread):
@@ -340,7 +340,7 @@ class Server:
                 self._remove(channel)
 
     def _drain(self) -> None:
-        """Gives clients a moment to read what was sent."""
+        """Gives clients a moment to read the remaining data."""
         until = self._clock() + LATE
         while not self._stopped and self._clock() < until:
             if not any(c.size or c.peer.unread for c in self._channels):

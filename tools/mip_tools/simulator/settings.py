@@ -1,7 +1,7 @@
 """The settings of a device: current, saved and factory values of each instance.
 
-A setting is kept as the command that would write it. Several commands may be views of one setting, such as the
-mounting of the sensor in three forms, or one format under its old and its new command.
+A setting is stored as the command that would write it. Several commands may access the same setting, such as the
+mounting of the sensor in three forms, or a message format with its old and its new command.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Place = tuple[str, Key]
 
 @cache
 def command_type(name: str) -> type[Command]:
-    """A command by its full name."""
+    """Finds a command by its full name."""
     return next(t for _, t in registry.all_types() if name == t.NAME and issubclass(t, Command))
 
 
@@ -35,13 +35,13 @@ def is_setting(kind: type[Command]) -> bool:
 
 
 def home(kind: type[Command]) -> type[Command]:
-    """The command whose setting it is: itself, or another one."""
+    """Returns the command that stores the setting: this one, or another one."""
     other = COMMANDS.get(kind.NAME, NOTHING).setting
     return command_type(other) if other else kind
 
 
 def keys(kind: type[Command]) -> tuple[str, ...]:
-    """The parameters that select an instance: what a function without a value requires."""
+    """Returns the parameters that select an instance: those that functions without values require."""
     return _keys(kind.NAME)
 
 
@@ -53,7 +53,7 @@ def _keys(name: str) -> tuple[str, ...]:
 
 
 def _parameters(kind: type[Structure]) -> list[Parameter]:
-    """The parameters after the function selector."""
+    """Returns the parameters after the function selector."""
     return [p for p in reflection.info(kind).parameters if p.name != "function"]
 
 
@@ -62,7 +62,7 @@ def _held(kind: type[Structure]) -> list[Parameter]:
 
 
 def place(command: Command) -> Place:
-    """The key of the setting of a command."""
+    """Returns the place under which the setting of a command is stored."""
     kind = type(command)
     behavior, owner = COMMANDS.get(kind.NAME, NOTHING), home(kind)
     numbers = []
@@ -73,36 +73,36 @@ def place(command: Command) -> Place:
 
 
 def asking(name: str, key: Sequence[int]) -> Command:
-    """A command that asks for an instance of a setting."""
+    """Makes a command that reads an instance of a setting."""
     kind: Any = command_type(name)
     asked: Command = kind(function=READ, **dict(zip(keys(kind), key)))
     return asked
 
 
 class Settings:
-    """All settings of one device. `storage`: the file that keeps the saved ones."""
+    """All settings of one device. `storage`: the file for saved settings."""
 
     def __init__(self, profile: Device, storage: Path | None = None) -> None:
         self._profile = profile
-        # If it is a link, the file that it leads to is replaced.
+        # If the path is a link, its target is replaced.
         self._storage = storage and Path(os.path.realpath(storage))
         self._current: dict[Place, Command] = {}
         self._saved: dict[Place, Command] = {}
         if self._storage is not None:
             if self._storage.exists():
                 self._saved = _stored(self._storage, profile)
-            self._replace(self._storage, None)  # not only when a host saves something
+            self._replace(self._storage, None)  # reports an error now, not only when a host saves something
         self.restart()
 
     def restart(self) -> None:
-        """All settings as they are after power-up."""
+        """Sets all settings to their values after power-up."""
         self._current = dict(self._saved)
 
     def items(self) -> Iterator[tuple[Place, Command]]:
         yield from self._current.items()
 
     def current(self, command: Command) -> Command:
-        """The setting that a command is about, as a write of the same kind."""
+        """Returns the setting to which a command refers, as a write command of the same type."""
         kind, at = type(command), place(command)
         found = self._current.get(at)
         return self.factory(kind, command) if found is None else self._as(kind, found, command)
@@ -119,18 +119,18 @@ class Settings:
         self._keep()
 
     def load(self, at: Place) -> Command | None:
-        """Returns to the saved value; None if that is the factory default."""
+        """Restores the saved value, and returns it; None if it is the factory default."""
         self.reset(at)
         if at in self._saved:
             self._current[at] = self._saved[at]
         return self._saved.get(at)
 
     def reset(self, at: Place) -> None:
-        """Returns to the factory default; a saved value stays saved."""
+        """Restores the factory default; a saved value remains saved."""
         self._current.pop(at, None)
 
     def places(self, name: str) -> list[Place]:
-        """All instances of a setting that have or had a value of their own."""
+        """Returns all instances of a setting that have or had a value other than the default."""
         return sorted({at for at in (*self._current, *self._saved) if at[0] == name})
 
     def everything(self) -> list[Place]:
@@ -139,7 +139,7 @@ class Settings:
     # ----------------------------------------------------------------------- values
 
     def factory(self, kind: type[Command], asked: Command) -> Command:
-        """The factory default of the instance that a command is about."""
+        """Returns the factory default of the instance to which a command refers."""
         behavior = COMMANDS.get(kind.NAME, NOTHING)
         given: dict[str, Any] = {name: getattr(asked, name) for name in keys(kind)}
         for p in _held(kind):
@@ -150,7 +150,7 @@ class Settings:
         return _write(kind, given)
 
     def _as(self, kind: type[Command], kept: Command, asked: Command) -> Command:
-        """A kept setting, as another command reports it."""
+        """Converts a stored setting to the form in which another command reports it."""
         behavior = COMMANDS.get(kind.NAME, NOTHING)
         given = {p.attribute: getattr(kept, p.attribute, None) for p in _held(kind)}
         given |= {name: getattr(asked, name) for name in keys(kind)}
@@ -179,7 +179,7 @@ class Settings:
 
     @staticmethod
     def _replace(storage: Path, text: str | None) -> None:
-        """Writes the file, whole or not at all; without a text, checks that it can be written. Raises Failure."""
+        """Replaces the whole file; without a text, only checks that it can be written. Raises Failure."""
         new = storage.with_name(storage.name + ".new")
         try:
             new.write_text(text or "", "utf-8")
@@ -192,7 +192,7 @@ class Settings:
 
 
 def arguments(command: Command) -> dict[str, Any]:
-    """The arguments of the effect of a command."""
+    """Returns the arguments of a command's effect."""
     behavior = COMMANDS.get(command.NAME, NOTHING)
     varied = {p.name: p for p in reflection.info(type(command)).parameters if p.variants}
     arguments: dict[str, Any] = {}
@@ -206,7 +206,7 @@ def arguments(command: Command) -> dict[str, Any]:
 
 
 def _member(value: Any, path: str) -> Any:
-    """A parameter, or a member of one; None if it is not there, as in another case of a union."""
+    """Returns a parameter, or a member of one; None if it is absent, for example in another case of a union."""
     for name in path.split("."):
         value = getattr(value, name, None)
     return value
@@ -218,7 +218,7 @@ def _write(kind: type[Command], given: dict[str, Any]) -> Command:
 
 
 def filled(p: Parameter, record: dict[str, Any], default: Any = None, only: frozenset[int] | None = None) -> Any:
-    """The value of a parameter that nothing else sets."""
+    """Chooses a value for a parameter without another source: the default, or a valid value."""
     if p.kind == "switch":
         case = p.cases.get(record.get(p.tag, 0))
         return None if case is None else filled(case, record, case.default)
@@ -241,7 +241,7 @@ def filled(p: Parameter, record: dict[str, Any], default: Any = None, only: froz
 
 
 def _number(p: Parameter, only: frozenset[int] | None) -> Any:
-    """Zero, or the number closest to it that is allowed."""
+    """Returns zero, or the permitted number closest to it."""
     if only:
         return min(only)
     if p.scalar == "bool":
@@ -258,7 +258,7 @@ def _number(p: Parameter, only: frozenset[int] | None) -> Any:
 
 
 def _stored(path: Path, profile: Device) -> dict[Place, Command]:
-    """The saved settings in a file."""
+    """Reads the saved settings in a file."""
     try:
         kept = json.loads(path.read_text("utf-8"))
         if kept["device"] != profile.id:

@@ -15,7 +15,7 @@ class MotionError(ValueError):
 
 
 def is_place(latitude: float, longitude: float, height: float) -> bool:
-    """Can the device be there (degrees, metres)? A pole has no north; far above or below, there are no surroundings."""
+    """Can the device be at this position (degrees, metres)? The poles, and extreme heights, are not supported."""
     return abs(latitude) <= 89 and abs(longitude) <= 360 and -1e4 <= height <= 1e6
 
 
@@ -44,15 +44,15 @@ class State(NamedTuple):
 
 
 class Motion(Protocol):
-    """A motion is a function of time. It may begin at a GPS time of its own (`start`, in ns)."""
+    """A motion as a function of time. It may define the GPS time at which it begins (`start`, in ns)."""
 
     def at(self, t: float) -> State:
-        """The state at a time in seconds since the start of the simulation."""
+        """Returns the state at a time in seconds since the start of the simulation."""
         ...
 
 
 def rotation(roll: float, pitch: float, yaw: float) -> tuple[Quaternion, Matrix]:
-    """The quaternion and the matrix of Euler angles, which apply in the order yaw, pitch, roll."""
+    """Converts Euler angles, applied in the order yaw, pitch, roll, to a quaternion and a matrix."""
     q = multiplied(
         multiplied((cos(yaw / 2), 0.0, 0.0, sin(yaw / 2)), (cos(pitch / 2), 0.0, sin(pitch / 2), 0.0)),
         (cos(roll / 2), sin(roll / 2), 0.0, 0.0),
@@ -76,7 +76,7 @@ def conjugate(q: Quaternion) -> Quaternion:
 
 
 def matrix(q: Quaternion) -> Matrix:
-    """The matrix with `m * v = q^-1 * v * q`."""
+    """Returns the matrix with `m * v = q^-1 * v * q`."""
     w, x, y, z = q
     return (
         1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y),
@@ -86,7 +86,7 @@ def matrix(q: Quaternion) -> Matrix:
 
 
 def quaternion(m: Matrix) -> Quaternion:
-    """The inverse of `matrix`, with a scalar part that is not negative."""
+    """Inverts `matrix`: returns the quaternion with a scalar part that is not negative."""
     squares = (
         1 + m[0] + m[4] + m[8], 1 + m[0] - m[4] - m[8], 1 - m[0] + m[4] - m[8], 1 - m[0] - m[4] + m[8],
     )  # fmt: skip
@@ -104,12 +104,12 @@ def quaternion(m: Matrix) -> Quaternion:
 
 
 def euler(m: Matrix) -> Vector:
-    """Roll, pitch, yaw."""
+    """Returns roll, pitch, yaw."""
     return atan2(m[5], m[8]), atan2(-m[2], hypot(m[0], m[1])), atan2(m[1], m[0])
 
 
 def rotation_vector(a: Quaternion, b: Quaternion) -> Vector:
-    """The rotation of the body from one attitude to another: the integral of its rate."""
+    """Returns the rotation of the body from one attitude to another: the integral of its rate."""
     w, x, y, z = multiplied(conjugate(a), b)
     if w < 0:
         w, x, y, z = -w, -x, -y, -z
@@ -119,7 +119,7 @@ def rotation_vector(a: Quaternion, b: Quaternion) -> Vector:
 
 
 def between(a: Quaternion, b: Quaternion, part: float) -> Quaternion:
-    """An attitude on the way from one to another, at a constant rate."""
+    """Interpolates between two attitudes, at a constant rate."""
     dot = sum(x * y for x, y in zip(a, b))
     if dot < 0:
         b, dot = (-b[0], -b[1], -b[2], -b[3]), -dot
@@ -133,7 +133,7 @@ def between(a: Quaternion, b: Quaternion, part: float) -> Quaternion:
 
 
 class Plane:
-    """The surroundings of a place, as a plane of metres north and east whose lines follow the meridians."""
+    """The surroundings of a position, as a plane in metres north and east whose grid follows the meridians."""
 
     __slots__ = ("across", "along", "height", "latitude", "longitude")
 
@@ -147,10 +147,10 @@ class Plane:
         self, north: float, east: float, up: float, direction: tuple[float, float], speed: float,
         acceleration: float = 0.0, curvature: float = 0.0, grade: float = 0.0, bend: float = 0.0,
     ) -> State:  # fmt: skip
-        """The state of a vehicle that points where it goes.
+        """Returns the state of a vehicle that points in the direction of its motion.
 
-        `direction` is a unit vector; speed and acceleration are those over the plane; `grade` is the climb per
-        metre, `bend` the change of the grade per metre.
+        `direction` is a unit vector. Speed and acceleration are relative to the plane. `grade` is the climb per metre,
+        `bend` the change of the grade per metre.
         """
         latitude = self.latitude + north / self.along
         longitude = self.longitude + east / self.across
@@ -158,7 +158,7 @@ class Plane:
         s, c = sin(latitude), cos(latitude)
         w = 1 - E2 * s * s
         n = A / sqrt(w)
-        # The plane is stretched as the meridians come together; velocities are those on the Earth.
+        # The plane is stretched because the meridians converge; velocities are those on the Earth.
         kn = (n * (1 - E2) / w + height) / self.along
         ke = (n + height) * c / self.across
         dn, de = direction

@@ -1,5 +1,4 @@
-"""Streams: what a device sends at its base rate divided by decimations, and how fields become
-packets."""
+"""Sends streams at the base rate divided by decimations, and combines fields to packets."""
 
 from __future__ import annotations
 
@@ -14,7 +13,7 @@ SHARED = 0xD0
 
 
 class Stream:
-    """Items at a rate, each with its decimation; ticks count from power-up, in whole nanoseconds without drift."""
+    """Items that are sent at a base rate, each with its decimation. Ticks count from power-up, without drift."""
 
     def __init__(
         self, rate: float, items: Sequence[tuple[int, Any]], fire: Callable[[list[Any]], None], origin: int, now: int
@@ -31,17 +30,17 @@ class Stream:
     def _advance(self) -> None:
         tick = self._tick
         self._tick = min(d * (tick // d + 1) for d in self._decimations)
-        # Rounded up: a stream that starts at the time of a tick goes on with the next one.
+        # Rounded up: a stream that starts at the time of a tick continues with the next one.
         self.next = self._origin - -self._tick * SECOND * self._denominator // self._numerator
 
     def skip(self, until: int) -> None:
-        """Sends nothing until then."""
+        """Sends nothing until this time."""
         while self.next < until:
             self._tick = max(self._tick, (until - self._origin) * self._numerator // (SECOND * self._denominator) - 1)
             self._advance()
 
     def fire(self) -> None:
-        """Sends what is due now."""
+        """Sends the items that are due now."""
         due = self._every
         if due is None:
             due = [item for decimation, item in self._items if self._tick % decimation == 0]
@@ -50,7 +49,7 @@ class Stream:
 
 
 def packets(set: int, fields: Iterable[RawField]) -> list[bytes]:
-    """Fields in as few packets as their order allows; shared fields at the front are repeated in each."""
+    """Combines fields to as few packets as their order permits; shared fields at the front are repeated in each."""
     packets: list[bytes] = []
     front: list[RawField] = []
     builder, size, leading = PacketBuilder(set), 0, True
@@ -74,7 +73,7 @@ def packets(set: int, fields: Iterable[RawField]) -> list[bytes]:
 
 
 def answers(set: int, groups: Iterable[Sequence[RawField]]) -> list[bytes]:
-    """Acknowledges with their responses, which are never separated, in as few packets as possible."""
+    """Combines answers to as few packets as possible; an acknowledge is never separated from its response."""
     packets: list[bytes] = []
     builder, size = PacketBuilder(set), 0
     for group in groups:

@@ -18,7 +18,7 @@ STEEPEST = 1.0
 
 @dataclass(frozen=True)
 class _Piece:
-    """A line or an arc of the path."""
+    """A straight line or an arc of the path."""
 
     start: float  # m along the path
     length: float
@@ -29,7 +29,7 @@ class _Piece:
     limit: float  # of the speed
 
     def place(self, s: float) -> tuple[float, float, float]:
-        """North, east and heading at `s` metres from its start."""
+        """Returns north, east and heading at `s` metres from the start of the piece."""
         turn = self.curvature * s
         if abs(turn) < 1e-9:
             a = self.heading
@@ -69,7 +69,7 @@ class _Lap:
         self.times = [phase.time for phase in self.phases]
 
     def at(self, t: float) -> tuple[int, float, float, float]:
-        """Piece, metres from its start, speed, acceleration."""
+        """Returns the piece, the metres from its start, the speed and the acceleration."""
         phase = self.phases[max(0, bisect_right(self.times, t) - 1)]
         dt = t - phase.time
         speed = phase.speed + phase.acceleration * dt
@@ -77,10 +77,10 @@ class _Lap:
 
 
 class Track:
-    """Starts at rest at the first waypoint. Stops at the last one and stays, or goes round forever (`loop`).
+    """Drives along waypoints. Starts at rest at the first one, and stops at the last one or repeats forever (`loop`).
 
-    Corners are rounded with a radius of `corner` metres, or less between short legs; the climb between two
-    waypoints begins and ends level. No acceleration along or across the path or upwards exceeds `acceleration`.
+    Corners are rounded with a radius of `corner` metres, or less between short legs. The climb between two waypoints
+    begins and ends level. No acceleration, along or across the path or vertical, exceeds `acceleration`.
     """
 
     def __init__(
@@ -99,7 +99,7 @@ class Track:
         self._drive()
 
     def _lay(self, points: list[Waypoint], speed: float, corner: float) -> None:
-        """Lays lines and arcs, with the distances at which the heights of the waypoints are reached."""
+        """Builds the path of lines and arcs, with the distances at which the heights of the waypoints are reached."""
         plane, count = self._plane, len(points)
         places = []
         for p in points:
@@ -123,7 +123,7 @@ class Track:
             (cut, *_), (end_cut, arc, bend) = arcs[i], arcs[(i + 1) % len(arcs)]
             n, e = places[i][0] + cut * cos(heading), places[i][1] + cut * sin(heading)
             line = length - cut - end_cut
-            if line > 1e-6:  # else its corners meet
+            if line > 1e-6:  # otherwise the two corners meet
                 self._pieces.append(_Piece(s, line, n, e, heading, 0.0, limits[i]))
                 s += line
                 n, e, _ = self._pieces[-1].place(line)
@@ -137,19 +137,19 @@ class Track:
     def _fastest(
         self, i: int, legs: list[tuple[float, float]], arcs: list[tuple[float, float, float]], speed: float
     ) -> float:
-        """The speed at which the climb of a leg keeps within the acceleration, at most `speed`."""
+        """Returns the speed, at most `speed`, at which the climb of a leg does not exceed the acceleration."""
         (cut, arc, _), (end_cut, end_arc, _) = arcs[i], arcs[(i + 1) % len(arcs)]
         climb = abs(self._heights[i + 1] - self._heights[i])
         way = legs[i][0] - cut - end_cut + (arc + end_arc) / 2
         if 1.875 * climb > STEEPEST * way:
             raise MotionError(
                 f"track: from waypoint {i + 1} the path climbs {climb:g} m in {way:.0f} m; "
-                "put the waypoints farther apart"
+                "move the waypoints farther apart"
             )
         return min(speed, sqrt(self._limit * way * way / (5.7736 * climb))) if climb else speed
 
     def _arc(self, legs: list[tuple[float, float]], i: int, corner: float) -> tuple[float, float, float]:
-        """The length that the corner at waypoint `i` cuts off its legs, the length of its arc, and its curvature."""
+        """Returns the length that the corner at waypoint `i` cuts off its legs, its arc length, and its curvature."""
         if not self._loop and i in (0, len(legs)):
             return 0.0, 0.0, 0.0
         (before, a), (after, b) = legs[i - 1], legs[i % len(legs)]
@@ -159,7 +159,7 @@ class Track:
         if abs(turn) > SHARPEST:
             raise MotionError(
                 f"track: at waypoint {i + 1} the path turns back by {abs(degrees(turn)):.0f} degrees; "
-                "put another waypoint beside it"
+                "add another waypoint beside it"
             )
         cut = min(corner * tan(abs(turn) / 2), before / 2, after / 2)
         radius = cut / tan(abs(turn) / 2)
@@ -197,13 +197,13 @@ class Track:
         self._begin = sum(lap.duration for lap in self._first)
 
     def _hasten(self, speeds: list[float]) -> None:
-        """Limits the speed at each joint to what the joint before it and the acceleration allow."""
+        """Limits the speed at each joint to what is reachable from the joint before it."""
         for i, piece in enumerate(self._pieces):
             speeds[i + 1] = min(speeds[i + 1], sqrt(speeds[i] ** 2 + 2 * self._limit * piece.length))
 
     @property
     def duration(self) -> float | None:
-        """Its duration in seconds; None if it repeats."""
+        """The duration in seconds; None if the track repeats."""
         return None if self._loop else self._lap.duration
 
     def at(self, t: float) -> State:
@@ -229,7 +229,7 @@ class Track:
         )
 
     def _climb(self, s: float) -> tuple[float, float, float]:
-        """Height above the first waypoint, grade, and change of the grade."""
+        """Returns the height above the first waypoint, the grade, and the change of the grade."""
         marks, heights = self._marks, self._heights
         if s > marks[-1]:
             s -= self._length if self._loop else s - marks[-1]

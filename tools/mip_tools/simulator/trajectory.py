@@ -1,4 +1,4 @@
-"""A recorded or computed trajectory with attitude, from a CSV file."""
+"""A motion from a CSV file: a recorded or computed trajectory with attitude."""
 
 from __future__ import annotations
 
@@ -27,24 +27,24 @@ COLUMNS = {
     "speed": _SPEED, **dict.fromkeys(ATTITUDE, _ANGLE),
 }  # fmt: skip
 
-#: Seconds between two places that follow from speeds.
+#: Seconds between two positions that are computed from speeds.
 STEP = 0.05
-#: Rows and steps of a file, at most.
+#: The maximum number of rows and steps of a file.
 MOST = 5_000_000
 
 _HEADING = re.compile(r"\s*([a-z]+)\s*(?:\[([^\]]*)\])?\s*\Z")
 
 
 class Curve:
-    """A smooth curve through values: cubic pieces with a slope at each value. At rest before and after it."""
+    """A smooth curve through values: cubic pieces with a slope at each value. It is constant before and after them."""
 
     def __init__(self, times: Sequence[float], values: Sequence[float], slopes: Sequence[float] | None = None) -> None:
-        """The default slopes keep the curve within the range of two neighbours."""
+        """By default, the slopes keep the curve between neighbouring values."""
         self.times, self.values = times, values
         self.slopes = _slopes(times, values) if slopes is None else slopes
 
     def at(self, t: float) -> Vector:
-        """The value, and its first and second derivatives."""
+        """Returns the value, and its first and second derivatives."""
         i = bisect_right(self.times, t)
         if i == 0 or i == len(self.times):
             return self.values[min(i, len(self.times) - 1)], 0.0, 0.0
@@ -58,7 +58,7 @@ class Curve:
 
 
 def _slopes(times: Sequence[float], values: Sequence[float]) -> list[float]:
-    """The slopes of Fritsch and Butland: the harmonic mean of neighbours, 0 where the values turn back or rest."""
+    """Computes slopes (Fritsch and Butland): harmonic means of neighbours, 0 where values turn back or are equal."""
     if len(times) < 2:
         return [0.0] * len(times)
     steps = [b - a for a, b in pairwise(times)]
@@ -70,11 +70,11 @@ def _slopes(times: Sequence[float], values: Sequence[float]) -> list[float]:
 
 
 class Trajectory:
-    """Goes through the places or speeds, and the attitudes, of a CSV file; at its end it stays there.
+    """Follows the positions or speeds, and the attitudes, in a CSV file. At its end, the device stays there.
 
     The first line names the columns, each with its unit: `time [s]`, then `latitude [deg]`, `longitude [deg]`,
-    `height [m]`, or `north [m]`, `east [m]`, `down [m]` from the place that is given, or `speed [m/s]` along the
-    first axis of the device; and `roll [deg]`, `pitch [deg]`, `yaw [deg]`, which are 0 where they are left out.
+    `height [m]`, or `north [m]`, `east [m]`, `down [m]` relative to the options' position, or `speed [m/s]` along
+    the x axis of the device; and `roll [deg]`, `pitch [deg]`, `yaw [deg]`, each 0 if left out.
     """
 
     def __init__(
@@ -108,7 +108,7 @@ class Trajectory:
                 raise MotionError(f"{path}:{at}:1: the device is at {degrees(where[0]):g}°, {where[2]:g} m; {PLACES}")
 
     def _driven(self, start: Vector, speed: Curve) -> list[Curve]:
-        """The places that follow from the speed and the attitude, in small steps."""
+        """Computes positions from the speed and the attitude, in small steps."""
 
         def rates(t: float, at: Sequence[float]) -> Vector:
             _, m = rotation(*(angle.at(t)[0] for angle in self._angles))
@@ -123,7 +123,7 @@ class Trajectory:
         for a, b in pairwise(speed.times):
             count = max(1, round((b - a) / STEP))
             if len(times) + count > MOST:
-                raise MotionError(f"trajectory: {self.duration:g} s are too long for a file of speeds; divide it")
+                raise MotionError(f"trajectory: {self.duration:g} s are too long for a file with speeds; divide it")
             h = (b - a) / count
             for i in range(count):
                 t = a + i * h
@@ -162,7 +162,7 @@ class Trajectory:
 
 
 def _unwound(angles: Sequence[float]) -> list[float]:
-    """Angles without jumps, which may exceed a whole turn."""
+    """Removes jumps from angles, which may then exceed a whole turn."""
     found: list[float] = []
     for x in angles:
         found.append(x - 2 * pi * round((x - found[-1]) / (2 * pi)) if found else x)
@@ -180,7 +180,7 @@ class _Table:
         text = read_text(path, "trajectory")
         lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip() and line.lstrip()[0] != "#"]
         if len(lines) < 2:
-            raise MotionError(f"{path}:1:1: a trajectory has a line with names and units, and lines of numbers")
+            raise MotionError(f"{path}:1:1: a trajectory needs a line with names and units, and lines of numbers")
         self.place: tuple[str, ...] = ()
         heads = self._headings(*lines[0])
         self.columns: dict[str, list[float]] = {name: [] for name, _ in heads}
@@ -237,12 +237,12 @@ class _Table:
         self._lines.append(number)
 
     def line(self, time: float) -> int:
-        """The line of the file that applies at a time."""
+        """Returns the line of the file that applies at a time."""
         return self._lines[max(0, bisect_right(self.times, time + 1e-9) - 1)]
 
 
 def _cells(line: str) -> Iterator[tuple[int, str]]:
-    """The texts between commas, each with its column."""
+    """Yields the texts between commas, each with its column."""
     column = 1
     for cell in line.split(","):
         yield column + len(cell) - len(cell.lstrip()), cell.strip()

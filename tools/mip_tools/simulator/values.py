@@ -1,4 +1,4 @@
-"""Encoders of data fields, which encode values of the world as the specification states."""
+"""Encodes values of the world as data fields, as the specification defines."""
 
 from __future__ import annotations
 
@@ -28,15 +28,14 @@ _LETTERS = {
 #: The largest float of four bytes.
 LARGEST = (2 - 2**-23) * 2.0**127
 
-#: Quantities of clocks: fields that show nothing else are not replayed from a log.
+#: Quantities of clocks. Fields that contain nothing else are not replayed from a log.
 _CLOCKS = ("gps.", "utc.", "reference.", "external.", "ticks.", "event.")
 
 
 def encoder(kind: type[Field], profile: Device, world: World, set: int, channel: str = "") -> Encoder:
-    """The encoder returns the data of the fields to send now, without lengths and descriptors.
+    """Makes the encoder of a field, which returns the data of the fields to send now, without lengths and descriptors.
 
-    `set` is that of the packets. Quantities that count from the last
-    output do so for each channel on its own.
+    `set` is the set of the packets. Quantities that count from the last output do so separately for each channel.
     """
     if not all(_packs(p) for p, _ in _flat(kind)):
         unchanging = _defaults(kind)
@@ -50,7 +49,7 @@ def encoder(kind: type[Field], profile: Device, world: World, set: int, channel:
     return lambda: motion.recorded(set, descriptor, world.time) or simulated()
 
 
-#: A sensor or an estimate -> the quantity in the data fields of devices that have it.
+#: Sensor or estimate -> the quantity that a device with it has in its data fields.
 _SENSES = {
     "mag": "measured.magnetic_field", "pressure": "measured.pressure", "position": "position.latitude",
     "gnss_1": "gnss_1.latitude", "gnss_2": "gnss_2.latitude",
@@ -58,7 +57,7 @@ _SENSES = {
 
 
 def senses(profile: Device) -> frozenset[str]:
-    """The sensors of the device, and whether its filter has a position."""
+    """Returns the sensors of the device, and `position` if its filter estimates one."""
     found: set[str] = set()
     for number, kind in registry.all_types():
         if (number, kind.DESCRIPTOR) in profile.fields:
@@ -68,7 +67,7 @@ def senses(profile: Device) -> frozenset[str]:
 
 @cache
 def receiver_of(number: int) -> int:
-    """The GNSS receiver whose data a set has; 0: none."""
+    """Returns the number of the GNSS receiver to which a set belongs; 0: none."""
     found = {
         v.quantity[:6]
         for set, kind in registry.all_types()
@@ -79,13 +78,13 @@ def receiver_of(number: int) -> int:
 
 
 def _packs(p: Parameter) -> bool:
-    """Is it made of a known number of numbers?"""
+    """Does the parameter consist of a fixed number of numbers?"""
     known = p.kind in ("scalar", "constant", "array") and isinstance(p.length, (int, type(None)))
     return known and p.scalar in _LETTERS
 
 
 def _defaults(kind: type[Field]) -> bytes:
-    """The data of a field that has texts, or arrays that are counted or hold structures."""
+    """Encodes defaults for a field that has texts, counted arrays, or arrays of structures."""
     given: dict[str, Any] = {}
     for p in reflection.info(kind).parameters:
         if p.kind not in ("constant", "counter"):
@@ -161,7 +160,7 @@ def _joined(readers: list[Reader], item: Any) -> tuple[Any, ...]:
 
 
 def _readers(kind: type[Field], profile: Device, world: World, source: FieldValues) -> tuple[list[Reader], str]:
-    """Readers of the parameters, neighbouring constants as one, and their layout."""
+    """Makes the readers of the parameters, with neighbouring constants in one, and their layout."""
     readers: list[Reader] = []
     constants: tuple[Any, ...] = ()
     layout = ""
@@ -186,7 +185,7 @@ def _readers(kind: type[Field], profile: Device, world: World, source: FieldValu
 
 
 def _flat(kind: type, prefix: str = "") -> Iterator[tuple[Parameter, str]]:
-    """Parameters, those of structures in their place, with their paths."""
+    """Yields parameters with their paths; structures are replaced by their parameters."""
     for p in reflection.info(kind).parameters:
         if p.kind == "struct" and p.length is None:
             yield from _flat(p.type, f"{prefix}{p.name}.")
@@ -199,7 +198,7 @@ def _always(values: tuple[Any, ...]) -> Reader:
 
 
 def _valid(kind: type[Field], source: FieldValues, flags: str, type_: type[IntFlag]) -> int:
-    """The flags of all parameters that show something."""
+    """Returns the valid flags of all parameters that have a source."""
     bits = 0
     for p in reflection.info(kind).parameters:
         for said in p.valid if p.name in source.parameters else ():
@@ -218,7 +217,7 @@ def _with(read: Reader | tuple[Any, ...], flags: int) -> Reader | tuple[Any, ...
 def _reader(
     p: Parameter, value: Value | None, letter: str, count: int, type_: Any, world: World
 ) -> Reader | tuple[Any, ...]:
-    """The reader of a parameter; its numbers themselves if they never change."""
+    """Makes the reader of a parameter; if its numbers never change, returns them instead."""
     if p.constant is not None:
         return (p.constant,) * count
     if value is None:
@@ -240,7 +239,7 @@ def _reader(
 
 
 def _constant(value: Value, type_: Any) -> Any:
-    """The number or the text of a value that shows no quantity."""
+    """Returns the number or the text of a value that is not a quantity."""
     if value.text is not None:
         return tuple(value.text.encode("latin-1"))
     if value.number is not None:
@@ -249,7 +248,7 @@ def _constant(value: Value, type_: Any) -> Any:
 
 
 def _numbers(given: Any, letter: str, count: int) -> tuple[Any, ...]:
-    """One number for each element; a single one applies to all."""
+    """Returns one number for each element; a single number applies to all."""
     values = tuple(given) if isinstance(given, (tuple, list)) else (given,) * count
     kind = float if letter in "fd" else int
     return tuple(kind(x) for x in (values + (0,) * count)[:count])
@@ -264,7 +263,7 @@ def _vector(function: Function, factor: float, world: World) -> Reader:
 
 
 def _whole(function: Function, factor: float, letter: str, count: int, world: World) -> Reader:
-    """A reader of whole numbers, rounded, and limited to the range of the type."""
+    """Makes a reader of integers, rounded, and limited to the range of the type."""
     bits = 8 * struct.calcsize(letter)
     low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if letter.islower() else (0, (1 << bits) - 1)
 
@@ -278,7 +277,7 @@ def _whole(function: Function, factor: float, letter: str, count: int, world: Wo
 
 
 def _names(function: Function, type_: type[IntEnum] | type[IntFlag], world: World) -> Reader:
-    """A reader of the numbers of names; a quantity may be a number, too."""
+    """Makes a reader that converts names to numbers; the quantity may also be a number."""
 
     def read(item: Any) -> tuple[Any, ...]:
         value = function(world, item)

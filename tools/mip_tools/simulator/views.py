@@ -1,6 +1,6 @@
-"""Settings that several commands have in different forms: the mounting of the sensor, the rotation of a frame.
+"""Converts settings that several commands have in different forms: the sensor mounting, the rotation of a frame.
 
-`spec/simulation` names the form as the effect of the command, and its parameters as the arguments.
+In `spec/simulation`, the effect of a command names the form, and the arguments are its parameters.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def _to_euler(matrix: Matrix) -> Values:
     return dict(zip(("roll", "pitch", "yaw"), to_euler(matrix)))
 
 
-#: Effect -> to the matrix from the sensor to the vehicle, and back.
+#: Effect -> the conversion to the matrix from sensor to vehicle, and the conversion back.
 ORIENTATIONS: dict[str, tuple[Callable[[Values], Matrix], Callable[[Matrix], Values]]] = {
     "orientation_euler": (_euler, _to_euler),
     # p_vehicle = q^-1 * p_sensor * q: the inverse of the usual product
@@ -37,7 +37,7 @@ EULER, QUATERNION = 1, 2
 
 
 def matrix(effect: str, values: Values) -> Matrix:
-    """The matrix from the sensor to the vehicle. Some devices expect the inverse."""
+    """Returns the matrix from the sensor to the vehicle. Some devices expect the inverse."""
     made = ORIENTATIONS[effect][0](values)
     return transposed(made) if values.get("inverse") else made
 
@@ -47,14 +47,14 @@ def values(effect: str, matrix: Matrix, inverse: bool) -> Values:
 
 
 def is_rotation(m: Matrix) -> bool:
-    """Are its rows unit vectors at right angles, as exactly as four-byte floats can represent?"""
+    """Are the rows orthogonal unit vectors, within the precision of four-byte floats?"""
     rows = (m[:3], m[3:6], m[6:])
     products = (sum(a * b for a, b in zip(rows[i], rows[j])) - (i == j) for i in range(3) for j in range(i, 3))
     return all(abs(x) < 1e-3 for x in products)
 
 
 def rotation(given: Any, as_given: int, wanted: int) -> Any:
-    """The rotation of a frame, as Euler angles or as a quaternion."""
+    """Converts the rotation of a frame to Euler angles or to a quaternion."""
     if given is None or as_given == wanted:
         return given
     matrix = of_euler(*given) if as_given == EULER else of_quaternion(given)

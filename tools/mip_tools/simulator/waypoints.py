@@ -12,7 +12,7 @@ from .state import PLACES, MotionError, is_place
 
 
 class Waypoint(NamedTuple):
-    """A point of a track, and the speed from there on (of the track, if None)."""
+    """A point of a track, and the speed from there on; None: the speed of the track."""
 
     latitude: float  # deg
     longitude: float  # deg
@@ -21,7 +21,7 @@ class Waypoint(NamedTuple):
 
 
 def check(points: Sequence[Waypoint], loop: bool) -> None:
-    """Raises MotionError if they make no track."""
+    """Raises MotionError if the points do not form a track."""
     least = 3 if loop else 2
     if len(points) < least:
         raise MotionError(f"track: {len(points)} waypoints; a track{' that loops' * loop} needs at least {least}")
@@ -35,7 +35,7 @@ def check(points: Sequence[Waypoint], loop: bool) -> None:
 
 
 def read_text(path: str | Path, motion: str) -> str:
-    """The text of a file that a motion needs. Raises MotionError."""
+    """Reads the text of a file for a motion. Raises MotionError."""
     try:
         return Path(path).read_text("utf-8-sig")
     except OSError as error:
@@ -45,7 +45,7 @@ def read_text(path: str | Path, motion: str) -> str:
 
 
 def read_waypoints(path: str | Path) -> list[Waypoint]:
-    """Waypoints of a CSV file: latitude, longitude (degrees), height (m), and optionally speed (m/s).
+    """Reads waypoints from a CSV file: latitude, longitude (degrees), height (m), and optionally speed (m/s).
 
     A heading, empty lines and lines that begin with # are ignored.
     """

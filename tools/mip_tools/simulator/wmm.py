@@ -1,4 +1,4 @@
-"""The World Magnetic Model: the field of the Earth by its published coefficients."""
+"""Computes the Earth's magnetic field from the published coefficients of the World Magnetic Model."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Coefficients = dict[tuple[int, int], tuple[float, float, float, float]]
 
 @cache
 def models() -> dict[int, Coefficients]:
-    """The models by the year in which each begins."""
+    """Reads the models, by the year in which each begins."""
     found: dict[int, Coefficients] = {}
     with Path(__file__).with_name("wmm.csv").open(encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
@@ -30,10 +30,10 @@ def models() -> dict[int, Coefficients]:
 
 
 def field_in_year(year: float, latitude: float, longitude: float, height: float) -> Vector:
-    """Field in gauss, north, east, down, at a geodetic position in radians and metres.
+    """Returns the field in gauss (north, east, down) at a geodetic position in radians and metres.
 
-    It is that of the model for this year. Before the first model, and five years after the last one began, the field
-    no longer changes.
+    The model for this year is used. Before the first model, and from five years after the last one began, the field is
+    constant.
     """
     known = models()
     epoch = max((x for x in known if x <= year), default=min(known))
@@ -85,8 +85,8 @@ def _cell(day: int, latitude: int, longitude: int, height: int) -> Vector:
 
 
 def field(gps: int, latitude: float, longitude: float, height: float) -> Vector:
-    """Field in gauss, north, east, down, at a time in nanoseconds since the GPS epoch.
+    """Returns the field in gauss (north, east, down) at a time in nanoseconds since the GPS epoch.
 
-    It is the same for a day, a thousandth of a degree, and 100 m: it changes by less than 1 nT from one to the next.
+    The inputs are rounded to a day, a thousandth of a degree, and 100 m: each step changes the field by less than 1 nT.
     """
     return _cell(gps // _DAY, round(degrees(latitude) * 1000), round(degrees(longitude) * 1000), round(height / 100))

@@ -1,4 +1,4 @@
-"""The world around a simulated device, at one time."""
+"""The world around a simulated device, at one point in time."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def _random(source: Random, limit: float) -> Vector:
 
 
 class Output:
-    """One stream's view of quantities that count from the last output, or that are the mean since then."""
+    """The state of one stream for quantities that count from its last output, or are the mean since then."""
 
     __slots__ = ("attitude", "field", "filtered", "integrals", "previous", "rate", "velocity")
 
@@ -56,13 +56,13 @@ class Output:
         self.rate = rate  # base rate of the data, Hz
         self.field = field  # set and descriptor
         self.previous: int | None = None  # ns
-        self.integrals: dict[str, Values] = {}  # of the noise, when it was last sent
-        self.filtered: Values = ()  # what its low-pass filter showed then
+        self.integrals: dict[str, Values] = {}  # integrals of the noise at the last output
+        self.filtered: Values = ()  # the output of its low-pass filter at that time
         self.attitude: Quaternion = (1.0, 0.0, 0.0, 0.0)
         self.velocity: Vector = (0.0, 0.0, 0.0)
 
     def begin(self, world: World) -> None:
-        """Prepares for a value: after a start, it counts from one base period before."""
+        """Prepares for a value. At the first output, quantities count from one base period before."""
         if self.previous is None or self.previous < world.booted:
             period = round(SECOND / self.rate) if self.rate > 0 else SECOND
             self.previous = max(world.booted, world.now - period)
@@ -72,7 +72,7 @@ class Output:
             self.filtered = ()
 
     def end(self, world: World) -> None:
-        """Ends an output, after all values of a field are sent."""
+        """Ends an output, after all values of a field were sent."""
         self.previous = world.now
         self.attitude, self.velocity = world.state.quaternion, world.state.velocity
 
@@ -97,7 +97,7 @@ class Antenna:
 
 
 class Place(NamedTuple):
-    """The position that the filter estimates for the point chosen by the user."""
+    """Position and velocity that the filter estimates for the point that the user has chosen."""
 
     latitude: float
     longitude: float
@@ -106,9 +106,10 @@ class Place(NamedTuple):
 
 
 class World:
-    """The source of the quantities. The device moves it through time and applies its settings.
+    """The source of all quantities. The device advances its time and applies the settings.
 
-    `sensor_to_vehicle` turns vectors of the sensor, which is fixed to the moving body, into the vehicle frame.
+    `sensor_to_vehicle` rotates vectors from the frame of the sensor, which is fixed to the moving body, to the vehicle
+    frame.
     """
 
     def __init__(self, motion: Motion, *, seed: int | str = 0, start: int | None = None, noise: float = 1.0) -> None:
@@ -123,14 +124,14 @@ class World:
         self.pins: dict[int, bool] = {}  # levels of outputs, by pin from 1
         self.signals: dict[int, bool] = {}  # levels set from outside
         self.pulled_up: set[int] = set()  # pins that are high without a signal
-        self.trigger = 0  # the event trigger that causes what is sent now; 0: none
-        self.senses: frozenset[str] | None = None  # of mag, pressure, position, gnss_1, those it has; None: all
+        self.trigger = 0  # the event trigger that causes the current output; 0: none
+        self.senses: frozenset[str] | None = None  # what the device measures: mag, pressure, position, …; None: all
         self.gnss = True  # the receivers receive satellites
         self.disturbance: Vector = _ZERO  # of the magnetic field, in the sensor frame
-        self.started = False  # settings are applied
+        self.started = False  # whether the settings have been applied
         self.set_up()
         bias = Random(f"{seed}:bias")
-        #: The whole biases of the sensors.
+        #: The total biases of the sensors.
         self._accel_error = _random(bias, 0.02)
         self._gyro_error = _random(bias, 5e-4)
         self.sensors = {
@@ -148,16 +149,16 @@ class World:
         self.start_place: Vector = earth.ecef(first.latitude, first.longitude, first.height)
 
     def set_up(self) -> None:
-        """Sets everything that settings change to its state on a new device."""
+        """Resets everything that settings change to its state on a new device."""
         self.accel_bias = self.gyro_bias = _ZERO
         self.hard_iron: Vector = _ZERO
         self.soft_iron: Matrix = _IDENTITY
         self.ranges: dict[str, float] = {}  # of sensors: accel in m/s^2, gyro in rad/s, mag in gauss
         self.cutoffs: dict[tuple[int, int], float] = {}  # of low-pass filters in Hz, by set and descriptor
-        self.offset: Vector = _ZERO  # of the point whose position is shown, in the vehicle frame
+        self.offset: Vector = _ZERO  # offset of the point whose position is reported, in the vehicle frame
         self.reference: Vector | None = None  # point of the relative position, Earth-fixed; None: the start
-        self.model: Vector | None = None  # latitude, longitude, height for gravity and magnetic field; None: its own
-        self.odometer = 0.0  # relative uncertainty; 0: there is none
+        self.model: Vector | None = None  # latitude, longitude, height for gravity and magnetic field; None: current
+        self.odometer = 0.0  # relative uncertainty; 0: no odometer
         self.pulse = True  # the pulse per second is used
         self.signals_off: frozenset[str] = frozenset()  # constellations that are switched off
         self.augmented = True  # SBAS is used
@@ -185,14 +186,14 @@ class World:
         return state
 
     def once(self, name: str, make: Callable[[], T]) -> T:
-        """Makes a result at most once at each time."""
+        """Computes a result at most once per point in time."""
         found: T | None = self._known.get(name)
         if found is None:
             found = self._known[name] = make()
         return found
 
     def restart(self) -> None:
-        """Restarts the device: its own clock is at 0, and its settings have yet to be applied."""
+        """Restarts the device: its clock is at 0, and its settings have not been applied yet."""
         self.booted = self.now
         self.set_up()
         self.started = False
@@ -217,14 +218,14 @@ class World:
         return self.pins.get(pin, self.signals.get(pin, pin in self.pulled_up))
 
     def output(self, set: int, quantity: str, rate: float, channel: str = "") -> Output:
-        """The output from which all fields of a set that show a quantity count: sending any of them restarts it.
+        """Returns the output that all fields of a set with this quantity share: sending any of them restarts the count.
 
-        Channels count on their own: scheduled data, and each event action.
+        Channels count separately: scheduled data, and each event action.
         """
         return self._outputs.setdefault((set, quantity, channel), Output(rate))
 
     def quantity(self, name: str, item: Any = None) -> Any:
-        """A quantity by its name in the specification."""
+        """Computes a quantity by its name in the specification."""
         from .quantities import QUANTITIES
 
         return QUANTITIES[name](self, item)
@@ -244,15 +245,15 @@ class World:
         self._known = {}
 
     def vehicle(self, v: Vector) -> Vector:
-        """A vector of the sensor frame in the vehicle frame."""
+        """Rotates a vector from the sensor frame to the vehicle frame."""
         return v if self._turn is None else turned(self._turn, v)
 
     def vehicle_of(self, state: State) -> Matrix:
-        """The attitude of the vehicle in a state."""
+        """Returns the attitude of the vehicle in a state."""
         return state.dcm if self._turn is None else earth.product(self._turn, state.dcm)
 
     def body(self, v: Vector) -> Vector:
-        """A vector of the local level frame in the vehicle frame."""
+        """Rotates a vector from the local level frame to the vehicle frame."""
         return self.vehicle(turned(self.state.dcm, v))
 
     @property
@@ -284,7 +285,7 @@ class World:
 
     @property
     def accel_error(self) -> Vector:
-        """The whole bias of the sensor at this time."""
+        """The total bias of the sensor at this time."""
         return self._error("measured.specific_force", self._accel_error)
 
     @property
@@ -325,13 +326,13 @@ class World:
         return _sum(self.gyro_error, _scaled(self.gyro_bias, -1.0))
 
     def mean_noise(self, sensor: str, out: Any) -> Values | None:
-        """The mean noise of a sensor since the last output, drift included; None: there is none."""
+        """Returns the mean noise of a sensor since the last output, including the drift; None without noise."""
         added = self.added_noise(sensor, out)
         passed = (self.now - out.previous) / SECOND if added else 0.0
         return tuple([x / passed for x in added]) if added and passed > 0 else None
 
     def added_noise(self, sensor: str, out: Any) -> Values | None:
-        """The same, as an integral."""
+        """Returns the integral of the same noise."""
         noise = self.sensors.get(sensor)
         if noise is None or not self.noise or not isinstance(out, Output):
             return None
@@ -345,7 +346,7 @@ class World:
     def low_passed(self, sensor: str, out: Any, values: Values) -> Values:
         """Applies the low-pass filter of a field to values, which are means since the last output.
 
-        Without a setting, its cutoff is half the rate of the output: that is the mean.
+        Without a setting, the cutoff is half the output rate, which leaves the mean unchanged.
         """
         cutoff = self.cutoffs.get(out.field) if isinstance(out, Output) else None
         passed = (self.now - out.previous) / SECOND if cutoff is not None else 0.0
@@ -379,7 +380,7 @@ class World:
 
     @property
     def modelled_field(self) -> Vector:
-        """The same, at the place for which the device computes it."""
+        """The magnetic field at the position for which the device computes it."""
         return wmm.field(self.gps, *self.modelled)
 
     @property
@@ -497,7 +498,7 @@ class World:
         return Antenna(self.state, _ANTENNAS[receiver], wrong, faster) if self.noise else self.antenna(receiver)
 
     def clock(self, receiver: int) -> tuple[float, float]:
-        """Bias and drift of the clock of a receiver: it swings once a day."""
+        """Returns bias and drift of a receiver's clock, which oscillates once a day."""
         rate = 2 * pi / 86_400
         angle = self.gps % DAY / SECOND * rate + receiver
         return 1e-4 * sin(angle), 1e-4 * rate * cos(angle)
@@ -518,7 +519,7 @@ class World:
         return self.once("dop", lambda: dop(self.satellites(1)))
 
     def course(self, velocity: Vector) -> float:
-        """Direction over ground, 0 to 2 pi; at rest, that of the vehicle."""
+        """Returns the direction over ground, 0 to 2 pi; at rest, the heading of the vehicle."""
         n, e, _ = velocity
         if hypot(n, e) < 0.02:
             m = self.dcm

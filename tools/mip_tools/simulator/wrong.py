@@ -1,5 +1,4 @@
-"""Answers and fields that deviate from the specification. All choices come from the random generator
-of the caller."""
+"""Makes answers and fields that deviate from the specification. All choices come from the caller's random generator."""
 
 from __future__ import annotations
 
@@ -25,14 +24,14 @@ ACKNOWLEDGE = Acknowledge.DESCRIPTOR
 def answer(
     kind: str, command: RawField, fields: list[RawField], seen: dict[tuple[int, int], RawField], random: Random
 ) -> tuple[list[RawField], str]:
-    """An answer with a fault, and a description of the fault; the fields unchanged if they cannot have it.
+    """Returns an answer with a fault, and a description of the fault; the fields are unchanged if it is not applicable.
 
     `seen`: earlier responses, by set and descriptor.
     """
     if kind == "lose_answer":
         return [], "the answer is missing"
     if not fields or fields[0].descriptor != ACKNOWLEDGE:
-        return fields, ""  # another fault has removed the acknowledge
+        return fields, ""  # another fault has removed the acknowledge field
     ack, rest = fields[0], fields[1:]
     if kind == "refuse":
         code = random.choice([c for c in AckCode if c])
@@ -66,12 +65,12 @@ def _response(kind: str, raw: RawField, seen: dict[tuple[int, int], RawField], r
 
 
 def room(fields: list[RawField]) -> int:
-    """The bytes that a packet with these fields has left."""
+    """Returns the number of free bytes in a packet with these fields."""
     return MAX_PAYLOAD - sum(len(f.data) + 2 for f in fields)
 
 
 def unknown_field(set: int, fields: list[RawField], random: Random) -> RawField | None:
-    """A field with a descriptor that the set does not have; None if the packet is full."""
+    """Makes a field with a descriptor that the set does not define; None if the packet is full."""
     size = min(room(fields) - 2, random.randrange(24))
     if size < 0:
         return None
@@ -81,10 +80,10 @@ def unknown_field(set: int, fields: list[RawField], random: Random) -> RawField 
 
 
 def longer(fields: list[RawField], places: range, most: int, random: Random) -> tuple[int, RawField] | None:
-    """A field with bytes after its known parameters, as newer firmware sends it, and its place.
+    """Adds bytes after the known parameters of a field, as newer firmware may. Returns its index, and the field.
 
-    Only where the bytes can be nothing else: not in arrays that reach to the end of the field, nor
-    where the size chooses between layouts. None if there is no such field, or no room.
+    The extra bytes must not be ambiguous, so fields that end with an array of any length, and fields whose
+    size selects the layout, are excluded. Returns None if there is no other field, or no room.
     """
     for at in random.sample(places, len(places)):
         raw = fields[at]
@@ -105,7 +104,7 @@ def _left_over(raw: RawField) -> int | None:
 
 
 def shorter(raw: RawField, random: Random) -> RawField:
-    """A response that is too short for each of its layouts; unchanged if that is impossible."""
+    """Shortens a response below the size of all its layouts; unchanged if that is impossible."""
     for size in random.sample(range(len(raw.data)), len(raw.data)):
         made = raw._replace(data=raw.data[:size])
         if all(_truncated(t, made.data) for t in types(raw.set, raw.descriptor)):
@@ -127,7 +126,7 @@ def responses(set: int) -> tuple[type[Response], ...]:
 
 
 def other_response(raw: RawField, seen: dict[tuple[int, int], RawField], random: Random) -> RawField:
-    """The response of another command: one that was sent before, else one of that descriptor."""
+    """Returns the response to another command: one that was sent before, else random data with its descriptor."""
     sent = [f for (n, d), f in sorted(seen.items()) if n == raw.set and d != raw.descriptor]
     if sent:
         return random.choice(sent)
@@ -137,7 +136,7 @@ def other_response(raw: RawField, seen: dict[tuple[int, int], RawField], random:
 
 
 def unused_response(raw: RawField, random: Random) -> RawField:
-    """The same data under a descriptor that no response of the set has."""
+    """Returns the same data with a descriptor that no response of the set has."""
     used = {t.DESCRIPTOR for t in responses(raw.set)} | {ACKNOWLEDGE}
     free = [d for d in range(0x80, 0xF0) if d not in used]
     return raw._replace(descriptor=random.choice(free))

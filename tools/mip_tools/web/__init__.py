@@ -1,1 +1,1 @@
-"""A port for pages in a browser: `mip serve`."""
+"""`mip serve`: shares a port with pages in a browser."""

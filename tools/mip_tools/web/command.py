@@ -21,18 +21,18 @@ examples:
 
 The first line of the output is an address with a token. Paste it into the live view of the
 workbench (`make workbench`, then build/workbench/live.html) on this machine. The server listens on
-127.0.0.1 only, and rejects pages without the token, which is new at each start. One page at a time
-can be connected.
+127.0.0.1 only, and rejects pages without the token, which is new at each start. Only one page can
+be connected at a time.
 """
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
-    add("port", nargs="?", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
+    add("port", nargs="?", metavar="PORT", help="a port such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
     add("--simulate", metavar="DEVICE", help="serve a virtual device, as listed by `mip simulate --list`")
     add("--motion", default="standing", metavar="MOTION", help="of the virtual device; see `mip simulate --help`")
-    add("--fault", action="append", default=[], metavar="FAULT,...", help="of the virtual device")
+    add("--fault", action="append", default=[], metavar="FAULT,...", help="faults of the virtual device")
     add("--tcp", type=_number, default=0, metavar="N", help="TCP port on this machine (default: the system chooses)")
     ports.add_arguments(parser)
     parser.set_defaults(baud=None)
@@ -57,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _port(name: str, baud: int | None) -> Any:
-    """The open port of a device, at the baud rate at which it answers. Raises Failure."""
+    """Opens the port of a device, at the baud rate at which it answers. Raises Failure."""
     if os.path.isfile(name):
         raise Failure(f"{name} is a file, not a port")
     try:

@@ -1,4 +1,4 @@
-"""WebSocket (RFC 6455), as far as a server of bytes needs it: the handshake, and frames."""
+"""The part of WebSocket (RFC 6455) that a server of bytes needs: the handshake, and frames."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ _CONTINUED = 0
 #: Codes of a close frame.
 NORMAL, GOING, PROTOCOL, TOO_LONG, TRY_AGAIN = 1000, 1001, 1002, 1009, 1013
 
-#: Bytes that a page may send at once.
+#: The maximum size of a message from a page, in bytes.
 LONGEST = 1 << 16
 
 
 class Wrong(Exception):
-    """A frame that no client may send; `code` closes the connection."""
+    """A frame that violates the protocol; the connection is closed with `code`."""
 
     def __init__(self, code: int, text: str) -> None:
         super().__init__(text)
@@ -27,7 +27,8 @@ class Wrong(Exception):
 
 
 def accept_key(key: str) -> str:
-    """
+    """Computes the key with which a server accepts a handshake.
+
     >>> accept_key("dGhlIHNhbXBsZSBub25jZQ==")
     's3pPLMBiTxaQ9kYGzzhZRbK+xOo='
     """
@@ -35,7 +36,7 @@ def accept_key(key: str) -> str:
 
 
 def frame(kind: int, data: bytes = b"") -> bytes:
-    """A whole message of the server, which is not masked."""
+    """Makes a complete message of the server, which is not masked."""
     size = len(data)
     if size < 126:
         head = bytes((0x80 | kind, size))
@@ -51,7 +52,7 @@ def closing(code: int, reason: str = "") -> bytes:
 
 
 class Frames:
-    """Divides what a client sends into messages, each with its kind; those in pieces are put together."""
+    """Divides the bytes from a client into messages, each with its kind; joins fragmented ones."""
 
     def __init__(self) -> None:
         self._pending = b""
@@ -59,7 +60,7 @@ class Frames:
         self._begun = b""
 
     def feed(self, data: bytes) -> Iterator[tuple[int, bytes]]:
-        """The messages that are complete. Raises Wrong."""
+        """Adds bytes, and yields the messages that they complete. Raises Wrong."""
         self._pending += data
         while (found := self._next()) is not None:
             final, kind, payload = found

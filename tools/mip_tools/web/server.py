@@ -1,4 +1,4 @@
-"""A device for pages in a browser: WebSocket on this machine, for those that know the token."""
+"""Serves a device to pages in a browser: WebSocket on this machine, for pages that know the token."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from ..errors import Failure
 from .frames import BINARY, CLOSE, GOING, NORMAL, PING, PONG, TRY_AGAIN, Frames, Wrong, accept_key, closing, frame
 
 HOST = "127.0.0.1"
-#: Seconds within which a browser must send its request, read what it is sent, and close its end.
+#: Seconds within which a browser must send its request, read sent data, and close its end.
 PATIENCE = 5.0
-#: Bytes of a request, which browsers keep far below.
+#: The maximum size of a request in bytes, far above what browsers send.
 _LONGEST = 16384
 _AT_ONCE = 4096
 _HEADER = re.compile(r"([^:\s]+):\s*(.*?)\s*$")
 
 
 class Port(Protocol):
-    """A port that is served: as `mip_protocol` opens it, or a `LivePort`."""
+    """A port to serve: one that `mip_protocol` opens, or a `LivePort`."""
 
     def read(self, size: int, /) -> bytes | None: ...
     def write(self, data: bytes, /) -> int | None: ...
@@ -34,7 +34,7 @@ class Port(Protocol):
 
 
 class Refused(Exception):
-    """A request that is not served, with the status of the reply."""
+    """A request that is rejected with this HTTP status."""
 
 
 class Server:
@@ -77,7 +77,7 @@ class Server:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Stops, and waits until the pages have read why."""
+        """Stops, and waits until the pages have read the reason."""
         self.stop()
         end = time.monotonic() + PATIENCE
         for page in list(self._pages):
@@ -130,18 +130,16 @@ class Server:
                     page.left.set()
 
     def _key(self, lines: list[str]) -> str:
-        """The key of a handshake by a page that knows the token. Raises Refused."""
+        """Returns the key of a handshake by a page that knows the token. Raises Refused."""
         method, _, rest = lines[0].partition(" ")
         path = rest.rpartition(" ")[0]
         headers = {m[1].lower(): m[2] for m in map(_HEADER.fullmatch, lines[1:]) if m}
-        # A page of another site whose name was made to lead here (DNS rebinding) sends that name.
+        # A page of another site whose name was made to resolve to this machine (DNS rebinding) sends that name.
         host = headers.get("host", "")
         if host not in (f"{HOST}:{self.number}", f"localhost:{self.number}"):
             raise Refused("403 Forbidden")
         if not hmac.compare_digest(path.encode(), f"/{self.token}".encode()):
-            self._say(
-                f"a page of {headers.get('origin', 'unknown origin')} was turned away: it does not know the token"
-            )
+            self._say(f"a page of {headers.get('origin', 'unknown origin')} was rejected: it does not know the token")
             raise Refused("403 Forbidden")
         key = headers.get("sec-websocket-key", "")
         if method != "GET" or headers.get("upgrade", "").lower() != "websocket" or not key:
@@ -149,7 +147,7 @@ class Server:
         return key
 
     def _talk(self, page: Connection) -> bytes:
-        """Passes bytes on, both ways. Returns the last message, which states why it ends."""
+        """Passes bytes on in both directions. Returns the last message, which states why the connection ends."""
         if not self._taken.acquire(blocking=False):
             return closing(TRY_AGAIN, "another page is connected; disconnect it first")
         try:
@@ -176,7 +174,7 @@ class Server:
                 while not ended.is_set():
                     if data := port.read(_AT_ONCE):
                         page.send(frame(BINARY, bytes(data)))
-            except Exception as error:  # of the port, or of a page that reads nothing
+            except Exception as error:  # the port failed, or the page reads nothing
                 with suppress(OSError):
                     page.end(closing(GOING, f"the port is lost: {error}"))
                 if not ended.wait(PATIENCE):
@@ -214,7 +212,7 @@ class Server:
 
 
 class Connection:
-    """The connection with a page: whole frames of several threads, and nothing after the one that ends it."""
+    """The connection to a page. Several threads may send frames; nothing follows the frame that ends it."""
 
     def __init__(self, client: socket.socket) -> None:
         self.client = client
@@ -242,13 +240,13 @@ class Connection:
             pass
 
     def cut(self) -> None:
-        """Ends the connection with a page that does not close its end."""
+        """Ends the connection to a page that does not close its end."""
         with suppress(OSError):
             self.client.shutdown(socket.SHUT_RDWR)
 
 
 def _request(client: socket.socket) -> list[str]:
-    """The lines of a request. Raises Refused."""
+    """Reads the lines of a request. Raises Refused."""
     held = b""
     while b"\r\n\r\n" not in held:
         data = client.recv(_AT_ONCE)
