@@ -439,7 +439,7 @@ def test_every_kind_of_source(tmp_path: Path) -> None:
     [
         ((5,), TypeError, "a log is a path, a binary file or bytes without gaps, not int"),
         ((io.StringIO("x"),), TypeError, "open the file in binary mode"),
-        ((b"", -1), ValueError, "`begin` is 0 or more"),
+        ((b"", -1), ValueError, "`begin` must be 0 or more"),
         ((b"", 5, 4), ValueError, "not after `end`"),
         (("/nowhere/log.bin",), FileNotFoundError, "/nowhere/log.bin"),
     ],
