@@ -724,7 +724,7 @@ def test_errors_are_one_line_with_a_remedy(
     before = sorted(tmp_path.iterdir())
     with taken:
         code, out, text = run(capsys, "simulate", *arguments, "--duration", "0.01")
-    wrong = r"(the device is missing|device|fault|'USB|--log|--signal)|.* (is not a (TCP port|motion)|two terminals|has no port)"
+    wrong = r"(the device |device|fault|'USB|--log|--signal)|.* (is not a (TCP port|motion)|two terminals|has no port)"
     status = 2 if re.match(wrong, error) else 1
     assert (code, out) == (status, "") and text.startswith(f"mip simulate: {error}") and text.count("\n") == 1
     assert sorted(tmp_path.iterdir()) == before and (tmp_path / "file").read_text() == "mine"
