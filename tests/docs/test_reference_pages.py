@@ -34,6 +34,17 @@ from reference import (
 from support import ROOT, SPECS, model
 
 
+def test_a_link_to_a_device_has_its_name(manual: Manual) -> None:
+    names = {of.id: str(of.title) for of in manual.model.devices}
+    found = [
+        (path, name, of)
+        for path, text in manual.pages.items()
+        for name, of in re.findall(r"\[([^\[\]]*)\]\([./\w]*devices/([\w-]+)\.md\)", text)
+    ]
+    assert {of for _, _, of in found} == names.keys()
+    assert [one for one in found if one[1] != names[one[2]]] == []
+
+
 def test_pages_are_neat(manual: Manual) -> None:
     faults = []
     for path, text in manual.pages.items():
