@@ -95,9 +95,11 @@ def report(sdk: Path) -> str:
     """As Markdown."""
     BUILD.mkdir(parents=True, exist_ok=True)
     name = f"MIP SDK {version(sdk)}"
-    out = f"Beside the vendor's {name} in C, both as their documentation recommends (`make bench PEER=FOLDER`).\n"
-    out += "The ratio is how many times as fast this library is; both find the same number of packets and fields.\n\n"
-    heads = ["Speed", "Ratio", "Instructions for each byte", name]
+    out = f"Comparison with the vendor's {name} in C, each built as its documentation recommends "
+    out += "(`make bench PEER=FOLDER`).\nThe first ratio is how many times as fast this library is; both find the same "
+    out += "number of packets and fields.\n\n"
+    heads = ["Speed", "Ratio", "Instructions per byte", name]
     out += bench_c.table(heads, speed(sdk))
-    out += "\nWhole programs of a firmware, `-Os`, for a Cortex-M4, without the C library.\n\n"
+    out += "\nComplete firmware programs, `-Os`, for a Cortex-M4, without the C library. The ratio is the size of ours "
+    out += "divided by\nthe size of theirs.\n\n"
     return out + bench_c.table(["Size", "Ratio", "Code and constants", name], sizes(sdk))

@@ -256,7 +256,7 @@ def test_doxygen_has_nothing_to_complain_of(spec: str, tmp_path: Path) -> None:
     with_commands = [x for x in model(spec).families if calls.commands(x)]
     assert all(f"mip_1_1{cpp.namespace(x.name).replace('_', '__')}_1_1" in pages for x in with_commands)
     header = folder / "src/mip/core.h"  # without one comment, it complains
-    header.write_text(header.read_text("utf-8").replace("/** Reads a number of 16 bits, high byte first. */", ""))
+    header.write_text(header.read_text("utf-8").replace("/** Reads a 16-bit big-endian integer. */", ""))
     done = subprocess.run([need("doxygen")], cwd=folder, capture_output=True, text=True)
     assert done.returncode != 0 and "mip_get_16" in done.stderr and done.stderr.count("is not documented") == 1
 

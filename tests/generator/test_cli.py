@@ -62,7 +62,7 @@ def test_a_new_specification_has_the_unit_that_messages_recommend(tmp_path: Path
     data, device = tmp_path / "sets/measurements.yaml", tmp_path / "devices/my_device.yaml"
     original = data.read_text("utf-8")
     data.write_text(original.replace("unit: degC, ", ""), "utf-8")
-    with pytest.raises(SpecError, match=r'give it one \("1" for a plain number'):
+    with pytest.raises(SpecError, match=r'add one \("1" for a plain number'):
         load_model(tmp_path)
     data.write_text(original.replace("degC", '"1"'), "utf-8")
     device.write_text(f"{device.read_text('utf-8')}model_number: 42\n", "utf-8")

@@ -337,7 +337,7 @@ def test_any_buffer_is_data() -> None:
         ("75", "not text; write bytes.fro"),
     ):
         for takes in (real.packet.Packet, real.sensor.ScaledAccel.decode, partial(real.packet.PacketBuilder(1).add, 1)):
-            with pytest.raises(TypeError, match=f"needs bytes, {remedy}"):
+            with pytest.raises(TypeError, match=f"must be bytes, {remedy}"):
                 takes(wrong)
 
 
@@ -395,7 +395,7 @@ def test_matrices_are_indexed_by_row_and_column() -> None:
     assert [matrix[r, c] for r in range(3) for c in range(3)] == list(range(9)) == list(matrix)
     assert matrix[-1, -2] == 7 == matrix.m32 == matrix[7] and matrix[1:3] == (1, 2)
     assert matrix.rows == ((0, 1, 2), (3, 4, 5), (6, 7, 8))
-    needs = "needs one of 3 rows and one of 3 columns, from 0, not .*; `rows` has whole rows"
+    needs = "needs one of 3 rows and one of 3 columns, from 0, not .*; for whole rows, use `rows`"
     for wrong in ((3, 0), (0, 3), (-4, 0)):
         with pytest.raises(IndexError, match=needs):
             matrix[wrong]

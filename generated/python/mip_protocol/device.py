@@ -456,8 +456,7 @@ def open_port(
 def connect(
     url: str | os.PathLike[str], baud: int | None, wanted: Callable[[], bool] = lambda: True
 ) -> Any:
-    """Opens a URL at the device's baud rate. The search for the rate ends when `wanted` returns
-    False."""
+    """Opens a URL at the device's baud rate, which is searched until `wanted` returns False."""
     port = open_url(url, USUAL if baud is None else baud)
     # needs: baud rates
     try:

@@ -3187,7 +3187,7 @@ GX5_15 = Device(
         ),
         "time": Note(
             "Time synchronization",
-            "The pulse per second goes to pin 7 of the connector. Send `base.gps_time_update` once per second. The filter timestamp and the sensor timestamp follow it.",
+            "Connect the PPS signal to pin 7 of the connector, and send `base.gps_time_update` once per second. The filter and sensor timestamps are then synchronized with them.",
             (),
         ),
         "direct_mode": Note(

@@ -193,24 +193,21 @@ class Field(Structure):
 
     @classmethod
     def decode_with_trailing(cls: type[F], data: bytes | bytearray | memoryview) -> tuple[F, int]:
-        """Like `decode`, but also returns the number of bytes left over, which newer devices may
-        send."""
+        """Like `decode`, but also returns how many bytes are left, which newer devices may send."""
         raw = data if type(data) is bytes else as_bytes(data)
         value, end = cls._read(raw, 0)
         return value, len(raw) - end
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        """Can this be its data? Checks what distinguishes a descriptor's layouts: constants and
-        size."""
+        """Can this be its data? Checks what distinguishes the layouts: constants and size."""
         return True
 
     def _called(self, name: str) -> str:
         return name if self.packet_set is None else self.name_in(self.packet_set)
 
     def packet(self, set: int | None = None) -> Packet:
-        """Makes a packet with only this field, of the set that contained it or of `set`. Raises
-        EncodeError."""
+        """Makes a packet of this field, of its set or of `set`. Raises EncodeError."""
         number = self.packet_set if set is None else set
         if number is None:
             raise EncodeError(
@@ -314,8 +311,7 @@ class Command(Field, Generic[R]):
 
     @property
     def expected(self) -> ResponseClasses:
-        """The types of the response that it requests with these values; layouts may differ by
-        device."""
+        """The types of the response that it requests with these values; devices may differ."""
         return self.RESPONSES
 
 

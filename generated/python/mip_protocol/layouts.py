@@ -92,8 +92,7 @@ class Layouts:
         self.checked[key] = _chosen({h: both[1] for h, both in made.items()}, 0, 4)
 
     def _functions(self, header: bytes, raws: Sequence[RawField]) -> tuple[Decode, Decode]:
-        """Compiles two functions for packets with fields like these: with and without a check of
-        the checksum."""
+        """Compiles two functions for packets with such fields: with and without a checksum test."""
         source = _Source()
         for raw in raws:
             types = self._types(raw.set, raw.descriptor)

@@ -14,8 +14,7 @@ from .field import Field
 
 #: Words in other bindings' names that do not describe the field itself.
 NOISE = frozenset(("mip", "data", "command", "commands"))
-#: The prefix of names in C, and of modules whose names would begin with a digit: `mip` in
-#: `mip_3dm`.
+#: The prefix of names in C, and of modules that would begin with a digit: `mip` in `mip_3dm`.
 PREFIX = __name__.split(".")[-2].removesuffix("_protocol")
 
 

@@ -93,8 +93,7 @@ class Scanner(Generic[T]):
         raise NotImplementedError
 
     def _find(self, buffer: bytes, at: int, final: bool) -> tuple[int, int]:
-        """Returns the begin and end of the next packet; end 0 if the bytes from begin on are
-        incomplete."""
+        """Returns begin and end of the next packet; end 0 if it is incomplete."""
         length = len(buffer)
         while True:
             found = buffer.find(SYNC, at)

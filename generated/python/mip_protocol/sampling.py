@@ -85,8 +85,7 @@ class Samples(Generic[P]):
 
 
 def samples(packets: Iterable[P]) -> Iterator[list[P]]:
-    """Yields lists of the packets, or objects with a `packet`, that belong together; see
-    `Samples`."""
+    """Yields lists of the packets, or objects with one, that belong together; see `Samples`."""
     together: Samples[P] = Samples()
     for packet in packets:
         yield from together.add(packet)
@@ -94,8 +93,7 @@ def samples(packets: Iterable[P]) -> Iterator[list[P]]:
 
 
 def _parts(packet: Packet) -> tuple[_Fields, _Fields]:
-    """Splits a packet's fields into the shared ones at the front and the rest, up to a malformed
-    one."""
+    """Splits a packet's fields into the shared ones at the front and the others."""
     fields = packet.fields
     count = next((i for i, f in enumerate(fields) if f.descriptor < FIRST_SHARED), len(fields))
     return fields[:count], fields[count:]

@@ -66,8 +66,7 @@ def _values(kind: type[IntEnum]) -> dict[int, str]:
 
 @lru_cache(maxsize=256)
 def _bits(kind: type[IntFlag]) -> tuple[tuple[tuple[str, int, int, Any], ...], int]:
-    """Returns name, mask, first bit and enumeration of each number in a bitfield, and all masks as
-    one."""
+    """Returns name, mask, first bit and enumeration of a bitfield's numbers, and all masks."""
     from .reflection import info
 
     rows = [(b.name, b.mask, b.first, b.type) for b in info(kind).bits if not b.alias]

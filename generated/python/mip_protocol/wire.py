@@ -52,8 +52,7 @@ class Text(NamedTuple):
 
 
 class Items(NamedTuple):
-    """Elements of an array: structures, vectors, or numbers, which `kind` converts if it is not
-    None."""
+    """Elements of an array: structures, vectors, or numbers, converted by `kind` if given."""
 
     kind: Any
     length: int | str | None
@@ -61,8 +60,7 @@ class Items(NamedTuple):
 
 
 class Union(NamedTuple):
-    """A union: another parameter's value selects the row; if none is selected, the value is
-    None."""
+    """A union: another parameter's value selects the row; without one, the value is None."""
 
     tag: str
     cases: dict[int, Row]
@@ -117,14 +115,12 @@ def plain(kind: Any) -> Layout | None:
 
 
 def late(kind: Any, member: str, what: Any) -> Any:
-    """Returns `what`, or `tuple` for a vector, which its attribute creates when it is first
-    read."""
+    """Returns `what`, or `tuple` for a vector, which its attribute creates when first read."""
     return tuple if kind._VECTORS.get(member) == (what,) else what
 
 
 def value(numbers: Sequence[str], what: Any, name: str, names: dict[str, Any]) -> str:
-    """Returns source code that converts variables to a value. What the code uses is added to
-    `names`."""
+    """Returns source that converts variables to a value. What it uses is added to `names`."""
     several = f"({', '.join(numbers)},)"
     if what is None:
         return numbers[0]
@@ -149,8 +145,7 @@ def selects(kind: Any) -> bool:
 
 
 def groups(kind: Any) -> tuple[Layout, list[Group]]:
-    """Returns the rows that are always present, and groups of the others. A counter stays with its
-    array."""
+    """Returns the rows that are always present, and groups of others. Counters stay with arrays."""
     rows: Layout = kind._LAYOUT
     if kind._ALWAYS is None:
         return rows, []

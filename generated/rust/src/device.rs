@@ -10,9 +10,9 @@
 //! # fn example(serial: std::net::TcpStream) -> Result<(), Box<dyn std::error::Error>> {
 //! use mip_protocol::device::{Device, StdPort};
 //!
-//! serial.set_read_timeout(Some(std::time::Duration::from_millis(10)))?; // reading must not wait
-//! forever let mut device = Device::new(StdPort::new(serial)); while let Some(packet) =
-//! device.next_packet(1000)? {
+//! serial.set_read_timeout(Some(std::time::Duration::from_millis(10)))?; // reading must not wait forever
+//! let mut device = Device::new(StdPort::new(serial));
+//! while let Some(packet) = device.next_packet(1000)? {
 //!     println!("{packet:?}");
 //! }
 //! # Ok(()) }

@@ -41,8 +41,7 @@ def checksum(data: bytes) -> bytes:
 
 
 def is_correct(data: bytes) -> bool:
-    """Does a packet have the correct checksum? Most wrong ones fail at the first sum, which is
-    cheap."""
+    """Does a packet have the correct checksum? Most wrong ones fail at the first sum."""
     body = data[:-2]
     first = adler32(body, 0) & 0xFFFF
     if first > WRAPPED and first & 0xFF != data[-2]:

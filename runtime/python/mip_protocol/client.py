@@ -23,8 +23,7 @@ from .parser import Parser
 from .protocol import BARRIER, Acknowledge
 from .types import AckCode
 
-#: The number of different barriers. They have 2 to 63 commands, so that the replies to one fit into
-#: one packet.
+#: The number of different barriers. The replies to their 2 to 63 commands fit into one packet.
 BARRIERS = 62
 
 
@@ -114,8 +113,7 @@ class Client:
     """
 
     def __init__(self, timeout: float = 1.0, skipped: bool = False) -> None:
-        """`timeout`: seconds until a command times out, unless the specification states more for
-        it.
+        """`timeout`: seconds until a command times out, unless the specification states more.
 
         `skipped`: True to return bytes between packets as events, too.
         """
@@ -188,8 +186,7 @@ class Client:
             self._missed = (self._missed + count - 1) % BARRIERS + 1
 
     def _passes(self, packet: Packet) -> list[Event] | None:
-        """Returns the time-outs of all commands sent before the last barrier, if this packet
-        answers it; otherwise None."""
+        """Returns the time-outs of commands before the last barrier, if this packet answers it."""
         number, descriptor = BARRIER
         if not self._behind or (packet.set, len(packet.payload)) != (number, 4 * self._behind):
             return None
@@ -206,13 +203,11 @@ class Client:
         return [TimedOut(p.command) for p in before]
 
     def receive(self, data: bytes, now: float) -> list[Event]:
-        """Processes received bytes. Returns the events up to now: answers, other packets,
-        time-outs."""
+        """Processes received bytes. Returns the events: answers, other packets, time-outs."""
         return self._events(self._parser.feed_all(data)) + self.poll(now)
 
     def flush(self, now: float) -> list[Event]:
-        """Discards an incomplete packet, for example at the end of a file, and searches its
-        bytes."""
+        """Discards an incomplete packet, as at the end of a file, and searches its bytes."""
         return self._events(self._parser.flush_all()) + self.poll(now)
 
     def look_behind(self, now: float) -> list[Event]:
@@ -242,10 +237,7 @@ class Client:
 
     def interrupt(self) -> list[Event]:
         """Handles a lost connection: waiting commands time out, and an incomplete packet is
-        discarded.
-
-        Replies that still arrive over the next connection are not matched to later commands.
-        """
+        discarded. Replies over the next connection are not matched to later commands."""
         events = self._events(self._parser.flush_all())
         events += [TimedOut(p.command) for p in self._pending]
         self._miss(len(self._pending))
@@ -300,8 +292,7 @@ class Client:
         return [*answers, Received(packet, frozenset(taken))]
 
     def _answer(self, raw: RawField, behind: RawField | None) -> Answer | None:
-        """Returns the answer that an acknowledge field and the field after it contain, for the
-        oldest command that they match.
+        """Returns the answer in an acknowledge and the field after it, for the oldest such command.
 
         A response is never matched to a command that does not request one, because it may be the
         late reply to another command. An acknowledge without a response is matched first to

@@ -70,8 +70,7 @@ def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
 
 
 class Known(dict[int, Any]):
-    """A bounded cache: number -> member of an enumeration or a bitfield; faster than a call of the
-    type."""
+    """A bounded cache of members of an enumeration or a bitfield; faster than calling the type."""
 
     SIZE = 1024
 
@@ -180,8 +179,7 @@ def _needs(letter: str, value: Any) -> str:
     return f"{'' if isinstance(value, int) else WHOLE}{least} to {most}"
 
 
-#: Begins the requirement for a value that is not a number; `typed` replaces it if it knows the
-#: type.
+#: Begins the requirement for what is not a number; `typed` replaces it if it knows the type.
 WHOLE = "a whole number from "
 
 
@@ -348,8 +346,7 @@ def exactly(name: str, value: Any, count: int) -> Sequence[Any]:
 
 
 def at_most(name: str, value: Any, capacity: int) -> Sequence[Any]:
-    """Returns `value` as a sequence; raises EncodeError if a field cannot contain that many
-    elements."""
+    """Returns `value` as a sequence; raises EncodeError if a field cannot contain so many."""
     if len(sized(name, value)) > capacity:
         raise EncodeError("count", f"{name} has {len(value)} elements, a field holds {capacity}")
     return sized(name, value)
@@ -361,8 +358,7 @@ def count(name: str, value: Any, capacity: int) -> int:
 
 
 def sized(name: str, value: Any) -> Sequence[Any]:
-    """Returns a sequence unchanged, and an array as a list; raises EncodeError for anything
-    else."""
+    """Returns a sequence unchanged, and an array as a list; raises EncodeError otherwise."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
     items = value if isinstance(value, Sequence) else _listed(value)
@@ -401,8 +397,7 @@ def vectors(value: Any, *kinds: type[Any]) -> Any:
 
 
 def several(value: Any) -> Any:
-    """Converts an array to a tuple, which decoders use, too. Anything else is returned
-    unchanged."""
+    """Converts an array to a tuple, also for decoders. Anything else is returned unchanged."""
     if type(value) is tuple:
         return value
     items = value if isinstance(value, (bytes, bytearray)) else _listed(value)
@@ -410,8 +405,7 @@ def several(value: Any) -> Any:
 
 
 def element(matrix: tuple[float, ...], at: Any, columns: int) -> Any:
-    """Returns an element of a matrix by row and column, counted from 0, or by index as in any
-    tuple."""
+    """Returns an element of a matrix by row and column, from 0, or by index as in any tuple."""
     if isinstance(at, tuple):
         rows = len(matrix) // columns
         try:
@@ -438,8 +432,7 @@ def _numbers(value: Any) -> Sequence[Any] | None:
 
 
 def _listed(value: Any) -> Any:
-    """Returns a sequence unchanged, and another library's array as a list; None for bytes and
-    text."""
+    """Returns a sequence unchanged, a library's array as a list; None for bytes and text."""
     if isinstance(value, (str, bytes, bytearray, memoryview, Mapping, Set)):
         return None
     if isinstance(value, Sequence) or not hasattr(value, "__len__"):

@@ -164,8 +164,7 @@ class Conversation:
         self._tickets = [t for t in self._tickets if t not in tickets]
 
     def question(self, command: Command) -> Command | None:
-        """Returns the command that reads whether the device will acknowledge `command`; None if
-        that is known already."""
+        """Returns the command that reads whether `command` will be acknowledged, if unknown."""
         for number, descriptor, _, _ in command.SILENCED_BY:
             if command.answered and (number, descriptor) not in self._settings:
                 from .registry import types
@@ -177,8 +176,7 @@ class Conversation:
         return None
 
     def settle(self, question: Command, outcome: Outcome | None) -> None:
-        """Notes that the device lacks a setting if it rejected the question, so that it is asked
-        once."""
+        """Notes that the device lacks a setting if it rejected the question: it is asked once."""
         if isinstance(outcome, Answer) and not outcome.accepted:
             self._settings[question.SET, question.DESCRIPTOR] = question
 
@@ -206,8 +204,7 @@ class Conversation:
     # ------------------------------------------------------------- received bytes
 
     def receive(self, data: bytes, monotonic: float, clock: float) -> News:
-        """Processes bytes received at this time, by both clocks. Without bytes, the line was idle
-        for a moment."""
+        """Processes bytes received at this time, by both clocks. No bytes: the line was idle."""
         if not data:
             return self._idle(monotonic, clock)
         self._heard = monotonic
@@ -346,6 +343,5 @@ def response(ticket: Ticket, tickets: Sequence[Ticket]) -> Response | None:
 
 
 def responses(tickets: Sequence[Ticket]) -> tuple[Response | None, ...]:
-    """Returns the responses to one packet's commands. Raises the error of the first failed
-    command."""
+    """Returns the responses to one packet's commands. Raises the first failed one's error."""
     return tuple(response(ticket, tickets) for ticket in tickets)

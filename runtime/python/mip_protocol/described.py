@@ -1,5 +1,4 @@
-"""The meaning of objects: names, units, validity, text. The descriptions are loaded on first
-use."""
+"""The meaning of objects: names, units, validity, text. Descriptions are loaded on first use."""
 
 from __future__ import annotations
 

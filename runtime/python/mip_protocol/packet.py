@@ -36,8 +36,7 @@ class RawField(NamedTuple):
 
     @property
     def error(self) -> DecodeError | None:
-        """The reason why it was not decoded; None if there was no error, or if its descriptor is
-        unknown."""
+        """Why it was not decoded; None if there was no error, or its descriptor is unknown."""
         return None
 
 
@@ -133,8 +132,7 @@ class Packet:
         return tuple(fields), None
 
     def __iter__(self) -> Iterator[RawField]:
-        """Yields the fields in order; raises PacketError of kind `field_length` at a malformed
-        one."""
+        """Yields the fields in order; raises PacketError (`field_length`) at a malformed one."""
         data, at, end = self._data, 4, len(self._data) - 2
         number = data[2]
         while at < end:
@@ -162,8 +160,7 @@ class PacketBuilder:
         self._payload = bytearray()
 
     def add(self, descriptor: int, data: bytes | bytearray | memoryview = b"") -> PacketBuilder:
-        """Adds a field. Raises EncodeError of kind `length`, and changes nothing, if it does not
-        fit."""
+        """Adds a field. Raises EncodeError (`length`), and changes nothing, if it does not fit."""
         try:
             number = index(descriptor)
         except TypeError:

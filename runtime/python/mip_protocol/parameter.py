@@ -76,8 +76,7 @@ class Parameter:
 
     @property
     def derived(self) -> bool:
-        """Is it a constant or a counter, which objects do not contain because it follows from the
-        rest?"""
+        """Is it a constant or a counter, which objects do not contain?"""
         return self.constant is not None or bool(self.counts)
 
     @property
@@ -87,8 +86,7 @@ class Parameter:
 
     @property
     def range(self) -> str:
-        """The allowed values: "0 to 8", "greater than 0, at most 10"; empty if any value is
-        allowed."""
+        """The allowed values: "0 to 8", "greater than 0, at most 10"; empty if all are allowed."""
         low, high = self.minimum, self.maximum
         if low is not None and high is not None:
             return f"{low} to {high}"
@@ -98,8 +96,7 @@ class Parameter:
 
     @property
     def layout(self) -> str:
-        """Its type on the wire: "u16", "float[3]", "u8[num_points]", "char[16]", or a structure's
-        class."""
+        """Its type on the wire: "u16", "float[3]", "u8[num_points]", or a structure's class."""
         one = "union" if self.tag else self.scalar or self.type.__name__
         if self.scalar == "bits":
             one = f"u8[{self.size}]"
@@ -116,8 +113,7 @@ class Parameter:
         return prose.text(self.owner, name) if self.owner else ""
 
     def on(self, device: str) -> Parameter:
-        """Returns the parameter as it is on a device. `device` is its id or another name; raises
-        UnknownName."""
+        """Returns the parameter as it is on a device, by id or name. Raises UnknownName."""
         from .lookup import device_id
 
         key = device_id(device)
@@ -127,8 +123,7 @@ class Parameter:
         return replace(self, **changes) if changes else self
 
     def of(self, holder: Described, device: str | None = None) -> Parameter:
-        """Returns the parameter as it is in an object with its other values, and on a device, if
-        any."""
+        """Returns the parameter as it is in an object with other values, and on a device."""
         here = self if device is None else self.on(device)
         for by in {v.by: None for v in self.variants if v.by != "device"}:
             changes = self._changes(by, getattr(holder, by))
@@ -153,8 +148,7 @@ class Parameter:
         return (v for v in self.variants if v.by == by and key in v.keys)
 
     def format(self, value: Any) -> str:
-        """Formats a value with units and names: "(x=0.1, y=0.2, z=-1.0) g",
-        "lat_lon|msl_height"."""
+        """Formats a value with units and names: "(x=0.1, y=0.2, z=-1.0) g", "lat_lon|height"."""
         from .text import formatted
 
         return formatted(self, value)

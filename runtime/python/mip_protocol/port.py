@@ -109,8 +109,7 @@ def open_url(url: str | os.PathLike[str], baud: int) -> Any:
 
 
 def cannot_open(url: str | os.PathLike[str], error: Exception) -> PortError:
-    """Returns the error for a port that cannot be opened. pyserial raises ValueError for an unknown
-    kind of URL."""
+    """Returns the error for a port that cannot be opened; pyserial's may be a ValueError."""
     number = getattr(error, "errno", None)
     if number in (errno.EAGAIN, errno.EBUSY):  # from the lock, from the driver
         number, why = errno.EBUSY, IN_USE
@@ -132,8 +131,7 @@ def _serial(url: str, baud: int) -> Any:
 
 
 def address(url: str | os.PathLike[str]) -> tuple[str, int] | None:
-    """Parses HOST:PORT, socket://… and tcp://… into host and port; returns None for other URLs.
-    Raises PortError."""
+    """Parses HOST:PORT, socket://… and tcp://…; None for other URLs. Raises PortError."""
     url = os.fspath(url)
     scheme, separator, rest = url.partition("://")
     if not separator and _HOST.fullmatch(url):
@@ -166,8 +164,7 @@ def as_port(port: Any) -> Any:
 
 
 def read_some(port: Any) -> bytes:
-    """Returns received bytes as soon as there are any. To ask for more than are waiting would
-    block."""
+    """Returns received bytes as soon as there are any. To ask for more would block."""
     waiting = getattr(port, "in_waiting", None)
     if waiting is not None:
         return port.read(min(max(1, waiting), AT_ONCE)) or b""
@@ -251,8 +248,7 @@ class Reader(threading.Thread):
         self._on_end(error)
 
     def write(self, data: bytes) -> None:
-        """Writes all bytes to the port, unless the reader is stopped before the port accepts
-        them."""
+        """Writes all bytes to the port, unless the reader is stopped before it accepts them."""
         write_all(self._port, data, self._stopped.wait)
 
     def stop(self) -> None:

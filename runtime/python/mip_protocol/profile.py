@@ -111,11 +111,8 @@ class Device:
         return self.support(set, descriptor) in (Support.YES, Support.PROBABLE)
 
     def support(self, set: int, descriptor: int) -> Support:
-        """Returns whether the device supports a command or data field.
-
-        A shared field is found in every data set. A field that a complete profile does not list is
-        not supported.
-        """
+        """Returns whether the device supports a command or data field. A shared field is found in
+        every data set; what a complete profile does not list is not supported."""
         found = self.why(set, descriptor)
         return found.answer if found else Support.UNKNOWN if self.incomplete else Support.NO
 

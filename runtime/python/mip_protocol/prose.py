@@ -50,8 +50,7 @@ def _blocks(kind: type, member: str = "") -> list[str]:
 
 @cache
 def _documented(module: str) -> dict[str, list[str]]:
-    """Returns the docstrings of a module (key ""), of its classes and of their members
-    ("Ping.port")."""
+    """Returns the docstrings of a module (key ""), its classes and their members ("Ping.port")."""
     spec = find_spec(module)
     source = getattr(spec and spec.loader, "get_source", lambda _: None)(module)
     return {name: _lines(doc) for name, doc in _docstrings(source)} if source else {}

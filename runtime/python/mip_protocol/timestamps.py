@@ -27,19 +27,15 @@ _UNIX = datetime(1970, 1, 1)
 
 
 def scale(parameter: Parameter) -> int | None:
-    """Returns the nanoseconds in the parameter's unit; None if it is not a unit of time.
-
-    A timestamp is the sum of all parameters with a unit of time.
-    """
+    """Returns the nanoseconds in the parameter's unit; None if it is not a unit of time. A
+    timestamp is the sum of all parameters with one."""
     return _UNITS.get(parameter.units[0]) if len(parameter.units) == 1 else None
 
 
 @cache
 def clock_of(set: int, descriptor: int) -> str | None:
-    """Returns the clock whose time the field contains, if the field is its packet's timestamp.
-
-    If a packet contains several for one clock, the one with the lowest descriptor counts.
-    """
+    """Returns the clock whose time the field contains, if the field is its packet's timestamp. Of
+    several for one clock, the one with the lowest descriptor counts."""
     kinds = registry.types(set, descriptor)
     if set < 0x80 or len(kinds) != 1:
         return None
@@ -63,11 +59,8 @@ class Leaps(NamedTuple):
 
 @cache
 def leaps(clock: str) -> Leaps:
-    """Returns the leap seconds of a clock. All values are in nanoseconds; `begins` count from the
-    clock's epoch, and the shifted times from 1970.
-
-    A time within a leap second is converted to the second after it.
-    """
+    """Returns the leap seconds of a clock, in nanoseconds; `begins` count from the clock's epoch,
+    and shifted times from 1970. A leap second becomes the second after it."""
     epoch = from_date(datetime.fromisoformat(CLOCKS[clock] or "1970-01-01"))
     days = [(from_date(datetime.fromisoformat(day)), ahead) for day, ahead in LEAP_SECONDS]
     begins = [day - epoch + ahead * SECOND for day, ahead in days]

@@ -448,7 +448,7 @@ def test_a_live_port_that_the_device_closes() -> None:
         with pytest.raises(mip.PortClosed):
             device.next(20)
     for speed in (0, -1, float("nan"), float("inf")):
-        with pytest.raises(ValueError, match="more than 0"):
+        with pytest.raises(ValueError, match="must be above 0"):
             LivePort(virtual, speed=speed)
     assert virtual.links == []
 

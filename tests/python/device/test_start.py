@@ -81,7 +81,7 @@ def test_the_set() -> None:
     with pytest.raises(EncodeError, match="does not occur in the set 0x82"):
         set_of({sensor.ScaledAccel: 1}, 0x82)
     for wrong in (-1.0, float("nan")):
-        with pytest.raises(ValueError, match="a rate is 0"):
+        with pytest.raises(ValueError, match="a rate must be 0"):
             set_of({sensor.ScaledAccel: wrong}, None)
 
 

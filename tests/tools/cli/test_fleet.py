@@ -284,7 +284,7 @@ def test_names_of_logs(tmp_path: Path) -> None:
     assert sources.found([str(tmp_path / "a"), str(tmp_path / "a/1.bin")], "*.bin")[0].name == "1.bin"
     with pytest.raises(Misuse, match=r"are both called 1\.bin"):
         sources.found([str(tmp_path / "a"), str(tmp_path / "b")], "*.bin")
-    for given, said in ((tmp_path / "c", "does not exist"), (tmp_path / "b", r"has no files \*.log")):
+    for given, said in ((tmp_path / "c", "does not exist"), (tmp_path / "b", r"has no files that match \*.log")):
         with pytest.raises(Misuse, match=said):
             sources.found([str(given)], "*.log")
     code, _, error = mip("fleet", tmp_path, "-o", tmp_path / "out", "--only", "sensor.acel")

@@ -135,7 +135,7 @@ def test_a_slow_client_loses_values_and_no_channels(monkeypatch: pytest.MonkeyPa
 @pytest.mark.parametrize(
     ("words", "code", "error"),
     [
-        (["localhost:1", "--format", "foxglove", "-o", "x"], 2, "which writes no file"),
+        (["localhost:1", "--format", "foxglove", "-o", "x"], 2, "no file is written"),
         (["localhost:1", "--listen", "localhost:1"], 2, "--listen is for --format foxglove"),
         ([__file__, "--format", "foxglove"], 2, "writes a file that Foxglove can open"),
         (["localhost:1", "--format", "foxglove", "--listen", "8765"], 2, "'8765' is not HOST:PORT"),

@@ -358,10 +358,10 @@ def test_profiles_of_the_specification(tmp_path: Path) -> None:
     [
         (
             "extend: 3dm-gq7\n",
-            "3dm-mv5-ar.yaml:1:9: this is '3dm-gq7, but the device is 3dm-mv5-ar'; rename the file",
+            "3dm-mv5-ar.yaml:1:9: this is '3dm-gq7', but the device is '3dm-mv5-ar'; rename the file",
         ),
-        ("a: 1\n", "3dm-mv5-ar.yaml:1:1: neither `extend: 3dm-mv5-ar` nor `device: 3dm-mv5-ar`; "),
-        ("devices:\n  - {device: x}\n", "3dm-mv5-ar.yaml:1:1: neither `extend: 3dm-mv5-ar` nor "),
+        ("a: 1\n", "3dm-mv5-ar.yaml:1:1: the file needs `extend: 3dm-mv5-ar` or `device: 3dm-mv5-ar`; "),
+        ("devices:\n  - {device: x}\n", "3dm-mv5-ar.yaml:1:1: the file needs `extend: 3dm-mv5-ar` or "),
         ("", "3dm-mv5-ar.yaml:1:1: this is not a device file; "),
         ("- a\n", "3dm-mv5-ar.yaml:1:1: this is not a device file; "),
         ("extend: [\n", "3dm-mv5-ar.yaml:2:1: not YAML: "),

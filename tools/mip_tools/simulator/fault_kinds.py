@@ -67,7 +67,7 @@ KINDS: dict[str, Kind] = {
 
 @dataclass(frozen=True)
 class Plan:
-    """When a fault occurs: with a probability, and at exact chances, counted from 1 (`places`)."""
+    """When a fault occurs: with a probability, and at numbered opportunities, counted from 1 (`places`)."""
 
     rate: float = 0.0
     amount: float = 0.0

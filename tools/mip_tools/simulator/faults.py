@@ -33,7 +33,7 @@ class Faults:
     """Injects faults into the data that a device sends and receives.
 
     Each keyword is a kind of fault of `fault_kinds.KINDS` with its rate, a probability, or with
-    (rate, amount). `script` has faults at exact chances. The same seed and the same traffic result in
+    (rate, amount). `script` has faults at numbered opportunities. The same seed and the same traffic result in
     the same faults; each kind of fault is independent of the others.
 
         faults = Faults(seed=1, lose=0.01, noise=(0.1, 32), script=["lose_answer@3"])

@@ -455,38 +455,38 @@ static inline mip_error mip_builder_reserve(struct mip_builder *builder, uint8_t
 
 /* -------------------------------------------------------------------------- big-endian numbers */
 
-/** Reads a number of 8 bits. */
+/** Reads an 8-bit integer. */
 static inline uint8_t mip_get_8(const uint8_t *from) {
     return from[0];
 }
 
-/** Reads a number of 16 bits, high byte first. */
+/** Reads a 16-bit big-endian integer. */
 static inline uint16_t mip_get_16(const uint8_t *from) {
     return (uint16_t)((uint32_t)from[0] << 8 | from[1]);
 }
 
-/** Reads a number of 32 bits, high byte first. */
+/** Reads a 32-bit big-endian integer. */
 static inline uint32_t mip_get_32(const uint8_t *from) {
     return (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3];
 }
 
-/** Reads a number of 64 bits, high byte first. */
+/** Reads a 64-bit big-endian integer. */
 static inline uint64_t mip_get_64(const uint8_t *from) {
     return (uint64_t)mip_get_32(from) << 32 | mip_get_32(from + 4);
 }
 
-/** Writes a number of 8 bits. */
+/** Writes an 8-bit integer. */
 static inline void mip_put_8(uint8_t *to, uint8_t value) {
     to[0] = value;
 }
 
-/** Writes a number of 16 bits, high byte first. */
+/** Writes a 16-bit big-endian integer. */
 static inline void mip_put_16(uint8_t *to, uint16_t value) {
     to[0] = (uint8_t)(value >> 8);
     to[1] = (uint8_t)value;
 }
 
-/** Writes a number of 32 bits, high byte first. */
+/** Writes a 32-bit big-endian integer. */
 static inline void mip_put_32(uint8_t *to, uint32_t value) {
     to[0] = (uint8_t)(value >> 24);
     to[1] = (uint8_t)(value >> 16);
@@ -494,7 +494,7 @@ static inline void mip_put_32(uint8_t *to, uint32_t value) {
     to[3] = (uint8_t)value;
 }
 
-/** Writes a number of 64 bits, high byte first. */
+/** Writes a 64-bit big-endian integer. */
 static inline void mip_put_64(uint8_t *to, uint64_t value) {
     mip_put_32(to, (uint32_t)(value >> 32));
     mip_put_32(to + 4, (uint32_t)value);

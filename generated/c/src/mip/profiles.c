@@ -4472,8 +4472,8 @@ static const struct mip_profile_note gx5_15_notes[] = {
      "The default baud rate is 115200. There is no handshake; data that does not fit is dropped.",
      NULL, 0, 0},
     {"time", "Time synchronization",
-     "The pulse per second goes to pin 7 of the connector. Send `base.gps_time_update` once per "
-     "second. The filter timestamp and the sensor timestamp follow it.",
+     "Connect the PPS signal to pin 7 of the connector, and send `base.gps_time_update` once per "
+     "second. The filter and sensor timestamps are then synchronized with them.",
      NULL, 0, 0},
     {"direct_mode", "Direct mode",
      "`system.comm_mode` connects the port to the internal inertial sensor. Meanwhile, only that "

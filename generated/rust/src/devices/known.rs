@@ -7101,9 +7101,9 @@ const GX5_15_2: &Evidence =
 ///
 /// # Time synchronization
 ///
-/// The pulse per second goes to pin 7 of the connector. Send
-/// [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) once per second. The filter timestamp and
-/// the sensor timestamp follow it.
+/// Connect the PPS signal to pin 7 of the connector, and send
+/// [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) once per second. The filter and sensor
+/// timestamps are then synchronized with them.
 ///
 /// # Direct mode
 ///

@@ -26,7 +26,7 @@ class Programs(Statements):
         return _Program()
 
     def data(self, f: m.Field) -> str:
-        """Reads it from the data of a device."""
+        """Composes a program that reads the field from the data of a device."""
         program = self.program()
         read = [f"value.{member(p.name)}" for p in members(f)]
         shown = laid_out(Brackets("print(", ["time", *read[:3]], ")"), WIDTH)
