@@ -222,7 +222,8 @@ def harness(path: Path) -> Iterator[Path]:
 
 
 def without_comments(source: str) -> str:
-    return " ".join(re.sub(r"/\*.*?\*/", " ", source, flags=re.S).split())
+    """Returns C without its comments and the texts of #error."""
+    return " ".join(re.sub(r"/\*.*?\*/|^#error [^\n]*", " ", source, flags=re.S | re.M).split())
 
 
 def version(cbmc: str, known: dict[str, str] = {}) -> str:  # noqa: B006
@@ -423,11 +424,11 @@ def write_layouts(results: list[tuple[Proof, Result]]) -> None:
         groups.setdefault(kind, []).append(r.outcome)
     bounds = {"numbers only": "fields of any size", "others": "all sizes up to one more than the longest",
               "arrays": f"all sizes up to {ITEMS} items"}  # fmt: skip
-    rows = ["| Layouts | Looked at | Proved | Not in the time |", "|---|---|---|---|"]
+    rows = ["| Layouts | Looked at | Proved | Not proved yet |", "|---|---|---|---|"]
     for kind, outcomes in sorted(groups.items(), reverse=True):
         rows.append(f"| {kind} | {bounds[kind]} | {outcomes.count('proved')} | {outcomes.count('not proved')} |")
     if late := [f"`{p.name}`" for p, r in results if r.outcome == "not proved"]:
-        rows += ["", f"Not proved in the time: {', '.join(late)}."]
+        rows += ["", f"Not proved yet, because the prover needs more time: {', '.join(late)}."]
     write("layouts", rows)
 
 
