@@ -275,8 +275,8 @@ class _Device:
         return m.Port(node["name"].value, node.scalar("id"), rates, receives, sends, tuple(firmware))
 
     def known(self, said: list[tuple[Node, m.Evidence]]) -> tuple[m.Support, ...]:
-        """All statements about fields, including that the device lacks them, by set and descriptor; each with its
-        strongest evidence."""
+        """Returns an entry for each field that is stated to be supported or missing, with the strongest evidence, in
+        the order of sets and descriptors."""
         supports: dict[str, m.Support] = {}
         witnesses: dict[str, list[m.Evidence]] = {}
         functions, deprecated, firmware = self.functions(), self.node.get("deprecated"), self.node.get("firmware")

@@ -16,7 +16,7 @@ GAP = 1.5
 KEPT = 10
 
 
-#: Below this many nanoseconds, different steps remain different as floats in seconds.
+#: Different steps below this many nanoseconds remain different as floats in seconds; longer ones are added one by one.
 _EXACT = 2**51
 
 

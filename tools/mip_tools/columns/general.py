@@ -44,7 +44,7 @@ Values: TypeAlias = "Array | Ragged"
 
 
 def columns(parameters: tuple[Parameter, ...], records: Sequence[Any], prefix: str = "") -> dict[str, Values]:
-    """Makes the columns of objects, some of which may be None."""
+    """Makes a column for each parameter from a list of records, of which some may be None."""
     all_columns: dict[str, Values] = {}
     for p in parameters:
         if p.kind == "counter" or p.constant is not None:

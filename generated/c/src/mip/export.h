@@ -30,12 +30,12 @@
 /** Before a function whose result shows whether it has done anything: compilers warn if the result
  * is ignored. */
 #define MIP_CHECKED __attribute__((warn_unused_result))
-/** A structure of four bytes that functions return in a register. */
+/** Marks a structure of four bytes, which functions then return in a register. */
 #define MIP_WORD __attribute__((aligned(4)))
 #else
 /** Before a function whose result shows whether it has done anything. */
 #define MIP_CHECKED
-/** A structure of four bytes. */
+/** Marks a structure of four bytes; without effect here. */
 #define MIP_WORD
 #endif
 

@@ -105,9 +105,10 @@ def peeks(record: m.Record) -> list[Peek]:
 
 
 def _room(group: m.Group, f: m.Field, peeks: list[Peek]) -> Iterator[str]:
-    """Conditions for a group to be there though no function requires it: it is whole, and it is not empty.
+    """Yields the conditions under which a group that no function requires is present: the data contains all of it, and
+    it is not empty.
 
-    A count that is too large is another mistake, so the elements of an array do not matter.
+    Array elements are not checked, because a count that is too large is a different error.
     """
     begin = least(f.parameters[: f.parameters.index(group.parameters[0])])
     if begin.terms:  # the counters, without which that is not known
