@@ -85,7 +85,7 @@ def check(clock: str | None, options: argparse.Namespace) -> None:
     if options.time not in (None, "utc", "clock"):
         raise Misuse(f"--time {options.time} is for tables; messages always have the time of the clock")
     if clock is None:
-        raise Failure("the log has no valid time, which messages need; use csv or jsonl")
+        raise Failure("the log has no packet with a valid time, which messages need; use csv or jsonl")
     if options.time == "utc" and not dated(clock):
         raise Failure("the log has no dates; use --time clock")
 
