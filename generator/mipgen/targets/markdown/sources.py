@@ -78,7 +78,7 @@ def _length_remark(page: Page, f: m.Field, s: m.Source) -> str:
         return f"length given as {code(s.length)} instead of {right}: {by}"
     if same(s.length, right.strip("`")) or same(s.length, computed_length(f, "wire")):
         return ""
-    return f"the length is given as {code(s.length)}, without vectors, structures and unions; it is {right}"
+    return f"length given as {code(s.length)} without vectors, structures and unions, instead of {right}"
 
 
 def defined(thing: m.Field) -> str:
