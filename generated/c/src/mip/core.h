@@ -34,7 +34,7 @@ typedef enum mip_error {
     /** The bytes do not start with the sync bytes of a packet. */
     MIP_ERROR_SYNC,
     /** A packet's size is not the length that it states, or something does not fit into a packet.
-     * */
+     */
     MIP_ERROR_LENGTH,
     /** The checksum of a packet does not match. */
     MIP_ERROR_CHECKSUM,
@@ -150,7 +150,7 @@ static inline struct mip_walk mip_walk_packet(const struct mip_packet *packet) {
 }
 
 /** Gets the next field. Returns false at the end; `error` is then MIP_OK if all fields are valid.
- * */
+ */
 static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field) {
     const size_t left = (size_t)(walk->end - walk->at);
     if (left == 0) {
@@ -360,7 +360,7 @@ struct mip_codec {
     /** Size of the structure. */
     uint16_t size;
     /** The number of further descriptor sets in which it occurs; they are right before `program`.
-     * */
+     */
     uint8_t more_sets;
     /** MIP_SHAPE of a layout that is only numbers, the widest first, without gaps; else 0. */
     uint8_t shape;

@@ -248,7 +248,7 @@ MIP_API struct mip_result mip_device_send(struct mip_device *device,
                                           size_t size);
 
 /** Like mip_device_send, for a command that always requests a response: one of those in `exchange`.
- * */
+ */
 MIP_API struct mip_result mip_device_request(struct mip_device *device,
                                              const struct mip_exchange *exchange,
                                              const uint8_t *data, size_t size,

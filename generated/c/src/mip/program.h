@@ -83,7 +83,7 @@ enum {
 };
 
 /** The descriptor sets of a field except the first one. They are placed right before the program.
- * */
+ */
 #define MIP_MORE_SETS(...) __VA_ARGS__
 
 /** Ends a program, or a part of it. */
@@ -116,7 +116,7 @@ enum {
  * each time it uses `wire` bytes of the field. */
 #define MIP_COUNTED(size, capacity, wire, place) MIP_STEP_COUNTED, size, capacity, wire, place
 /** Repeats the next step until the field ends; a member of one byte is the number of repetitions.
- * */
+ */
 #define MIP_REST(capacity, wire, place) MIP_STEP_REST, 1, capacity, wire, place
 /** Structures of one type: `count` of them. The next `length` bytes are their program. */
 #define MIP_EACH(count, type, length, place) \
@@ -146,7 +146,7 @@ struct mip_interpreter {
 /** The interpreter for a descriptor's only layout. */
 extern const struct mip_interpreter mip_program;
 /** The interpreter for one of several layouts, whose program begins with MIP_SIZES or MIP_LAYOUT.
- * */
+ */
 extern const struct mip_interpreter mip_layout;
 
 #ifdef __cplusplus

@@ -143,7 +143,7 @@ struct mip_parameter {
     /** For numbers and bits: the type that names them, or NULL. */
     const struct mip_names *names;
     /** For numbers whose type depends on the device or a parameter: the possible types. Else NULL.
-     * */
+     */
     const struct mip_reading *readings;
     /** For structures: their parameters. */
     const struct mip_record *record;

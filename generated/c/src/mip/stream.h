@@ -19,7 +19,7 @@ struct mip_piece {
     /** The offset of the first byte in the stream. */
     uint64_t offset;
     /** The bytes. They are valid until the next call, and while the caller's bytes are unchanged.
-     * */
+     */
     const uint8_t *bytes;
     /** Their number, at least 1. */
     size_t size;

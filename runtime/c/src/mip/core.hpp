@@ -313,7 +313,7 @@ struct field : mip_field {
         return mip_decode_only(&traits<T>::codec(), traits<T>::descriptor, &to, sizeof(to), this);
     }
     /** Like decode(value); `trailing` receives the number of bytes after the last known parameter.
-     * */
+     */
     template <MIP_LAYOUT_TYPE T> mip_error decode(T &value, std::size_t *trailing) const {
         c_type<T> &to = value;
         return mip_decode(&traits<T>::codec(), &to, this, trailing);
@@ -359,7 +359,7 @@ struct packet : mip_packet {
             return at.more_;
         }
         /** Returns, at the end, MIP_ERROR_FIELD_LENGTH if a malformed field is there, else MIP_OK.
-         * */
+         */
         mip_error error() const {
             return walk_.error;
         }

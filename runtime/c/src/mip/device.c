@@ -66,7 +66,7 @@ static void handle(struct mip_device *device, const struct mip_packet *packet) {
 }
 
 /** Reads once, into MIP_MAX_PACKET bytes, and updates the time. Returns false if the port is lost.
- * */
+ */
 static bool update(struct mip_device *device, uint8_t *bytes) {
     const struct mip_port *port = &device->port;
     const uint8_t *data = bytes;

@@ -56,7 +56,7 @@ class [[nodiscard]] basic_result {
         return static_cast<mip::outcome>(result_.outcome);
     }
     /** Returns the acknowledge code, if there was a reply: why the device has rejected the command.
-     * */
+     */
     ack_code code() const {
         return static_cast<ack_code>(result_.code);
     }

@@ -8,7 +8,7 @@
 /* The number of digits that distinguish every double from all others. */
 #define MAX_DIGITS 17
 /* Numbers with more digits before the point, or more zeros after it, are printed with an exponent.
- * */
+ */
 #define MAX_WHOLE 16
 #define MAX_ZEROS 3
 

@@ -31,7 +31,7 @@ struct mip_entry {
 };
 
 /** A descriptor set. Several sets may share the same entries, which need not occur in all of them.
- * */
+ */
 struct mip_set {
     /** Its number; 0 for all command sets, 0xFF for all data sets. */
     uint8_t number;
