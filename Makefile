@@ -87,9 +87,12 @@ PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dis
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only: make test SEED=2
 	@$(PYTEST) -m "not (heavy or cross or nightly)" $(TESTS)
 
+# Each run has a quarter of the longest tests, another one after each commit; `make nightly` has all. make test-all TURN=2
+test-all test-cross: TURN ?= $(shell git rev-list --count HEAD 2>/dev/null || echo 0)
+
 .PHONY: test-all
 test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, or need other compilers, browsers and Pythons
-	@$(PYTEST) -m "heavy and not nightly" $(TESTS)
+	@TURN=$(TURN) $(PYTEST) -m "heavy and not nightly" $(TESTS)
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
@@ -100,7 +103,7 @@ nightly: tools-all tools-cross tools-fuzz tools-miri tools-semver tools-workflow
 
 .PHONY: test-cross
 test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in emulators: big-endian, strict alignment, 32 bits, Cortex-M, AVR
-	@$(PYTEST) -m cross tests/cross
+	@TURN=$(TURN) $(PYTEST) -m "cross and not nightly" tests/cross
 
 # Of the generator, what runs in its process; and every printed packet in Python.
 SLOW := cli discovery install mutations output slices targets

@@ -1,0 +1,43 @@
+"""The longest tests take turns, and each has one."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from typing import Any
+
+import pytest
+import turns
+from support import ROOT
+
+
+class Item:
+    def __init__(self, nodeid: str, *marks: str) -> None:
+        self.nodeid, self.marks = nodeid, marks
+
+    def get_closest_marker(self, name: str) -> str | None:
+        return name if name in self.marks else None
+
+
+def test_what_is_named_exists() -> None:
+    for line in turns.lines():
+        file, _, test = line.partition("::")
+        text = (ROOT / file).read_text("utf-8")
+        assert not test or re.search(rf"^def {test}\(", text, re.MULTILINE), line
+
+
+def test_each_has_its_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(turns, "lines", lambda: ["a.py", "b.py::test_p", "c.py::test_q"])
+    names = ["a.py::test_1", "a.py::test_2", *(f"b.py::test_p[{i}]" for i in range(5)), "c.py::test_q", "c.py::test_r"]
+    items: Any = [Item(name, "cross" if name.startswith("c") else "heavy") for name in names]
+    items += [Item("b.py::test_p[light]")]
+    runs = Counter(
+        item.nodeid
+        for turn in range(7, 7 + turns.TURNS)
+        for item in items
+        if item not in turns.waiting(items, turn)
+    )  # fmt: skip
+    always = {"c.py::test_r": turns.TURNS, "b.py::test_p[light]": turns.TURNS}
+    assert runs == {name: 1 for name in names} | always
+    here = [item.nodeid for item in items if item not in turns.waiting(items, 0)]
+    assert here == ["a.py::test_1", "a.py::test_2", "b.py::test_p[3]", *sorted(always, reverse=True)]
