@@ -87,7 +87,7 @@ STREAMS = {
     "empty": bytes,
     "noise": lambda: random.Random(1).randbytes(3000) + b"\x75\x65\x80\x20" * 20_000 + b"no end" * 20_000 + GOOD * 3,
     "sentences": lambda: (GOOD + WRONG) * 5000,
-    **{f"damaged {seed}": lambda seed=seed: damaged(seed) for seed in range(SEED, SEED + rounds(2, 20))},
+    **{f"damaged {seed}": lambda seed=seed: damaged(seed) for seed in range(SEED, SEED + rounds(1, 20))},
 }
 
 
