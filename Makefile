@@ -121,8 +121,8 @@ mutate: $(VENV)/development.stamp ## change the project at random and report wha
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
 
 .PHONY: fuzz
-fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break a language or tell two apart, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
-	@$(RUN) tests/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(if $(TARGETS),--targets $(TARGETS))
+fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break a language or tell two apart, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client-random" SEED=2
+	@$(RUN) tests/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(addprefix --seed ,$(SEED)) $(if $(TARGETS),--targets $(TARGETS))
 
 .PHONY: prove
 prove: tools-prove $(VENV)/development.stamp ## prove properties of C for all inputs: make prove FIELD=base.ping SECONDS=300, make prove PLANT=1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import random
 import subprocess
 import sys
 from pathlib import Path
@@ -10,21 +11,19 @@ from pathlib import Path
 import c_build
 import pytest
 from c_build import SANITIZE
-from support import heavy, need
+from support import SEED, heavy, need
 
 HERE = Path(__file__).parent
 sys.path.append(str(HERE.parent / "fuzz"))
 import fuzz  # noqa: E402
 
 FLAGS = ["-std=c99", "-O1", *SANITIZE]
-LIMITS = {"ASAN_OPTIONS": "abort_on_error=1", "UBSAN_OPTIONS": "abort_on_error=1:print_stacktrace=1"}
 
 
 def replay(program: Path, inputs: list[bytes], count: int) -> subprocess.CompletedProcess[str]:
-    file = program.with_suffix(".hex")
-    file.write_text("".join(f"{data.hex()}\n" for data in inputs if data))
+    file = fuzz.hexadecimal(program.with_suffix(".hex"), inputs)
     return subprocess.run(
-        [str(program), str(file), str(count)], capture_output=True, text=True, env={**os.environ, **LIMITS}
+        [str(program), str(file), str(count)], capture_output=True, text=True, env={**os.environ, **fuzz.LIMITS}
     )
 
 
@@ -56,6 +55,32 @@ def test_replay_shows_what_fails(failure: str, tmp_path: Path) -> None:
     c_build.run(need("cc"), *flags, HERE / "fuzz/replay.c", target, "-o", program)
     done = replay(program, [b"\x01\x02", b"\x01\x02\x42"], 0)
     assert done.returncode == 3 and done.stderr.endswith(":\n010242\n"), done.stderr
+
+
+OVERFLOW = """#include "fuzz.h"
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    return (size == 3 && data[2] == 0x42 ? INT32_MAX : 0) + (int)size > 0;
+}
+"""
+
+
+@heavy("clang")
+def test_random_inputs_are_counted_and_one_that_traps_is_shown(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(fuzz, "BUILD", tmp_path)
+    monkeypatch.setattr(fuzz, "SLICE", 20_000)
+    counted = fuzz.at_random("parser-random", 3600, random.Random(SEED))
+    assert [next(counted), next(counted)] == [20_000, 20_000]
+
+    def wrong(name: str, program: Path, flags: list[str]) -> Path:
+        program.with_suffix(".c").write_text(OVERFLOW)
+        sources = (HERE / "fuzz/replay.c", program.with_suffix(".c"))
+        c_build.run(need("clang"), *fuzz.TRAPS, f"-I{HERE}/fuzz", *sources, "-o", program)
+        return program
+
+    monkeypatch.setattr(fuzz, "build_replay", wrong)
+    monkeypatch.setattr(fuzz, "known", lambda name: [b"\x01\x02\x42"])
+    with pytest.raises(SystemExit, match=r"/checked /.*/inputs 20000 \d+\nthe target failed with:\n....42\n$"):
+        next(fuzz.at_random("parser-random", 3600, random.Random(SEED)))
 
 
 @heavy("clang")

@@ -1,22 +1,25 @@
 """`make fuzz`: libFuzzer on each target for a while; inputs that reach new code are kept in corpus/, as text.
 
-    make fuzz TIME=60 TARGETS="parser fields-invented"
+    make fuzz TIME=60 TARGETS="parser fields-invented-random" SEED=2
 
 The targets of C are in tests/c/fuzz, those of Rust in tests/rust/fuzz. Inputs of one source have the same form in both
 languages, and each language begins with what was found in the other one. An input that fails is shown as hexadecimal:
-after the repair, add it to corpus/, as a line of its own. Python (tests/python/fuzz.py, with Atheris) and the
-comparison of all languages (differential.py) begin with these inputs, too, and keep none. counts.txt has how many
-inputs were run.
+after the repair, add it to corpus/, as a line of its own. `…-random` changes the known inputs at random, which is much
+faster, because nothing observes which code they reach. Python (tests/python/fuzz.py, with Atheris) and the comparison
+of all languages (differential.py) begin with these inputs, too, and keep none. counts.txt has how many inputs were run.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import random
 import re
 import shutil
 import subprocess
 import sys
+import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -53,9 +56,15 @@ TARGETS = {
 C = [name for name, target in TARGETS.items() if target.language == "c"]
 RUST = [name for name, target in TARGETS.items() if target.language == "rust"]
 
+#: Programs that change the known inputs at random, each with the target whose inputs they are.
+RANDOM = {f"{name}-random": name for name in TARGETS}
+SLICE = 1_000_000  # executions with one seed, which are then counted
+TRAPS = ["-std=c99", "-O2", "-fsanitize=undefined", "-fsanitize-trap=undefined"]
+LIMITS = {"ASAN_OPTIONS": "abort_on_error=1", "UBSAN_OPTIONS": "abort_on_error=1:print_stacktrace=1"}
+
 #: Targets without stored inputs, and the sources of Python's.
 PYTHON = {"python-parser": "parser", "python-fields": "fields"}
-OTHERS = [*PYTHON, "differential"]
+OTHERS = [*RANDOM, *PYTHON, "differential"]
 ATHERIS = "3.0.0"
 
 FLAGS = ["-std=c99", "-g", "-O1", "-fsanitize=fuzzer-no-link,address,undefined", "-fno-sanitize-recover=all"]
@@ -63,8 +72,9 @@ LARGEST = {"parser": 800, "fields": 260, "client": 400}  # bytes of an input, so
 
 #: The options of clang's fuzzer-no-link, in the form that Rust's stable compiler accepts; clang links libFuzzer.
 COVERAGE = ["level=4", "inline-8bit-counters", "pc-table", "trace-compares"]
-RUSTFLAGS = ["-Cpasses=sancov-module", *(f"-Cllvm-args=-sanitizer-coverage-{flag}" for flag in COVERAGE)]
-RUSTFLAGS += ["-Cdebug-assertions", "-Clinker=clang", "-Clink-arg=-fsanitize=fuzzer"]
+CHECKS = "-Cdebug-assertions"  # and with them, of overflow; as a setting of cargo's profile it would leave these out
+RUSTFLAGS = [CHECKS, "-Cpasses=sancov-module", *(f"-Cllvm-args=-sanitizer-coverage-{flag}" for flag in COVERAGE)]
+RUSTFLAGS += ["-Clinker=clang", "-Clink-arg=-fsanitize=fuzzer"]
 
 
 def begin(name: str) -> list[bytes]:
@@ -92,20 +102,31 @@ def keep(name: str, inputs: list[bytes]) -> None:
 def build(name: str, program: Path) -> Path:
     language, source, spec = TARGETS[name]
     if language == "rust":
-        return build_rust(source, spec, program)
+        return build_rust(source, spec, program, "libfuzzer", RUSTFLAGS=" ".join(RUSTFLAGS))
     library = c_build.archive(spec, "clang", *FLAGS)
     path = TESTS / f"c/fuzz/{source}.c"
     return c_build.compiled(program, spec, "clang", path, *FLAGS, "-fsanitize=fuzzer", library=library)
 
 
-def build_rust(source: str, spec: str, program: Path) -> Path:
-    binary = f'[[bin]]\nname = "libfuzzer"\npath = "{TESTS / "rust/fuzz/libfuzzer.rs"}"\ntest = false\n'
-    folder = crates.project(spec, "libfuzzer", binary)
+def build_replay(name: str, program: Path, flags: list[str]) -> Path:
+    language, source, spec = TARGETS[name]
+    if language == "rust":
+        flags = {"RUSTFLAGS": CHECKS, "CARGO_PROFILE_RELEASE_PANIC": "unwind"}
+        return build_rust(source, spec, program, "replay", **flags)
+    path = TESTS / "c/fuzz"
+    return c_build.compiled(program, spec, "clang", path / f"{source}.c", *flags, also=[path / "replay.c"])
+
+
+def binary(name: str) -> str:
+    return f'[[bin]]\nname = "{name}"\npath = "{TESTS / f"rust/fuzz/{name}.rs"}"\ntest = false\n'
+
+
+def build_rust(source: str, spec: str, program: Path, name: str, **environment: str) -> Path:
+    folder = crates.project(spec, name, binary(name))
     machine = crates.passes(folder, "-vV").partition("host: ")[2].split()[0]
     arguments = ("build", "--offline", "--quiet", "--release", "--target", machine)
-    flags = {"RUSTFLAGS": " ".join(RUSTFLAGS), "CARGO_PROFILE_RELEASE_LTO": "off"}
-    crates.passes(folder, *arguments, TARGET=source, **flags)
-    shutil.copy2(crates.WORK / f"target/{machine}/release/libfuzzer", program)
+    crates.passes(folder, *arguments, TARGET=source, CARGO_PROFILE_RELEASE_LTO="off", **environment)
+    shutil.copy2(crates.WORK / f"target/{machine}/release/{name}", program)
     return program
 
 
@@ -130,10 +151,15 @@ def executions(output: str) -> int:
     return int(re.findall(r"Done (\d+) runs", output)[-1])
 
 
-def fuzz(name: str, seconds: int) -> int:
+def empty(name: str) -> Path:
     folder = BUILD / f"fuzz/{name}"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
+    return folder
+
+
+def fuzz(name: str, seconds: int) -> Iterator[int]:
+    folder = empty(name)
     build(name, folder / "program")
     first = write(folder / "seeds", begin(name))
     before = write(folder / "known", known(name))
@@ -146,14 +172,34 @@ def fuzz(name: str, seconds: int) -> int:
     run(folder, "-merge=1", "-use_counters=0", merged, before, found)
     keep(name, [p.read_bytes() for p in merged.iterdir() if p.name not in seeded])
     print(f"{name}: {len(kept(name))} inputs kept")
-    return executions(output)
+    yield executions(output)
 
 
-def fuzz_python(name: str, seconds: int) -> int:
+def hexadecimal(path: Path, inputs: list[bytes]) -> Path:
+    path.write_text("".join(f"{data.hex()}\n" for data in inputs if data), "ascii")
+    return path
+
+
+def at_random(name: str, seconds: int, chance: random.Random) -> Iterator[int]:
+    folder, of = empty(name), RANDOM[name]
+    inputs = hexadecimal(folder / "inputs", [*begin(of), *known(of)])
+    source = [TARGETS[of].source] if TARGETS[of].language == "rust" else []
+    fast = build_replay(of, folder / "program", TRAPS)
+    checked = fast if source else build_replay(of, folder / "checked", c_build.SANITIZED)
+    number, end = 0, time.monotonic() + seconds
+    while time.monotonic() < end:
+        program = checked if number % 10 == 0 else fast
+        command = [program, *source, inputs, SLICE, chance.getrandbits(63)]
+        done = subprocess.run([str(c) for c in command], capture_output=True, text=True, env={**os.environ, **LIMITS})
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(map(str, command))}\n{done.stderr[-4000:]}")
+        number += 1
+        yield SLICE
+
+
+def fuzz_python(name: str, seconds: int) -> Iterator[int]:
     """Atheris is not part of the lock: it is available for few Pythons and systems."""
-    source, tool, folder = PYTHON[name], BUILD / "tools/atheris", BUILD / f"fuzz/{name}"
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
+    source, tool, folder = PYTHON[name], BUILD / "tools/atheris", empty(name)
     if not (tool / f"atheris-{ATHERIS}.dist-info").is_dir():
         pip = [sys.executable, "-m", "pip", "install", "--quiet", "--upgrade", "--target", tool, f"atheris=={ATHERIS}"]
         if subprocess.run([str(c) for c in pip], capture_output=True).returncode != 0:
@@ -166,28 +212,40 @@ def fuzz_python(name: str, seconds: int) -> int:
     )  # fmt: skip
     if done.returncode != 0:
         sys.exit(done.stdout[-4000:] + done.stderr[-4000:])
-    return executions(done.stderr)
+    yield executions(done.stderr)
 
 
-def compare(seconds: int) -> int:
+def compare(name: str, seconds: int, chance: random.Random) -> Iterator[int]:
     import differential  # it needs this module itself
 
-    return differential.Session(str(os.urandom(8))).run(seconds)
+    yield differential.Session(str(chance.random())).run(seconds)
+
+
+def run_target(name: str, seconds: int, chance: random.Random) -> Iterator[int]:
+    if name in TARGETS:
+        return fuzz(name, seconds)
+    if name in PYTHON:
+        return fuzz_python(name, seconds)
+    return (at_random if name in RANDOM else compare)(name, seconds, chance)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="make fuzz")
     parser.add_argument("--time", type=int, default=60, metavar="SECONDS", help="for each target")
+    parser.add_argument("--seed", type=int, default=time.time_ns(), help="of what is drawn at random")
     every = [*TARGETS, *OTHERS]
     parser.add_argument("--targets", nargs="*", default=every, choices=every)
     given = parser.parse_args()
     if problem := generate_invented():  # as before all tests
         sys.exit(problem)
+    print(f"seed {given.seed}")
+    chance = random.Random(given.seed)
     for name in given.targets:
-        how = fuzz if name in TARGETS else fuzz_python if name in PYTHON else lambda _, seconds: compare(seconds)
-        count = how(name, given.time)
-        counts.add(name, count)
-        print(f"{name}: {count:,} executions", flush=True)
+        total = 0
+        for count in run_target(name, given.time, chance):  # one that runs for hours may be stopped
+            counts.add(name, count)
+            total += count
+        print(f"{name}: {total:,} executions", flush=True)
 
 
 if __name__ == "__main__":

@@ -32,13 +32,12 @@ SPECS = {
 )
 def test_replay(name: str) -> None:
     inputs = [data for data in [*fuzz.begin(name), *fuzz.known(name)] if data]
-    replay = f'[[test]]\nname = "replay"\npath = "{HERE / "fuzz/replay.rs"}"\n'
-    folder = project(SPECS[name], "fuzz", replay)
+    folder = project(SPECS[name], "fuzz", fuzz.binary("replay"))
     file = WORK / f"{name}.hex"
     file.write_text("".join(f"{data.hex()}\n" for data in inputs))
     count = rounds(20_000, 2_000_000)
-    arguments = ("test", "--offline", "--quiet", "--test", "replay", "--", "--nocapture")
-    out = passes(folder, *arguments, TARGET=fuzz.TARGETS[name].source, INPUTS=str(file), COUNT=str(count))
+    arguments = ("run", "--offline", "--quiet", "--", fuzz.TARGETS[name].source, str(file), str(count))
+    out = passes(folder, *arguments)
     assert f"{len(inputs)} inputs and {count} that were made from them\n" in out
 
 
@@ -50,7 +49,7 @@ def test_all_targets_are_replayed() -> None:
 @pytest.mark.parametrize("name", fuzz.RUST)
 def test_libfuzzer(name: str, tmp_path: Path) -> None:
     """Runs briefly what `make fuzz` builds, with the small specification: it sees which code an input reaches."""
-    program = fuzz.build_rust(fuzz.TARGETS[name].source, "invented", tmp_path / "program")
+    program = fuzz.build_rust(fuzz.TARGETS[name].source, "invented", tmp_path / "program", "libfuzzer")
     kept = fuzz.write(tmp_path / "kept", fuzz.known(name))
     done = subprocess.run([str(program), "-runs=2000", str(kept)], capture_output=True, text=True)
     assert done.returncode == 0 and "Done 2000 runs" in done.stderr, done.stderr[-6000:]

@@ -13,10 +13,11 @@
 #include <unistd.h>
 
 #ifndef REPLAY_PATIENCE
-#define REPLAY_PATIENCE 60 /* seconds for one input */
+#define REPLAY_PATIENCE 60 /* seconds */
 #endif
 
 enum { LARGEST = 4096 };
+enum { FEW = 256 }; /* inputs that are run within this time; a system call for each would be slow */
 
 struct bytes {
     uint8_t *data;
@@ -54,9 +55,11 @@ static void run(const uint8_t *data, size_t size) {
     if (size > 0) {
         memcpy(current.data, data, size);
     }
-    alarm(REPLAY_PATIENCE);
+    static unsigned long count;
+    if (count++ % FEW == 0) {
+        alarm(REPLAY_PATIENCE);
+    }
     LLVMFuzzerTestOneInput(current.data, size);
-    alarm(0);
     free(current.data);
 }
 
@@ -107,13 +110,19 @@ static void read_inputs(const char *path) {
     fclose(file);
 }
 
-static uint32_t state;
+static uint64_t state;
+
+/* SplitMix64 of Steele, Lea and Flood: any seed will do, and 2^64 draws until it repeats itself. */
+static uint64_t draw(void) {
+    state += UINT64_C(0x9E3779B97F4A7C15);
+    uint64_t x = state;
+    x = (x ^ x >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+    x = (x ^ x >> 27) * UINT64_C(0x94D049BB133111EB);
+    return x ^ x >> 31;
+}
 
 static uint32_t chance(uint32_t below) {
-    state ^= state << 13;
-    state ^= state >> 17;
-    state ^= state << 5;
-    return state % below;
+    return (uint32_t)(draw() >> 32) % below;
 }
 
 static size_t insert(uint8_t *to, size_t size, const uint8_t *from, size_t count) {
@@ -128,9 +137,10 @@ static size_t insert(uint8_t *to, size_t size, const uint8_t *from, size_t count
 static size_t change(uint8_t *bytes, size_t size) {
     for (uint32_t changes = chance(4) + 1; changes > 0; changes--) {
         const size_t at = size > 0 ? chance((uint32_t)size) : 0;
+        const uint64_t drawn = draw();
         uint8_t fresh[8];
         for (size_t i = 0; i < sizeof(fresh); i++) {
-            fresh[i] = (uint8_t)chance(256);
+            fresh[i] = (uint8_t)(drawn >> 8 * i);
         }
         switch (chance(6)) {
         case 0:
@@ -165,10 +175,11 @@ static size_t change(uint8_t *bytes, size_t size) {
 int main(int argc, char **argv) {
     CHECK(argc == 3 || argc == 4);
     const unsigned long count = strtoul(argv[2], NULL, 10);
-    state = argc == 4 ? (uint32_t)strtoul(argv[3], NULL, 10) : 1;
-    CHECK(state != 0);
-    signal(SIGABRT, show);
-    signal(SIGALRM, show);
+    state = argc == 4 ? strtoull(argv[3], NULL, 10) : 1;
+    static const int ends[] = {SIGABRT, SIGALRM, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGTRAP};
+    for (size_t i = 0; i < sizeof(ends) / sizeof(ends[0]); i++) {
+        signal(ends[i], show);
+    }
     read_inputs(argv[1]);
     CHECK(input_count > 0);
     run(NULL, 0);

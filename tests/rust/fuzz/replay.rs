@@ -1,9 +1,7 @@
 //! The inputs of a file, one per line in hexadecimal, and others made from them at random:
-//! INPUTS=FILE TARGET=NAME COUNT=NUMBER.
+//! `replay TARGET FILE COUNT [SEED]`.
 
 mod targets;
-
-use std::env::var;
 
 fn bytes(line: &str) -> Vec<u8> {
     let digits: Vec<u8> =
@@ -11,12 +9,13 @@ fn bytes(line: &str) -> Vec<u8> {
     digits.chunks(2).map(|pair| pair[0] << 4 | pair[1]).collect()
 }
 
-#[test]
-fn nothing_fails() {
-    let (name, file) = (var("TARGET").unwrap(), var("INPUTS").unwrap());
-    let (_, run) = targets::TARGETS.iter().find(|(target, _)| *target == name).unwrap();
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    let [_, name, file, count, seed @ ..] = &arguments[..] else { panic!("{arguments:?}") };
+    let count: u64 = count.parse().unwrap();
+    let (_, run) = targets::TARGETS.iter().find(|(target, _)| target == name).unwrap();
     let inputs: Vec<Vec<u8>> = std::fs::read_to_string(file).unwrap().lines().map(bytes).collect();
-    let mut random = 1_u64;
+    let mut random: u64 = seed.first().map_or(1, |seed| seed.parse().unwrap());
     let mut below = |end: usize| {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         (random >> 33) as usize % end.max(1)
@@ -28,16 +27,21 @@ fn nothing_fails() {
         }
     };
     inputs.iter().for_each(|input| try_it(input));
-    let count: usize = var("COUNT").unwrap().parse().unwrap();
+    let mut input = Vec::new();
     for _ in 0..count {
-        let mut input = inputs[below(inputs.len())].clone();
+        input.clone_from(&inputs[below(inputs.len())]);
         for _ in 0..=below(4) {
             let at = below(input.len());
-            match below(4) {
+            match below(5) {
                 0 => input.truncate(at),
-                1 => input.extend_from_slice(&inputs[below(inputs.len())]),
+                1 => {
+                    let other = &inputs[below(inputs.len())];
+                    let end = at + below(input.len() - at + 1);
+                    input.splice(at..end, other[below(other.len())..].iter().copied());
+                }
                 _ if input.is_empty() => {}
                 2 => input[at] = below(256) as u8,
+                3 => input[at] = below(8) as u8,
                 _ => input[at] ^= 1 << below(8),
             }
         }
