@@ -47,14 +47,14 @@ def test_what_agrees(tmp_path: Path) -> None:
         ("number: 4001,", "number: 4003,", "models.yaml:2: no device has the model number 4003"),
         ("name: Old 1", "name: Older", "models.yaml:2: old-1 is not called 'Older'"),
         ("also: First", "also: Second", "models.yaml:2: old-1 is not called 'Second'"),
-        ("generation: 3", "generation: 4", "models.yaml:3: model-c is of the generation 3"),
+        ("generation: 3", "generation: 4", "models.yaml:3: model-c is generation 3 in the specification"),
         ("value: 4001", "value: 4003", "devices.yaml:2: no device has the model number 4003"),
         ("seen: [0x01, 0x7E]", "seen: [0x03]", "devices.yaml:4: old-1 does not support (0x01,0x03)"),
         ("inferred: [0x02]", "seen: [0x02]", "devices.yaml:5: old-1 does not support (0x80,0x02) for certain"),
         ("inferred: [0x02]", "inferred: [0x03]", "devices.yaml:5: old-1 does not support (0x80,0x03)"),
         ("contents: [0x03, 0x0C]", "contents: [0x08]", "devices.yaml:8: model-c does not support (0x01,0x08)"),
-        ("0x80: 1000", "0x80: 500", "devices.yaml:9: model-c has the base rate 1000 of the set 0x80"),
-        ("value: 250", "value: 500", "devices.yaml:9: model-c has the base rate 250 of the set 0x81"),
+        ("0x80: 1000", "0x80: 500", "devices.yaml:9: model-c has base rate 1000 for set 0x80 in the specification"),
+        ("value: 250", "value: 500", "devices.yaml:9: model-c has base rate 250 for set 0x81 in the specification"),
     ],
 )
 def test_what_differs(tmp_path: Path, old: str, new: str, message: str) -> None:

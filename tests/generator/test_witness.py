@@ -532,7 +532,7 @@ def test_auditing_a_working_copy(tmp_path: Path, capsys: pytest.CaptureFixture[s
 def test_a_working_copy_of_another_form(tmp_path: Path) -> None:
     copy = working_copy(tmp_path)
     (copy / "src/cpp/mip/definitions/commands_radio.cpp").write_text("// empty\n", "utf-8")
-    with pytest.raises(Failure, match="definitions of another form: nothing defines 'Tune"):
+    with pytest.raises(Failure, match="definitions have an unknown format: nothing defines 'Tune"):
         sdk.extract(copy)
 
 

@@ -1,1 +1,1 @@
-"""Facts of manuals and other sources that the specification does not have."""
+"""Compares the specification with manuals and other sources."""

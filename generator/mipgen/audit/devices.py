@@ -1,8 +1,8 @@
-"""Compares the devices of the specification with the facts of another source.
+"""Compares the devices of the specification with facts from another source.
 
-These facts are not part of the project. They are two files in one folder: `models.yaml` has the models by name and
-number, `devices.yaml` what is known of single devices: commands, data and base rates. A file that is not there is not
-compared. Facts about all layouts are beside them, in `witness.yaml`, which `witnesses` compares.
+These facts are not part of the project. They are in two files of one folder: `models.yaml` lists the names and numbers
+of the models, and `devices.yaml` lists the known commands, data and base rates of each device. A missing file is
+skipped. The same folder may contain `witness.yaml`, with facts about all layouts, which `witnesses` compares.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from .manuals import Finding
 
 MODELS, DEVICES, WITNESS = "models.yaml", "devices.yaml", "witness.yaml"
 
-#: The source's certainty about a field: read in a manual, or in its table of contents, or inferred from it.
+#: The source's certainty about a field: seen in a manual, or only listed in its table of contents or inferred from it.
 CERTAIN, PERHAPS = ("seen",), ("contents", "inferred")
 
 
 def audit(model: m.Model, folder: Path) -> list[Finding]:
-    """All differences. Raises SpecError where a file cannot be read."""
+    """Returns all differences. Raises SpecError if a file cannot be read."""
     problems = Problems()
     findings: list[Finding] = []
     for name, compare in ((MODELS, _models), (DEVICES, _devices)):
@@ -42,7 +42,7 @@ def _by_number(model: m.Model, number: int) -> m.Device | None:
 
 
 def _models(model: m.Model, root: Node) -> Iterator[Finding]:
-    """Checks that each model is a device, under all its names."""
+    """Checks that each model is a device of the specification, with all its names."""
     for node in root["models"]:
         number = node["number"]
         device = _by_number(model, number.value)
@@ -53,7 +53,7 @@ def _models(model: m.Model, root: Node) -> Iterator[Finding]:
             if key in node and node[key].value not in (device.title, *device.also):
                 yield _finding(node[key].position, f"{device.id} is not called '{node[key].value}'")
         if node["generation"].value != device.generation:
-            yield _finding(node["generation"].position, f"{device.id} is of the generation {device.generation}")
+            yield _finding(node["generation"].position, f"{device.id} is generation {device.generation} in the specification")
 
 
 def _devices(model: m.Model, root: Node) -> Iterator[Finding]:
@@ -70,13 +70,13 @@ def _devices(model: m.Model, root: Node) -> Iterator[Finding]:
 
 
 def _numbers(node: Node) -> list[int]:
-    """Reads one model number, or those of several devices."""
+    """Returns the model number of one device, or the model numbers of several."""
     entries = [node["value"]] if "value" in node else node.value.values()
     return [entry.value for entry in entries if isinstance(entry.value, int)]
 
 
 def _support(model: m.Model, device: m.Device, number: int, lists: Node) -> Iterator[Finding]:
-    """Certain support must be certain here, too; other support must be listed. Fields without a layout are left out."""
+    """Checks that support that is certain in the source is certain here, and that other support is at least listed."""
     certain = {(s.set, s.field.descriptor) for s in device.certain}
     listed = {(s.set, s.field.descriptor) for s in device.supports}
     for words, known in ((CERTAIN, certain), (PERHAPS, listed)):
@@ -93,4 +93,4 @@ def _rates(device: m.Device, node: Node) -> Iterator[Finding]:
     for key, entry in node["base_rates"].items() if "base_rates" in node else ():
         rate = entry.get("value") or entry
         if key.startswith("0x") and ours.get(int(key, 16)) != rate.value:
-            yield _finding(rate.position, f"{device.id} has the base rate {ours.get(int(key, 16))} of the set {key}")
+            yield _finding(rate.position, f"{device.id} has base rate {ours.get(int(key, 16))} for set {key} in the specification")

@@ -1,7 +1,7 @@
-"""The numbers of a layout in wire order, of the model and of a witness alike, so that they can be compared one by one.
+"""Flattens layouts of the model and of witnesses to numbers in wire order, so that they can be compared one by one.
 
-A vector is its elements, a structure its members, an array of fixed length its items; an item of an array whose length
-varies appears once, with the source of its count.
+A vector becomes its elements, a structure its members, and a fixed-length array its items. An item of a variable-length
+array appears once, with the source of its count.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 
 from mipgen import model as m
 
-#: The count of an array: the name of its counter, or REST. None: a single number.
+#: The length of an array: the name of its counter, or REST; None for a single number.
 Repeat = str | None
 
 #: Smallest and largest value, and exclusive bounds.
@@ -33,10 +33,10 @@ class Leaf:
     default: Any = None
     needed: str | None = None  # the functions that require it
     valid: frozenset[int] | None = None  # the bits that mark it as valid
-    cases: Any = None  # of a union: tag, and number of the case -> leaves
+    cases: Any = None  # of a union: its tag, and case number -> leaves
     optional: bool = False
     most: int | None = None  # of a witness: the capacity of the array that this number counts
-    label: bool = False  # of a witness: its name consists of words of a text
+    label: bool = False  # of a witness: its name is made of words from a text
     position: m.Position | None = None
 
     @property
@@ -108,7 +108,7 @@ def _of_element(p: m.Parameter, record: Sequence[m.Parameter], base: Leaf) -> li
 
 
 def _default(p: m.Parameter) -> Any:
-    """The default, as a number where it is the name of a value; that of a device, where there is no other."""
+    """Returns the default, as a number if it is a named value; a device's default if there is no general one."""
     given = p.default if p.default is not None else next((v.default for v in p.variants if v.default is not None), None)
     value = p.element.by_name(given) if isinstance(p.element, m.Enum) and isinstance(given, str) else None
     return value.value if value else given
@@ -130,7 +130,7 @@ def _bounds(p: m.Parameter) -> tuple[tuple[str, float], ...]:
 
 
 def _valid(p: m.Parameter, record: Sequence[m.Parameter], index: int) -> frozenset[int]:
-    """The first bit of the flag that marks an element as valid; 0 for a bool."""
+    """Returns the first bit of the flag that marks an element as valid; 0 for a bool."""
     if not p.valid:
         return frozenset()
     flags, _, name = (p.valid[index] if len(p.valid) > 1 else p.valid[0]).partition(".")
@@ -143,7 +143,7 @@ def _valid(p: m.Parameter, record: Sequence[m.Parameter], index: int) -> frozens
 
 
 class Reader:
-    """Reads a witness as leaves. Manuals name structures that only another witness defines, so it looks in all."""
+    """Converts a witness to leaves. Manuals use structures that only another witness defines, so it searches all."""
 
     def __init__(self, witnesses: Iterable[dict[str, Any]]) -> None:
         self.vectors: dict[str, Any] = {}
@@ -212,7 +212,7 @@ class Reader:
 
 
 def _said(p: dict[str, Any]) -> tuple[tuple[str, float], ...]:
-    """The bounds; a byte with the values 0 and 1 has no other."""
+    """Returns the bounds: 0 and 1 for a byte that has only these values."""
     low, high = p.get("range", (None, None))
     if _switch(p):
         low, high = 0, 1

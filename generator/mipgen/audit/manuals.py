@@ -1,8 +1,8 @@
-"""Reads the text of a manual and lists what the specification does not account for.
+"""Reads a manual's text and lists everything in it that the specification does not cover.
 
-The manuals are not part of the project; anybody who has them can check the specification against them.
-It looks for headings of descriptors, printed packets, and references to descriptors such as (0x0C,0x28).
-Conversely, each section that may be cited must be in the manual.
+The manuals are not part of the project; anybody who has them can check the specification against them. It looks for
+headings with descriptors, printed packets, and references to descriptors such as (0x0C,0x28). Conversely, each section
+that the specification may cite must be in the manual.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _CELL = re.compile(rf"(?:<b>)?0x({_HEX}{{2}})(?:</b>)?$")
 
 @dataclass(frozen=True, slots=True, order=True)
 class Finding:
-    """A part of a manual that the specification does not have."""
+    """A difference between the specification and a line of another source."""
 
     file: str
     line: int
@@ -49,7 +49,7 @@ def audit(model: m.Model, manual: str, path: Path) -> list[Finding]:
 
 
 def _sections(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:
-    """Each section of the list is a line of the manual; "Page > Heading" is two lines, one below the other."""
+    """Checks that each listed section is a line of the manual; "Page > Heading" is two lines, in this order."""
     places: dict[str, list[int]] = {}
     for number, line in enumerate(lines, 1):
         places.setdefault(_plain(line), []).append(number)
@@ -67,7 +67,7 @@ def _sections(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[i
 
 
 def _headings(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:
-    """Each heading that names a descriptor is cited by the field that it defines."""
+    """Checks that each heading with a descriptor is cited by the field that it defines."""
     places = ((o, f.descriptor) for f in model.fields for o in f.occurrences)
     cited = {(o.set, d, _plain(s.section)) for o, d in places for s in o.sources if s.manual == manual}
     for number, line in enumerate(lines, 1):
@@ -79,12 +79,12 @@ def _headings(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[i
 
 
 def _plain(heading: str) -> str:
-    """A heading without numbering, marks and spaces, which converters and authors write differently."""
+    """Returns a heading without numbering, punctuation and spaces, which differ between converters and authors."""
     return re.sub(r"^[\W_]*(\d+(\.\d+)*\.? )?|[\W_]", "", heading).lower()
 
 
 def _references(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:
-    """Each (set,descriptor) is defined, or an erratum says that it is not."""
+    """Checks that each (set,descriptor) is defined, or that an erratum reports it as undefined."""
     undefined = {c.subject for e in model.errata if e.manual == manual for c in e.claims if c.kind == "reference"}
     for number, line in enumerate(lines, 1):
         for match in _REFERENCE.finditer(line):
@@ -93,14 +93,14 @@ def _references(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple
             pair = (int(match[1], 16), int(match[2], 16))
             name = f"0x{pair[0]:02X},0x{pair[1]:02X}"
             if pair != model.protocol.sync and not model.candidates(*pair) and name not in undefined:
-                yield number, f"({name}) is neither defined nor called undefined by an erratum"
+                yield number, f"({name}) is not defined, and no erratum reports this"
 
 
 # --------------------------------------------------------------------------- packets
 
 
 def _packets(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:
-    """Each packet in the manual is an example, as often as it appears."""
+    """Checks that each packet in the manual is an example, as often as the manual prints it."""
     examples = [e for e in model.examples if e.manual == manual]
     strings = Counter("".join(e.string.split()).lower() for e in examples if e.string is not None)
     tables = Counter(_head(e.table) for e in examples if e.table is not None and e.role != "field")
@@ -108,7 +108,7 @@ def _packets(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[in
         for match in _STRING.finditer(line):
             digits = "".join(match[0].split()).lower()
             if strings[digits] == 0:
-                yield number, f"no example has the string {match[0]}"
+                yield number, f"no example contains the string {match[0]}"
             strings[digits] -= 1
         row = _row(line)
         if row is not None:
@@ -121,7 +121,7 @@ def _packets(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[in
 
 
 def _row(line: str) -> tuple[int | None, ...] | None:
-    """The first six bytes of a packet in a table row, if the line is one."""
+    """Returns the first six bytes of the packet in a table row; None if the line is not such a row."""
     cells = [c.strip() for c in line.split("\t")]
     for i, cell in enumerate(cells):
         if cell == "0x75" and i + 1 < len(cells) and cells[i + 1] == "0x65":

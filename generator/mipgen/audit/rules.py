@@ -1,7 +1,7 @@
-"""Compares the model with rules: facts that follow from the kind of a quantity, such as the range of a latitude.
+"""Compares the model with rules: facts that follow from the kind of quantity, such as the range of a latitude.
 
-They are the witness for facts that no source prints. A rule looks at names and at other facts of a parameter, never at
-the fact that it states.
+Rules are the witness for facts that no source documents. A rule selects parameters by their names and other facts,
+never by the fact that it checks.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Any
 
 from mipgen import model as m
 
-#: Scalars by the values that they can hold.
+#: Classes of scalars that rules can name.
 _CLASSES = {"unsigned": ("u8", "u16", "u32", "u64"), "float": ("float", "double")}
 
 
@@ -25,7 +25,7 @@ class Finding:
 
 
 def compare(model: m.Model, rules: list[dict[str, Any]]) -> Iterator[tuple[str, Finding | None]]:
-    """For each fact that a rule states, its kind and the difference. If several rules apply, the first one counts."""
+    """Yields the kind of each fact that a rule checks, and the difference or None. The first applicable rule counts."""
     for at, record in _records(model):
         for p in record:
             stated = set[str]()
@@ -40,7 +40,7 @@ def compare(model: m.Model, rules: list[dict[str, Any]]) -> Iterator[tuple[str, 
 
 
 def _records(model: m.Model) -> Iterator[tuple[str, tuple[m.Parameter, ...]]]:
-    """The parameters of each field and of each structure, which several fields may have."""
+    """Yields the name and the parameters of each field and, once, of each structure that fields contain."""
     seen = set[str]()
     for field in model.fields:
         yield field.full_name, field.parameters
@@ -72,7 +72,7 @@ def _any(patterns: list[str] | None, name: str) -> bool:
 
 
 def _scalar(p: m.Parameter) -> str:
-    """The scalar of a plain number or of a vector; empty for types with named values or members."""
+    """Returns the scalar type of a plain number or of a vector's elements; empty for any other type."""
     return p.element.name if isinstance(p.element, m.Scalar) else getattr(_vector(p), "name", "")
 
 
@@ -80,7 +80,7 @@ def _vector(p: m.Parameter) -> m.Scalar | None:
     return p.element.scalar if isinstance(p.element, m.Vector) else None
 
 
-# --------------------------------------------------------------------------- what differs; None: nothing to compare
+# ----------------------------------------- differences: None if there is nothing to compare, empty if there is none
 
 
 def _range(said: list[float | None], p: m.Parameter, _: object) -> str | None:
@@ -91,7 +91,7 @@ def _range(said: list[float | None], p: m.Parameter, _: object) -> str | None:
 
 
 def _if_range(said: list[float | None], p: m.Parameter, record: object) -> str | None:
-    """Like `_range`, but only where the specification states a range."""
+    """Like `_range`, but only if the specification limits the parameter."""
     return _range(said, p, record) if (p.minimum, p.maximum, p.above, p.below) != (None,) * 4 else None
 
 
@@ -108,7 +108,7 @@ def _unit(said: list[str], p: m.Parameter, _: object) -> str | None:
 
 
 def _unit_of(said: str, p: m.Parameter, record: tuple[m.Parameter, ...]) -> str | None:
-    """The unit must be that of the parameter whose name lacks this part, or has another in its place."""
+    """Requires the unit of a similar parameter, whose name lacks this part or has another one instead."""
     old, _, new = said.partition(" -> ")
     twin = next((q for q in record if q is not p and q.name == p.name.replace(old, new)), None)
     if twin is None or not twin.units:
@@ -124,7 +124,7 @@ def _type(said: str, p: m.Parameter, _: object) -> str | None:
 
 
 def _default(said: list[str | float], p: m.Parameter, _: object) -> str | None:
-    """This number, or the value of such a name, if there is one, and a default at all."""
+    """Compares a default with the rule's number, or with the first of its names that is a value of the enumeration."""
     values = [v.name for v in p.element.values] if isinstance(p.element, m.Enum) else []
     wanted = next((x for x in said if x in values or not isinstance(x, str)), None)
     if wanted is None or p.default is None:
@@ -133,7 +133,8 @@ def _default(said: list[str | float], p: m.Parameter, _: object) -> str | None:
 
 
 def _flags(said: str, p: m.Parameter, record: tuple[m.Parameter, ...]) -> str | None:
-    """Flags have the order of their values: no bit is skipped, and no value between two that have one lacks it."""
+    """Checks that valid flags are in the order of the parameters: no bit is skipped, and no parameter between two with
+    flags lacks one."""
     places = [(q, *_bits(q, record)) for q in record if q.valid]
     before = [last for q, _, last in places if record.index(q) < record.index(p)]
     after = [first for q, first, _ in places if record.index(q) > record.index(p)]
@@ -144,7 +145,7 @@ def _flags(said: str, p: m.Parameter, record: tuple[m.Parameter, ...]) -> str | 
 
 
 def _bits(p: m.Parameter, record: tuple[m.Parameter, ...]) -> tuple[int, int]:
-    """The bits of the flags of its first and last element; 0 for a bool."""
+    """Returns the bits that validate a parameter's first and last elements; 0 for a bool."""
     numbers = []
     for one in (p.valid[0], p.valid[-1]):
         holder, _, name = one.partition(".")

@@ -1,8 +1,8 @@
 """Extracts facts from a working copy of the vendor's SDK: its layouts, and the comments on each number.
 
-Members and comments are read from `definitions/*.hpp`; their order, counts, conditions and functions from what
-`extract` does in `definitions/*.cpp`. A program wrote both, so uniformly that it is enough to read them line by line.
-Only facts are extracted, in the form of `spec/witness`.
+Members and comments are read from `definitions/*.hpp`; their order, counts, conditions and functions from the `extract`
+functions in `definitions/*.cpp`. Both are generated and so uniform that they can be read line by line. Only facts are
+extracted, in the format of `spec/witness`.
 """
 
 from __future__ import annotations
@@ -60,12 +60,12 @@ def is_working_copy(folder: Path) -> bool:
 
 
 def extract(folder: Path) -> dict[str, Any]:
-    """The facts of a working copy, in the form of a file of `spec/witness`."""
+    """Returns the facts of a working copy in the format of a `spec/witness` file."""
     try:
         return _facts(folder)
     except (KeyError, StopIteration, OSError) as error:
         reason = error.strerror if isinstance(error, OSError) else f"nothing defines {error}"
-        raise Failure(f"this SDK has definitions of another form: {reason}", str(folder / DEFINITIONS)) from error
+        raise Failure(f"this SDK's definitions have an unknown format: {reason}", str(folder / DEFINITIONS)) from error
 
 
 def _facts(folder: Path) -> dict[str, Any]:
@@ -91,7 +91,7 @@ def _facts(folder: Path) -> dict[str, Any]:
 
 
 def revision(folder: Path) -> dict[str, str]:
-    """Commit and date of a working copy, if git knows them."""
+    """Returns commit and date of a working copy; empty if git is missing or has no history of it."""
     command = ["git", "-C", str(folder), "log", "-1", "--format=%H %cs"]
     git = subprocess.run(command, capture_output=True, text=True, check=False) if shutil.which("git") else None
     commit, date = git.stdout.split() if git is not None and git.returncode == 0 else ("", "")
@@ -100,15 +100,15 @@ def revision(folder: Path) -> dict[str, str]:
 
 _SOURCE = {"name": "MicroStrain MIP SDK", "repository": "github.com/HBK-MicroStrain/mip_sdk", "licence": "MIT"}
 
-#: Sets of further receivers, by the names of their constants.
+#: Matches the constants of the descriptor sets of further receivers.
 _GNSS = re.compile(r"MIP_GNSS\d_DATA_DESC_SET").match
 
-#: The one structure that is not among the definitions.
+#: The only structure outside of the definitions.
 _PUBLIC_STRUCTS = {"DescriptorRate": [{"name": "descriptor", "type": "u8"}, {"name": "decimation", "type": "u16"}]}
 
 
 def _codes(folder: Path) -> dict[str, Any]:
-    """The function selectors and the codes of the acknowledge, which are defined in C."""
+    """Returns the function selectors and the acknowledge codes, which C headers define."""
     enums = {}
     for name, file, prefix in (
         ("CmdResult", "mip_result.h", r"MIP_(?=N?ACK)"),
@@ -128,11 +128,11 @@ class _Scope:
     """A namespace, structure, union, enumeration or bitfield of a header."""
 
     kind: str
-    name: str  # with the names of the types around it, but without the namespace
+    name: str  # with the enclosing types, but without the namespace
     scalar: str = ""
     numbers: dict[str, int] = field(default_factory=dict)  # values, masks, descriptors or constants
     members: dict[str, dict[str, Any]] = field(default_factory=dict)
-    descriptor: str = ""  # the name of its number
+    descriptor: str = ""  # the name of the constant
     functions: str = ""
     about: str = ""
 
@@ -142,14 +142,14 @@ class _Step:
     """A number, or an array, that `extract` reads."""
 
     member: str
-    written: bool  # only for the function write, in some also for read
+    written: bool  # only for function write, in some fields also for read
     letters: str
-    repeat: int | str | None  # a number of items, a counter, or "rest"
-    case: tuple[str, str] | None  # the parameter, and its value, that select it
+    repeat: int | str | None  # the number of items, the counter's name, or "rest"
+    case: tuple[str, str] | None  # the parameter that selects it, and the value
 
 
 def _scopes(lines: list[str], space: str) -> Iterator[_Scope]:
-    """Each scope of a header, at its end. Braces of functions are counted only."""
+    """Yields each scope of a header when it ends. The braces of functions are only counted."""
     stack: list[_Scope | None] = []
     pending: _Scope | None = None
     about: list[str] = []
@@ -181,7 +181,7 @@ def _scopes(lines: list[str], space: str) -> Iterator[_Scope]:
 
 
 def _begun(line: str, inside: _Scope | None, space: str) -> _Scope | None:
-    """The scope that begins with a line, if one does."""
+    """Returns the scope that begins on a line; None if none does."""
     if match := _SCOPE.match(line):
         kind, name, base = match[1], match[2], match[3] or ""
         if kind == "namespace":
@@ -197,7 +197,7 @@ def _begun(line: str, inside: _Scope | None, space: str) -> _Scope | None:
 
 
 def _member(scope: _Scope, line: str) -> None:
-    """A line directly in a scope."""
+    """Adds the content of a line that is directly inside a scope."""
     if match := _DESCRIPTOR.search(line):
         scope.descriptor = match[1]
     elif (match := _NUMBER.match(line)) and "NAME" not in line:
@@ -207,7 +207,7 @@ def _member(scope: _Scope, line: str) -> None:
 
 
 def _steps(lines: list[str]) -> dict[str, list[_Step]]:
-    """The values that `extract` reads for each structure, in order."""
+    """Returns the values that `extract` reads for each structure, in order."""
     steps_of: dict[str, list[_Step]] = {}
     steps: list[_Step] | None = None
     conditions: list[str] = []
@@ -296,7 +296,7 @@ class _Definitions:
         return shown
 
     def constants(self) -> dict[str, dict[str, int]]:
-        """Numbers with names that are neither values nor descriptors, by the scope that they are in."""
+        """Returns the constants that are neither enumeration values nor descriptors, by scope."""
         spaces = {}
         for s in self.scopes.values():
             prefixes = ("DESCRIPTOR_SET", *(f"{role}_" for role in _ROLES)) if s.kind == "namespace" else ()
@@ -306,7 +306,7 @@ class _Definitions:
         return spaces
 
     def named(self) -> dict[str, str]:
-        """Descriptors without a layout."""
+        """Returns the descriptors without a layout."""
         used = {s.descriptor for s in self.scopes.values()}
         wanted = [k for k in self.descriptors if k.partition("_")[0] in _ROLES and k not in used]
         return {self.key(k): k for k in wanted}
@@ -314,7 +314,7 @@ class _Definitions:
     # ------------------------------------------------------------------ parameters
 
     def record(self, scope: _Scope, functions: str) -> list[dict[str, Any]]:
-        """The parameters in the order in which they are read; those of a union are its cases."""
+        """Returns the parameters in the order in which they are read; the members of a union are its cases."""
         parameters: dict[str, dict[str, Any]] = {}
         for step in self.steps[scope.name]:
             name, _, inner = step.member.partition(".")
@@ -336,7 +336,7 @@ class _Definitions:
         return list(parameters.values())
 
     def find(self, name: str, scope: _Scope) -> str:
-        """A type by its name, as C++ looks for it: in the scope, and in each around it."""
+        """Finds a type by name, as C++ does: in the scope, then in each enclosing one."""
         around = scope.name.split("::")
         candidates = ["::".join([*around[:i], name]) for i in range(len(around), -1, -1)]
         return next(c for c in candidates if c in self.scopes)
@@ -365,7 +365,7 @@ class _Definitions:
         return p | self.meaning(text, p, scope.about)
 
     def meaning(self, text: str, p: dict[str, Any], about: str) -> dict[str, Any]:
-        """The meaning in the comment; a type that is named has its meaning elsewhere."""
+        """Returns the facts in a member's comment; none for a named type, which has its own definition."""
         if {"enum", "bitfield", "struct"} & {*p} or p["type"] == "union":
             return {}
         plain = re.sub(r"<br */?>|</?[bui]>|//$", " ", text)

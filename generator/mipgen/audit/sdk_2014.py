@@ -1,9 +1,10 @@
-"""Extracts facts from the vendor's first SDK, in C: the layouts of commands and responses that no later source has.
+"""Extracts facts from the vendor's first SDK, in C: the layouts of commands and responses that no later source
+contains.
 
-A structure of its headers is the data of a field, member by member; what a function takes and returns is a command and
-its response. Comments before a function say which functions the command has, and which arguments are returned. What
-cannot be read like this, such as an array of a computed length, is left out: only facts are extracted, in the form of
-`spec/witness`.
+A structure in its headers is the data of a field, member by member; the inputs and outputs of a C function are a
+command and its response. The comment before a C function lists the command's function selectors and the output
+arguments. Anything else, such as an array with a computed length, is skipped. Only facts are extracted, in the format
+of `spec/witness`.
 """
 
 from __future__ import annotations
@@ -21,13 +22,13 @@ LIBRARY = Path("MIPSDK/C/Library")
 
 _SOURCE = {"name": "MIP SDK of 2014", "repository": "github.com/ros-drivers/microstrain_mips"}
 
-#: Names of sets in those of descriptors: MIP_3DM_CMD_..., MIP_AHRS_DATA_...
+#: Descriptor sets, by their names in descriptor constants: MIP_3DM_CMD_..., MIP_AHRS_DATA_...
 _COMMANDS = {"3DM": 0x0C, "FILTER": 0x0D, "SYSTEM": 0x7F}
 _DATA = {"AHRS": 0x80, "GPS": 0x81, "FILTER": 0x82}
 _SCALARS = ("u8", "u16", "u32", "u64", "s8", "s16", "s32", "float", "double")
 _LETTERS = "WRSLD"  # of functions 1 to 5
 
-#: The names of members end with their unit.
+#: Units, by the ending of a member's name.
 _UNITS = {"ms": "ms", "us": "us", "degc": "degC"}
 
 _DEFINE = re.compile(r"^#define +(\w+)\s+(0x[0-9A-Fa-f]+|\d+)", re.MULTILINE)
@@ -44,7 +45,7 @@ def is_working_copy(folder: Path) -> bool:
 
 
 def extract(folder: Path) -> dict[str, Any]:
-    """The facts in a folder with MIPSDK."""
+    """Returns the facts of the SDK in a folder that contains MIPSDK."""
     headers = "\n".join(_text(path) for path in sorted((folder / LIBRARY / "Include").glob("*.h")))
     sources = "\n".join(_text(path) for path in sorted((folder / LIBRARY / "Source").glob("*.c")))
     numbers = {name: int(value, 0) for name, value in _DEFINE.findall(headers)}
@@ -68,7 +69,7 @@ def _text(path: Path) -> str:
 
 
 def _members(body: str) -> Iterator[dict[str, Any]]:
-    """The members of a structure. A comma separates names, brackets are the sizes of an array."""
+    """Yields the members of a structure. Commas separate names, brackets contain array sizes."""
     for scalar, names in _MEMBER.findall(re.sub(r"//[^\n]*", "", body)):
         for name in names.split(","):
             sizes = [int(n) for n in re.findall(r"\[(\d+)\]", name)]
@@ -112,8 +113,8 @@ def _commands(text: str, numbers: dict[str, int], structs: dict[str, Any]) -> It
 
 
 def _parts(about: str, arguments: str, structs: dict[str, Any]) -> tuple[list[Any], list[Any] | None] | None:
-    """The values that a function sends, and those that it returns. None if only its code shows how many there are; None
-    for the latter if they differ between devices."""
+    """Returns the values that a function sends, and the values that it returns, which are None if they differ between
+    devices. The whole result is None if only the code shows the number of values."""
     given: list[dict[str, Any]] = []
     returned: list[dict[str, Any]] = []
     if re.search(r"u8 ?\* ?raw_data, u16 num_bytes$", arguments):
@@ -148,7 +149,7 @@ def _functions(about: str) -> str:
 
 
 def _statuses(headers: str, numbers: dict[str, int], structs: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Structures that are the data of a response: comments name it."""
+    """Yields the structures that are the data of a response, according to the comments before them."""
     for about, _, name in _STRUCT.findall(headers):
         returned = _RETURNED.search(about)
         if returned and _known(structs[name]):
@@ -157,7 +158,7 @@ def _statuses(headers: str, numbers: dict[str, int], structs: dict[str, Any]) ->
 
 
 def _data(numbers: dict[str, int], structs: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Structures with the name of a descriptor, in any order of words."""
+    """Yields the structures whose names consist of the same words as a data descriptor, in any order."""
     words = {_words(name): name for name in structs}
     for define, number in numbers.items():
         of, _, word = define.removeprefix("MIP_").partition("_DATA_")
@@ -167,10 +168,10 @@ def _data(numbers: dict[str, int], structs: dict[str, Any]) -> Iterator[dict[str
 
 
 def _groups(headers: str) -> Iterator[tuple[str, dict[str, int]]]:
-    """Consecutive numbers, grouped by the common beginning of their names: the values of one enumeration."""
+    """Yields the values of each enumeration: consecutive constants whose names have a common prefix."""
     for block in re.split(r"\n(?:\s*\n)+|\n//[^\n]*", headers):
         numbers = {name: int(value, 0) for name, value in _DEFINE.findall(block)}
-        # The longest common beginning, up to its last underscore; it is compared by letters, as names are not paths.
+        # The longest common prefix, up to its last underscore; compared by character, because names are not paths.
         common = commonprefix(list(numbers)).rpartition("_")[0]  # noqa: RUF071
         if len(numbers) > 1 and re.fullmatch(r"MIP_(3DM|FILTER)_(?!CMD|REPLY|DATA).+", common):
             yield common, {name.removeprefix(common)[1:]: value for name, value in numbers.items()}

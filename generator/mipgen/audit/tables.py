@@ -1,10 +1,10 @@
-"""Extracts facts from the tables of a manual: for each layout its parameters in order, with types and meaning.
+"""Extracts facts from a manual's tables: the parameters of each layout in order, with types and meaning.
 
-Only facts are extracted: names, numbers, units, frames and letters of functions, in the form of `spec/witness`. A table
-that a converter has broken, so that its rows do not make up the printed length, is left out.
+Only facts are extracted: names, numbers, units, frames and function letters, in the format of `spec/witness`. A table
+that a converter has damaged, so that its rows do not add up to the printed length, is skipped.
 
-Manuals have one of two styles. In the first, each parameter is a row: name, type, description. In the second, a
-command is one cell of text, and data are rows with an offset.
+Manuals use one of two styles. In the first, each parameter is a row: name, type, description. In the second, a command
+is a text in one cell, and the values of a data field are rows with offsets.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 Layout = dict[str, Any]
 Rows = list[list[str]]
 
-#: Symbol of the specification for each unit that manuals print.
+#: Unit symbols of the specification, each with its spellings in manuals.
 UNITS = {
     "m": ["m", "meters", "meter"],
     "m/s": ["m/s", "meters/second", "meters/sec", "m/sec", "meters per second"],
@@ -51,7 +51,7 @@ UNITS = {
 }  # fmt: skip
 _SYMBOLS = {token.casefold() if len(token) > 1 else token: s for s, tokens in UNITS.items() for token in tokens}
 
-#: Words of a text that name a frame of reference.
+#: Frames of reference, each with the words that indicate it in a text.
 FRAMES = {
     "ned": r"\bNED\b|north, east,? (and )?down|local[- ]level|fixed earth coordinate",
     "ecef": r"\bECEF\b|earth[- ]centered",
@@ -87,7 +87,7 @@ _NUMBER = r"-?\d+(?:\.\d+)?"
 
 
 def extract(manual: str, path: Path) -> dict[str, Any]:
-    """The facts of a manual, in the form of a file of `spec/witness`."""
+    """Returns the facts of a manual in the format of a `spec/witness` file."""
     lines = path.read_text("utf-8", errors="replace").splitlines()
     layouts = [layout for section in _sections(lines) for layout in _layouts(*section)]
     return {
@@ -99,13 +99,13 @@ def extract(manual: str, path: Path) -> dict[str, Any]:
 
 
 def symbols(units: set[str | None]) -> dict[str, list[str]]:
-    """The symbols of units as a source prints them."""
+    """Returns the unit symbols that a source uses, each with the source's spellings."""
     used = {symbol: [token for token in tokens if token in units] for symbol, tokens in UNITS.items()}
     return {symbol: tokens for symbol, tokens in used.items() if tokens}
 
 
 def dump(facts: dict[str, Any], command: str) -> str:
-    """The facts as YAML, one parameter on a line."""
+    """Formats the facts as YAML, with one parameter on each line."""
     text = "# yaml-language-server: $schema=../schema/witness.schema.json\n"
     text += f"# Facts that a program extracted: {command}.\n"
     for key, value in facts.items():
@@ -148,7 +148,7 @@ _WORDS = {"true", "false", "null", "yes", "no", "on", "off", "y", "n"}
 
 
 def _sections(lines: list[str]) -> Iterator[tuple[str, int, int, Rows]]:
-    """Title, set, descriptor and rows of each section whose heading names a descriptor."""
+    """Yields title, set, descriptor and rows of each section whose heading contains a descriptor."""
     current: tuple[str, int, int, Rows] | None = None
     for line in lines:
         heading = _HEADING.match(line)
@@ -170,7 +170,7 @@ def _sections(lines: list[str]) -> Iterator[tuple[str, int, int, Rows]]:
 
 
 def _unmarked(cell: str) -> str:
-    """A cell without markup of text, but with the tables in it."""
+    """Returns a cell without text markup, but with its nested tables."""
     return re.sub(r"\s+", " ", re.sub(r"</?(b|i|u|a|p|ul|li|em|strong|ol|br|sup)\b[^>]*>", " ", cell)).strip()
 
 
@@ -190,7 +190,7 @@ def frames(text: str) -> list[str]:
 
 
 def _about(rows: Rows) -> str:
-    """The description and the notes of the whole."""
+    """Returns the description and the notes of a section."""
     return " ".join(cell for row in rows if row[0] in ("Description", "Notes") for cell in row[1:])
 
 
@@ -234,13 +234,13 @@ def _of_rows(title: str, number: int, descriptor: int, rows: Rows) -> Iterator[L
 
 
 def _with_defaults(layout: Layout, about: str) -> Layout:
-    """Defaults are those of a setting, which a command writes."""
+    """Adds factory defaults to a command; responses and data have none."""
     if layout["role"] == "command":
         defaults(layout["parameters"], about)
     return layout
 
 
-#: The default of everything that can be switched, as a text states it.
+#: Default of a switch -> the words that state it.
 _SWITCHED = {
     1: r"default for .{0,20} all .{0,20}enabled|(enabled|filtered) by default|by default filtered",
     0: r"disabled by default",
@@ -248,7 +248,7 @@ _SWITCHED = {
 
 
 def defaults(parameters: list[dict[str, Any]], about: str) -> None:
-    """Adds factory defaults that a description states for switches, for values of an enumeration, for times."""
+    """Adds the factory defaults of switches, enumerations and times that a description states."""
     for p in parameters:
         name = p.get("name") or p["label"]
         switch = next((n for n, words in _SWITCHED.items() if re.search(words, about, re.IGNORECASE)), None)
@@ -309,7 +309,7 @@ def _label(text: str) -> str:
 
 
 def described(text: str, element: str, about: str) -> dict[str, Any]:
-    """Unit, frames, range and default, as far as a text states them."""
+    """Returns the unit, the frames, the range and the exclusive lower bound that a text states."""
     facts: dict[str, Any] = {}
     unit = next((u for u in map(_unit, _units(text)) if u), None)
     if unit:
@@ -336,7 +336,7 @@ def described(text: str, element: str, about: str) -> dict[str, Any]:
 
 
 def _units(text: str) -> Iterator[str]:
-    """The possible units: in brackets, before a frame in brackets, the whole text, or words such as "in Hz"."""
+    """Yields possible units: text in brackets, also up to its comma, the whole text, and words as in "in Hz"."""
     for inside in re.findall(r"(?:\[|(?<!\w)\()([^\[\]()]+)[\])]", text):
         yield inside
         yield inside.partition(",")[0]
@@ -346,7 +346,7 @@ def _units(text: str) -> Iterator[str]:
 
 
 def _unit(text: str) -> str | None:
-    """A unit as it is printed; None if the text is something else."""
+    """Returns a unit as it is printed; None if the text is not a unit."""
     text = re.sub(r"\b1-sigma\b,?", "", text, flags=re.IGNORECASE).strip().rstrip(".")
     symbol = _SYMBOLS.get(text if len(text) == 1 else text.casefold())
     return next((t for t in UNITS[symbol] if t.casefold() == text.casefold()), None) if symbol else None
@@ -382,7 +382,7 @@ def _command(title: str, number: int, descriptor: int, rows: Rows, about: str) -
         codes = [int(c, 16) for c in re.findall(rf"\b0x0?({_HEX})\b", " ".join(several[:2]))]
         if len(codes) < 2 or codes[1] == 0xF1:
             continue
-        echo = re.search(r"U8 [-–] echo the command descriptor", text)  # of the row below, which a converter joined
+        echo = re.search(r"U8 [-–] echo the command descriptor", text)  # the next row, joined by a converter
         parts = _ITEM.split(text[: echo.start()] if echo else text)
         items = list(zip(parts[1::2], parts[2::2], strict=True))
         selector = bool(items) and "unction selector" in items[0][1].lower().replace("function", "unction")
@@ -414,7 +414,7 @@ def _item(kind: str, words: str, about: str) -> dict[str, Any]:
 
 
 def _offsets(title: str, number: int, descriptor: int, rows: Rows, about: str) -> Iterator[Layout]:
-    """Layouts whose rows have the offset of each number; the first has offset 0."""
+    """Yields the layouts whose rows contain the offset of each number; a layout begins at offset 0."""
     layout: Layout | None = None
     size, layouts = 0, list[Layout]()
     for row in rows:

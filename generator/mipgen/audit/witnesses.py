@@ -1,8 +1,8 @@
 """Compares the model with witnesses: facts that programs extracted from other sources, in `spec/witness`.
 
-A fact that could be wrong without an error, such as a unit, a bit or a default, is compared with the statements of each
-witness about it. Differences that were judged are listed with reasons in `accepted.yaml`, by their exact text: a
-further mistake at the same place is still reported, and so is a listed difference that no longer exists.
+A fact that could be wrong without causing an error, such as a unit, a bit or a default, is compared with each witness
+that states it. Reviewed differences are listed with reasons in `accepted.yaml`, by their exact text: another mistake in
+the same parameter is still reported, and so is a listed difference that no longer exists.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from mipgen.read.problems import Problems
 from . import rules
 from .leaves import Leaf, Reader, of_field
 
-#: Frames of the vectors of layouts with such names; uncertainties of latitude, longitude and height are in metres.
+#: Word in a layout's name -> possible frames of its vectors; LLH allows NED, as its uncertainties are in metres.
 _NAMED_FRAMES = {"ecef": {"ecef"}, "llh": {"llh", "ned"}, "ned": {"ned"}}
 
-#: Names of elements of vectors, which depend on the frame in the specification.
+#: Names of vector elements in witnesses; in the specification, they depend on the frame.
 _ELEMENTS = frozenset("abcdefghixyzw")
 
 
 @dataclass(frozen=True)
 class Difference:
-    """A contradiction of a witness, at a field, a type or a descriptor."""
+    """A difference between the specification and a witness, in a field, a type or a descriptor."""
 
     witness: str
     at: str
@@ -46,11 +46,11 @@ class Difference:
 
 @dataclass
 class Report:
-    differences: list[Difference]  # that are not accepted
-    stale: list[str]  # accepted differences that do not exist, with their places
+    differences: list[Difference]  # without the accepted ones
+    stale: list[str]  # accepted differences that no longer exist, with their positions
     accepted: int
     counts: Counter[str]  # how many facts of each kind were compared
-    alone: list[str]  # fields that no witness has
+    alone: list[str]  # fields that no witness contains
 
     def lines(self) -> list[str]:
         return [*(str(d) for d in self.differences), *self.stale]
@@ -62,7 +62,7 @@ class Report:
 
 
 def read(path: Path) -> dict[str, Any]:
-    """The facts of one file. Raises SpecError where it cannot be read."""
+    """Returns the facts of one file. Raises SpecError if it cannot be read."""
     problems = Problems()
     document = loader.load_witness(path, problems)
     problems.raise_if_any()
@@ -72,8 +72,8 @@ def read(path: Path) -> dict[str, Any]:
 
 
 def audit(model: m.Model, folder: Path, revision: dict[str, Any] | None = None, name: str = "sdk") -> Report:
-    """Compares with all files of a folder; or with the facts of another revision of an SDK alone, the witness of
-    this name, which may agree where a difference is accepted. Raises SpecError where a file cannot be read."""
+    """Compares the model with all files of a folder, or with another SDK revision only: the facts in `revision`, as the
+    witness `name`. Accepted differences are then not reported as stale. Raises SpecError if a file cannot be read."""
     problems = Problems()
     documents = loader.load_witnesses(folder, problems)
     problems.raise_if_any()
@@ -142,7 +142,8 @@ class _Compared:
     # ------------------------------------------------------------------ layouts
 
     def layout(self, name: str, facts: dict[str, Any], layout: dict[str, Any]) -> None:
-        """A descriptor may have several layouts: it is compared with the one that is most alike."""
+        """Compares a witness's layout with the field; if a descriptor has several layouts, with the most similar
+        one."""
         number, descriptor = _numbers(layout["key"])
         sets = [number, *(int(x, 16) for x in facts.get("same_layouts", {}).get(f"0x{number:02X}", ()))]
         fields = [f for f in self.model.candidates(number, descriptor) if f.role == layout["role"]]
@@ -177,7 +178,7 @@ class _Compared:
     # ------------------------------------------------------------------ types without a parameter
 
     def standalone(self, name: str, facts: dict[str, Any], accepted: dict[str, Any]) -> None:
-        """Types that the witness uses in no layout, and constants, each with its counterpart in the specification."""
+        """Compares types that no layout of the witness uses, and constants, with their counterparts here."""
         types = facts.get("enums", {}) | facts.get("bitfields", {})
         for entry in accepted.get("types", ()):
             if entry["witness"] in types:
@@ -236,18 +237,18 @@ class _Layout:
         )
 
     def same_names(self, ours: Sequence[str], theirs: Sequence[str]) -> bool:
-        """Is each of our names at a place one of theirs there, or known to mean the same as one?"""
+        """Does each of our names equal one of theirs, or is it known to mean the same?"""
         return all(any(self.same(a, b) for b in theirs) for a in ours)
 
     def same(self, ours: str, theirs: str) -> bool:
         return normal(ours) == normal(theirs) or (ours, theirs) in self.pairs
 
-    # ------------------------------------------------------------------ about the whole
+    # ------------------------------------------------------------------ the field as a whole
 
     def about(self, layout: dict[str, Any]) -> None:
         f = self.field
         self.counts["layouts"] += 1
-        _, scoped, name = layout["name"].partition("::")  # titles of a manual are not names
+        _, scoped, name = layout["name"].partition("::")  # a manual's titles are not names
         self.counts["names"] += bool(scoped)
         if scoped and not any(self.same(known, name.replace("::", "")) for known in (f.name, *f.also)):
             self.note(f"names {', '.join((f.name, *f.also))}, witness {layout['name']}")
@@ -277,7 +278,7 @@ class _Layout:
             self.number(a, b)
 
     def number(self, a: Leaf, b: Leaf) -> None:
-        """One number: each fact that the witness states."""
+        """Compares each fact that the witness states about one number."""
         self.counts["numbers"] += 1
         self.form(a, b)
         self.measure(a, b)
@@ -291,7 +292,7 @@ class _Layout:
             self.union(a, b)
 
     def fact(self, kind: str, same: bool, text: str, a: Leaf) -> None:
-        """One fact that both state; the text says how they differ."""
+        """Counts one fact that both state, and reports the difference in `text`, if there is one."""
         self.counts[kind] += 1
         if not same:
             self.note(f"{a.path}: {text}", a.position)
@@ -360,10 +361,10 @@ class _Layout:
             else:
                 self.sequence(_expanded(ours[number]), b.cases[1][number])
 
-    # ------------------------------------------------------------------ what follows from names
+    # ------------------------------------------------------------------ facts that follow from names
 
     def frames_in_names(self, ours: list[Leaf], layout: dict[str, Any]) -> None:
-        """A layout that is named after a frame has its vectors in that frame."""
+        """Checks that the vectors of a layout that is named after a frame are in that frame."""
         name = normal(layout["name"])
         named = [frames for word, frames in _NAMED_FRAMES.items() if word in name]
         if len(named) != 1 or "frames" in layout:
@@ -376,7 +377,7 @@ class _Layout:
                     self.note(f"{a.path}: frame {_all(a.frames)}, witness {_all(said)} by its name", a.position)
 
     def valid_flags(self, ours: list[Leaf], theirs: list[Leaf]) -> None:
-        """The flag of a value is the bit of the same name; where bits have no names, bit 0 is the flag of all."""
+        """Checks that a value's valid flag is the bit of the same name; if bits have no names, bit 0 covers all."""
         pairs = list(zip(ours, theirs, strict=False))
         flags = next(((a, b) for a, b in pairs if normal(b.path) == "validflags"), None)
         if flags is None or len(ours) != len(theirs):
@@ -447,7 +448,7 @@ class _Layout:
         self.compare(a, "bit", ours, said, theirs)
 
     def compare(self, a: Leaf, what: str, ours: Any, said: Any, theirs: dict[str, Any]) -> None:
-        """Compares values or bits by their numbers; a table that may be cut off proves nothing about missing ones."""
+        """Compares values or bits by number; an incomplete table is no evidence about the entries that it lacks."""
         of = theirs["name"]
         for key in sorted({*ours, *said}):
             place = f"{a.path}: {what} {_number(key)}"
@@ -480,7 +481,7 @@ def _grouped(pairs: Iterable[tuple[Any, str]]) -> dict[Any, list[str]]:
 
 
 def _composed(span: tuple[int, int], spans: Iterable[tuple[int, int]]) -> bool:
-    """Is a range of bits made up of smaller ones?"""
+    """Do smaller ranges make up this range of bits?"""
     first, width = span
     covered = 0
     for low, n in spans:
@@ -490,14 +491,14 @@ def _composed(span: tuple[int, int], spans: Iterable[tuple[int, int]]) -> bool:
 
 
 def _common(ours: list[Leaf], theirs: list[Leaf]) -> tuple[list[Leaf], list[Leaf]]:
-    """The pairs that certainly correspond where the lengths differ: up to the first number of another type."""
+    """Returns the numbers that certainly correspond in spite of different lengths: up to the first other type."""
     pairs = takewhile(lambda pair: pair[0].scalar == pair[1].scalar, zip(ours, theirs, strict=False))
     count = len(list(pairs))
     return ours[:count], theirs[:count]
 
 
 def _expanded(leaves: list[Leaf]) -> list[Leaf]:
-    """A union whose cases all have the same numbers is that many numbers."""
+    """Replaces each union whose cases all consist of the same types by the numbers of its first case."""
     return list(_expand(leaves))
 
 
