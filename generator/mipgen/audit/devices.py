@@ -53,7 +53,9 @@ def _models(model: m.Model, root: Node) -> Iterator[Finding]:
             if key in node and node[key].value not in (device.title, *device.also):
                 yield _finding(node[key].position, f"{device.id} is not called '{node[key].value}'")
         if node["generation"].value != device.generation:
-            yield _finding(node["generation"].position, f"{device.id} is generation {device.generation} in the specification")
+            yield _finding(
+                node["generation"].position, f"{device.id} is generation {device.generation} in the specification"
+            )
 
 
 def _devices(model: m.Model, root: Node) -> Iterator[Finding]:
@@ -93,4 +95,6 @@ def _rates(device: m.Device, node: Node) -> Iterator[Finding]:
     for key, entry in node["base_rates"].items() if "base_rates" in node else ():
         rate = entry.get("value") or entry
         if key.startswith("0x") and ours.get(int(key, 16)) != rate.value:
-            yield _finding(rate.position, f"{device.id} has base rate {ours.get(int(key, 16))} for set {key} in the specification")
+            yield _finding(
+                rate.position, f"{device.id} has base rate {ours.get(int(key, 16))} for set {key} in the specification"
+            )
