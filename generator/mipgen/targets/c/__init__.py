@@ -59,7 +59,7 @@ def files(model: m.Model) -> Iterator[File]:
 
 
 def code(model: m.Model) -> Iterator[File]:
-    """Headers and sources."""
+    """Yields the C headers and sources."""
     yield File(
         "src/mip/constants.h",
         "constants.h.j2",
@@ -84,13 +84,13 @@ def code(model: m.Model) -> Iterator[File]:
 
 
 def inline(header: str, fields: Iterable[m.Field]) -> Iterator[File]:
-    """Straight-line code for the fields of a header, in a separate file, because it compiles slowly."""
+    """Yields a separate file with the straight-line code for a header's fields, because it compiles slowly."""
     if plain := [f for f in fields if direct.direct(f)]:
         yield File(f"src/mip/{header}_inline.h", "inline.h.j2", {"header": header, "fields": plain})
 
 
 def in_cpp(model: m.Model) -> Iterator[File]:
-    """Headers of C++."""
+    """Yields the C++ headers."""
     yield File("src/mip/types.hpp", "types.hpp.j2")
     for x in model.families:
         name = names.module(x.name)
@@ -100,20 +100,20 @@ def in_cpp(model: m.Model) -> Iterator[File]:
 
 
 def everything(made: list[File]) -> list[str]:
-    """The headers that programs include, including those of the runtime."""
+    """Returns the headers that programs include, both generated and from the runtime."""
     inner = ("checksum.h", "export.h", "mip.h", "program.h")
     return [name for name in present(made) if name.endswith(".h") and name not in inner]
 
 
 def present(made: list[File]) -> list[str]:
-    """The names of all headers and sources, both generated ones and those of the runtime."""
+    """Returns the names of all headers and sources, both generated and from the runtime."""
     folder = "src/mip/"
     runtime = (resources.root() / "runtime/c" / folder).iterdir()
     return sorted({*(p.name for p in runtime), *(f.path.removeprefix(folder) for f in made)})
 
 
 def packages(model: m.Model, made: list[File]) -> Iterator[File]:
-    """The files for build systems and package managers, which list version, sources and headers."""
+    """Yields the files for build systems and package managers, which list version, sources and headers."""
     names = present(made)
     facts = {
         "sources": [name for name in names if name.endswith(".c")],
@@ -139,7 +139,7 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
 
 
 def in_order(family: m.Family) -> Iterator[m.Field]:
-    """The fields of a family, each command followed by the responses that it owns."""
+    """Yields the fields of a family, each command followed by its own responses."""
     for f in family.fields:
         if f.role != m.RESPONSE:
             yield f

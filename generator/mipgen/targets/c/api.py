@@ -1,5 +1,5 @@
-"""The interface of C for other targets: names of fields and types, programs in C and C++, and data for tools that write
-programs."""
+"""The C target's interface for other targets: names of fields and types, programs in C and C++, and data for tools that
+write programs."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ symbol = names.symbol
 
 
 def cpp_symbol(thing: m.Type | m.Field) -> str:
-    """The type of a field, or a type, in C++; empty for vectors, which are arrays, and for commands."""
+    """Returns the C++ name of a field's type or of a type; empty for vectors, which are arrays, and for commands."""
     if isinstance(thing, m.Vector) or (isinstance(thing, m.Field) and thing.role == m.COMMAND):
         return ""
     return cpp.qualified(thing)
@@ -36,14 +36,15 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
         elif isinstance(x, m.Vector):
             continue  # an array
         else:
-            typed = not isinstance(x, m.Enum) or names.is_enum(x)  # else it has numbers and no type
+            typed = not isinstance(x, m.Enum) or names.is_enum(x)  # else it has constants, but no type
             others = [i.name for i in of_type(x) if i.scope == "C" and (typed or i.name != symbol(x))]
             name = symbol(x) if typed else f"{symbol(x)}_name"
         yield Symbols(x, name, tuple(n for n in others if n != name))
 
 
 def cpp_symbols(model: m.Model) -> Iterator[Symbols]:
-    """The same in C++: of a command the structures that are sent, of other fields the functions that return values."""
+    """Yields the same for C++: for a command, the structures to send; for other fields, the functions that read
+    values."""
     for x in things(model):
         if isinstance(x, m.Vector):
             continue
@@ -62,7 +63,7 @@ def cpp_symbols(model: m.Model) -> Iterator[Symbols]:
 
 
 def writing(model: m.Model) -> dict[str, Any]:
-    """Data for tools that write programs: names that C writes in another way than the specification, and its calls."""
+    """Returns data for tools that write programs: names that differ between C and the specification, and the calls."""
     words, commands = parameters(model), [f for f in model.fields if f.role == m.COMMAND]
     return {
         "scalars": {name: names.c_type(scalar) for name, scalar in m.SCALARS.items()},
@@ -74,7 +75,7 @@ def writing(model: m.Model) -> dict[str, Any]:
 
 
 def cpp_writing(model: m.Model) -> dict[str, Any]:
-    """The same for C++, besides what it shares with C."""
+    """Returns the same for C++, without what it shares with C."""
     return {
         "members": others(parameters(model), cpp.word),
         "constants": others(constants(model), cpp.word),
@@ -82,9 +83,8 @@ def cpp_writing(model: m.Model) -> dict[str, Any]:
 
 
 def _calls(f: m.Field, model: m.Model) -> Iterator[dict[str, Any]]:
-    """The functions that call a command, with the structures of C++: the function selector, their
-    arguments, and the response that they decode. For a command with reserved values alone, the
-    function without arguments gets the whole structure."""
+    """Yields the functions that call a command, each with its C++ structure, function selector, arguments and decoded
+    response. A command with only reserved values is passed as a whole structure."""
     made = constructors(f)
     for call in calls.calls(f, model):
         if call.whole and made:

@@ -1,6 +1,6 @@
-"""Compiles the layout of a field to a program for codec.c or program.c; runtime/c/src/mip/program.h has the steps.
+"""Compiles the layout of a field to a program for codec.c or program.c; runtime/c/src/mip/program.h defines the steps.
 
-How many bytes a part of a program has is known here; the place of a member in memory, only to the C compiler.
+The length of each part of a program is known here; the offset of a member in memory is known only to the C compiler.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from .members import home
 from .names import member, symbol, type_name
 from .tables import required
 
-#: The most numbers that the first byte of a step can count.
+#: The maximum count of numbers that the first byte of a step can contain.
 _FEW = 31
 
-#: The bits of the numbers of a step.
+#: Step -> width in bits of its numbers.
 _WIDTHS = {"MIP_DOUBLES": 64, "MIP_64_BITS": 64, "MIP_32_BITS": 32, "MIP_16_BITS": 16, "MIP_8_BITS": 8}
 
-#: The most numbers of 64, 32 and 16 bits in MIP_SHAPE.
+#: The maximum counts of 64, 32 and 16-bit numbers in MIP_SHAPE.
 _SHAPE = (4, 9, 4)
 
-#: The most parameters of a group that the first byte of a step can count.
+#: The maximum count of a group's parameters that the first byte of a step can contain.
 _GROUP = 16
 
-#: In the arguments of a step: the bytes of the program that follows it.
+#: Placeholder in the arguments of a step: the length in bytes of the program that follows it.
 LENGTH = object()
 
 
@@ -38,8 +38,8 @@ class Step:
 
     macro: str
     arguments: tuple[object, ...]
-    size: int  # bytes, without those of the place
-    place: tuple[str, str] | None = None  # a structure, and one of its members; the last argument
+    size: int  # bytes, without the place
+    place: tuple[str, str] | None = None  # the last argument: a structure and one of its members
 
     def line(self, far: bool) -> str:
         at = [f"MIP_{'FAR_' if far else ''}AT({', '.join(self.place)})"] if self.place else []
@@ -57,7 +57,7 @@ class Numbers:
     macro: str
     count: int
     place: tuple[str, str]
-    joins: bool  # may others of the kind follow without a gap?
+    joins: bool  # may numbers of the same kind follow without a gap?
 
     def line(self, far: bool) -> str:
         at = f"MIP_{'FAR_' if far else ''}AT({', '.join(self.place)})"
@@ -73,14 +73,14 @@ class Numbers:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A program inside another one, after a step whose arguments count its bytes."""
+    """A nested program, after a step whose arguments contain its length."""
 
     step: Step
     steps: tuple[Step | Numbers | Part, ...]
 
 
 def program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
-    """The lines of the program of a field: `layouts` are those of its descriptor, `sizes` those of this one."""
+    """Writes a field's program: `layouts` are all those of its descriptor, `sizes` the sizes of this one."""
     steps: list[Step | Numbers | Part] = [_layout(f, sizes)] if len(layouts) > 1 else []
     far = _is_far(f)
     if far:
@@ -102,15 +102,14 @@ def is_numbers(f: m.Field, layouts: Sequence[m.Field]) -> bool:
 
 
 def interpreter(f: m.Field, layouts: Sequence[m.Field]) -> str:
-    """The function that runs the program of a field."""
+    """Returns the function that runs a field's program; NULL if it needs none."""
     if is_numbers(f, layouts):
         return "NULL"
     return "&mip_layout" if len(layouts) > 1 else "&mip_program"
 
 
 def shape(f: m.Field, layouts: Sequence[m.Field]) -> str:
-    """The counts of numbers of 64, 32 and 16 bits, if there are few, in this order and without
-    gaps; otherwise 0."""
+    """Writes the counts of 64, 32 and 16-bit numbers, if they are few, in this order and without gaps; otherwise 0."""
     if not is_numbers(f, layouts) or memory.has_gaps(f):
         return "0"
     numbers = [s for s in _joined([*_steps(f.parameters, "")]) if isinstance(s, Numbers)]
@@ -122,7 +121,7 @@ def shape(f: m.Field, layouts: Sequence[m.Field]) -> str:
 
 
 def _is_far(f: m.Field) -> bool:
-    """Do places need two bytes?"""
+    """Do offsets in memory need two bytes?"""
     return memory.record(f, memory.widest).last > 0xFF
 
 
@@ -145,7 +144,7 @@ def _optional(f: m.Field) -> Step:
 
 
 def _source(steps: Sequence[Step | Numbers | Part], far: bool) -> tuple[list[str], int]:
-    """The lines of a program, up to its end, and how many bytes it has."""
+    """Writes the lines of a program, including its end, and returns them with its length in bytes."""
     lines, size = [], 1
     for s in _joined(steps):
         if isinstance(s, Part):
@@ -162,7 +161,7 @@ def _source(steps: Sequence[Step | Numbers | Part], far: bool) -> tuple[list[str
 
 
 def _joined(steps: Sequence[Step | Numbers | Part]) -> list[Step | Numbers | Part]:
-    """Joins neighbours of one kind to one step."""
+    """Joins adjacent numbers of the same kind to one step."""
     joined: list[Step | Numbers | Part] = []
     for s in steps:
         last = joined[-1] if joined else None
@@ -174,14 +173,14 @@ def _joined(steps: Sequence[Step | Numbers | Part]) -> list[Step | Numbers | Par
 
 
 def _steps(parameters: Iterable[m.Parameter], base: str, record: str = "") -> Iterator[Step | Numbers | Part]:
-    """`base`: the structure where places begin; `record`: the path from there to the record of the
-    parameters."""
+    """Yields the steps of parameters. Places are relative to the structure `base`; `record` is the path from there to
+    the parameters."""
     for p in parameters:
         yield from _step(p, base, record, record)
 
 
 def _step(p: m.Parameter, base: str, record: str, of: str) -> Iterator[Step | Numbers | Part]:
-    """`of`: the path before the member; it differs from `record` in a union."""
+    """Yields the steps of a parameter. `of` is the path to its member, which differs from `record` in a union."""
     name = of + member(p.name)
     if p.kind == "constant":
         yield Step("MIP_CONSTANT", (p.size, *map(hexadecimal, p.octets)), 2 + p.size)
@@ -206,7 +205,7 @@ def _numbers(p: m.Parameter, count: int, place: tuple[str, str], joins: bool) ->
 
 
 def _items(p: m.Parameter, base: str, record: str, name: str) -> Iterator[Step | Numbers | Part]:
-    """The elements of an array, or the characters of a text, which is followed by a NUL."""
+    """Yields the steps for the elements of an array, or for the characters of a text, which a NUL follows."""
     wire, item, fixed = extent.element(p), p.item, p.count or 1
     if p.counter is not None:
         counter = (base, record + member(p.counter))

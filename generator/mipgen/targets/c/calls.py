@@ -1,4 +1,4 @@
-"""The ways to use a command: send it, or call it, and get its response."""
+"""The functions for a command: one sends it, others send it and wait for its response."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ class Send:
 
 @dataclass(frozen=True, slots=True)
 class Put:
-    """A number in the data of a command, or the elements of an array, and the value to write there."""
+    """A number or the elements of an array in a command's data, and the value to write."""
 
     scalar: m.Scalar
     at: int
     value: str
-    index: str = ""  # "[i].rate": of an element, what follows the value
+    index: str = ""  # "[i].rate": for an element, the suffix of the value
     count: str = ""  # of an array
-    most: int = 0  # the most elements; 0 if their number is fixed
+    most: int = 0  # the maximum number of elements; 0 if it is fixed
     stride: int = 0  # bytes of an element
 
 
@@ -42,7 +42,7 @@ class Data:
 
     puts: tuple[Put, ...]
     size: int
-    array: Put | None = None  # at the end: the one whose elements a caller counts
+    array: Put | None = None  # the array at the end whose elements the caller counts, if there is one
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ class Call:
     way: Constructor | None = None  # makes the command's structure from the arguments
     given: tuple[m.Parameter, ...] = ()  # the arguments
     passed: tuple[str, ...] = ()  # the arguments of the constructor
-    whole: bool = False  # is the structure its argument?
+    whole: bool = False  # is the command's structure the argument?
     data: Data | None = None  # None: it is encoded from the structure
 
     @property
@@ -83,7 +83,7 @@ def commands(family: m.Family) -> list[m.Field]:
 
 
 def sends(f: m.Field, model: m.Model) -> list[Send]:
-    """One function; for a command that has several responses, or layouts of them, one for each."""
+    """Returns the function that sends a command, and one for each of several possible responses or layouts."""
     what = f"Adds the command to a packet and waits for its answer: see mip_client_send. {f.title}."
     responses = model.responses(f)
     if len(responses) == 1:
@@ -98,7 +98,7 @@ def sends(f: m.Field, model: m.Model) -> list[Send]:
 
 @dataclass(frozen=True, slots=True)
 class Older:
-    """The same for the data of one set of an older device."""
+    """Like `Session`, for one data set of an older device."""
 
     set: int
     base_rate: str
@@ -181,7 +181,8 @@ def session(model: m.Model) -> Session | None:
 
 
 def calls(f: m.Field, model: m.Model) -> list[Call]:
-    """One for each function of a command, and for each of its responses; one with its structure, if it has any."""
+    """Returns a call for each function of a command and for each response, and one with its structure, if it has
+    one."""
     if not members(f):
         return list(_ways(f, None, model))
     made = [c for way in constructors(f) for c in _ways(f, way, model)]
@@ -192,7 +193,7 @@ def calls(f: m.Field, model: m.Model) -> list[Call]:
 
 
 def _ways(f: m.Field, way: Constructor | None, model: m.Model) -> Iterator[Call]:
-    """The calls of one function of a command. If one of several responses answers it, each response has a call, which
+    """Yields the calls of one function of a command. If several responses are possible, each has its own call, which
     fixes the parameters that select it; the first call expects only an acknowledge."""
     function = way.function if way else None
     layouts = [(layout, r) for r in replies(f, function, model) for layout in r.layouts]
@@ -229,7 +230,7 @@ def _call(
 
 
 def _determined(f: m.Field, function: m.Function | None, response: m.Field | None, model: m.Model) -> bool:
-    """Is this response, or just an acknowledge, the answer whatever the values are?"""
+    """Is the reply always this response, or only an acknowledge, whatever the values are?"""
     if f.silent_when or (function is not None and not function.reply):
         return False
     ways = replies(f, function, model)
@@ -239,7 +240,7 @@ def _determined(f: m.Field, function: m.Function | None, response: m.Field | Non
 
 
 def _data(f: m.Field, function: m.Function | None, asked: tuple[m.Parameter, ...], passed: list[str]) -> Data | None:
-    """Plain numbers at fixed places, and at most one array at the end; None for anything else."""
+    """Returns plain numbers at fixed offsets, and at most one array at the end; None for any other data."""
     if any(p.fills for p in asked):
         return None
     values = dict(zip((p.name for p in asked), passed, strict=True))
@@ -276,7 +277,7 @@ def _data(f: m.Field, function: m.Function | None, asked: tuple[m.Parameter, ...
 
 
 def _elements(p: m.Parameter, at: int, value: str) -> list[Put]:
-    """The text for each element of an array; nothing if the elements are not numbers."""
+    """Returns the numbers in the elements of an array; none if an element contains anything else."""
     parts = p.item.struct.parameters if p.item.struct else (p.item,)
     if not all(q.kind in ("scalar", "counter") and q.reserved is None for q in parts):
         return []
@@ -297,7 +298,7 @@ def _passed(p: m.Parameter) -> list[str]:
 
 
 def _literal(p: m.Parameter, value: int) -> str:
-    """A value of a parameter that decides on the response."""
+    """Writes the value of a parameter that selects the response."""
     if not isinstance(p.element, m.Enum) or not takes_enum(p):
         return str(value)
     named = next((v for v in p.element.values if v.value == value), None)

@@ -14,7 +14,7 @@ from . import names
 from .literals import hexadecimal
 from .members import last_present
 
-#: The line length of clang-format, which only moves comments.
+#: The line length of clang-format, which moves comments but need not wrap these.
 WIDTH = 100
 
 
@@ -50,7 +50,7 @@ def _wrapped(paragraph: str, width: int) -> list[str]:
 
 
 def reference(r: describe.Ref) -> str:
-    """The name of a thing in a comment."""
+    """Returns the name of a thing in a comment."""
     match r.thing, r.within:
         case m.Field() as f, _:
             return names.field_name(f)
@@ -77,19 +77,19 @@ def said(facts: Iterable[describe.Fact]) -> list[str]:
 
 @dataclass(frozen=True, slots=True)
 class Comments:
-    """The paragraphs of the comment of each thing."""
+    """Composes the comment of each thing, in paragraphs."""
 
     model: m.Model
 
     def family(self, x: m.Family) -> list[str]:
-        """The comment of a header: the facts about its set, or those that several sets share."""
+        """Composes the comment of a header: the facts about its set, or about the family of sets that share it."""
         place = f" ({hexadecimal(x.number)})" if len(x.sets) == 1 else ""
         what = " ".join([f"{x.title}{place}.", *self._prose(x.description)])
         unsure = [ELSEWHERE] if any(self.model.devices_of(f, certain=False) for f in x.fields) else []
         return ["@file", " ".join([what, *said(describe.uncertain(x, self.model))]), *unsure]
 
     def set(self, s: m.Set, family: m.Family) -> list[str]:
-        """The comment of the constant of a set; it describes the set if the header has several."""
+        """Composes the comment of a set's constant; it describes the set if the header covers several."""
         if len(family.sets) == 1:
             return ["Descriptor set of these fields."]
         what = " ".join([f"Descriptor set: {s.title}.", *self._prose(s.description)])
@@ -108,14 +108,14 @@ class Comments:
         ]
 
     def key(self, f: m.Field) -> list[str]:
-        """The comment of the constant of a field."""
+        """Composes the comment of a field's constant."""
         several = len(f.occurrences) > 1
         what = "Descriptor set, one of those above, and descriptor" if several else "Descriptor set and descriptor"
         others = " Other layouts have the same: _decode refuses them with MIP_ERROR_LAYOUT."
         return [f"{what}, as mip_field_key returns them.{others if len(self.model.layouts(f)) > 1 else ''}"]
 
     def present(self, f: m.Field) -> list[str]:
-        """The comment of the member that counts the parameters that are present."""
+        """Composes the comment of the member that counts the present parameters."""
         selector = ", not counting the function selector" if f.functions else ""
         more = "; a ..._WITH_... constant for all up to that one" if last_present(f) else ""
         return [
@@ -134,12 +134,12 @@ class Comments:
         return _paragraphs(text, [*describe.parameter(p, record, self.model), *empty])
 
     def arguments(self, given: Sequence[m.Parameter], f: m.Field) -> list[str]:
-        """The arguments of a function, as the comments of the members describe them."""
+        """Describes the arguments of a function with the comments of the members."""
         items = [f"- {names.argument_name(p.name)}: {' '.join(self.member(p, f))}" for p in given]
         return ["\n".join(items)] if items else []
 
     def case(self, c: m.Case, union: m.Parameter, record: m.Record) -> list[str]:
-        """The comment of an alternative: when it is present, then the documentation of its parameter."""
+        """Composes the comment of an alternative: when it is present, then the documentation of its parameter."""
         assert c.parameter is not None
         text = [*self._prose(c.parameter.description or c.tag.description), *_values(c.parameter)]
         when = said([describe.case(c, union, record)])
@@ -168,7 +168,7 @@ class Comments:
 
 
 def _values(p: m.Parameter) -> list[str]:
-    """The enumeration of a member, whose type is only a number."""
+    """Names the enumeration of a member, whose C type is only a number."""
     if not isinstance(p.element, m.Enum):
         return []
     kind = "enum " if names.is_enum(p.element) else ""
@@ -176,14 +176,14 @@ def _values(p: m.Parameter) -> list[str]:
 
 
 def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:
-    """Texts and facts in one paragraph, and each note in its own."""
+    """Joins texts and facts to one paragraph; each note is a paragraph of its own."""
     notes = describe.topics(facts, "note")
     first = " ".join([*texts, *said(f for f in facts if f not in notes)])
     return [*([first] if first else []), *said(notes)]
 
 
 def _in_full(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> list[str]:
-    """The name in the specification, if C has a shorter one."""
+    """States the name in the specification, if C uses a shorter one."""
     return [f"Full name: {thing.full_name if isinstance(thing, m.Field) else thing.name}."] if thing.short else []
 
 

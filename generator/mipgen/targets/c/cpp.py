@@ -16,12 +16,12 @@ _KEYWORDS = frozenset(names.LANGUAGE["keywords"])
 
 namespace = Escape(_KEYWORDS, digit_prefix="mip_")
 word = Escape(_KEYWORDS, digit_prefix="n")
-#: Members of structures beside functions of their own.
+#: Members of structures that also have functions.
 _member = Escape(_KEYWORDS | frozenset(names.LANGUAGE["cpp_members"]), digit_prefix="n")
 
 
 def bare(thing: m.Type | m.Field) -> str:
-    """The name of a thing in its namespace, the namespace of its family."""
+    """Returns the name of a thing inside its namespace, which is that of its family."""
     if isinstance(thing, m.Field):
         return word(thing.name)
     owner = getattr(thing, "owner", None)
@@ -29,16 +29,16 @@ def bare(thing: m.Type | m.Field) -> str:
 
 
 def qualified(thing: m.Type | m.Field) -> str:
-    """The name of a thing with its namespaces."""
+    """Returns the name of a thing with its namespaces."""
     if isinstance(thing, m.Field):
-        inside = thing.family if thing.set else None  # the acknowledge is of no set
+        inside = thing.family if thing.set else None  # the acknowledge belongs to no set
     else:
         inside = getattr(thing, "owner", None)
     return f"mip::{namespace(inside)}::{bare(thing)}" if inside else f"mip::{bare(thing)}"
 
 
 def in_bytes(t: m.Type) -> bool:
-    """True for a bitfield in bytes instead of a number."""
+    """True for a bitfield that is an array of bytes instead of a number."""
     return isinstance(t, m.Bitfield) and t.scalar is None
 
 
@@ -61,7 +61,7 @@ class Accessor:
 
 
 def accessors(f: m.Field) -> list[Accessor]:
-    """The functions of data and responses, which return better types than the members in C."""
+    """Returns the functions of a data field or a response, which have better types than the members in C."""
     if f.role == m.COMMAND:
         return []
     return [a for p in members(f) if (a := _accessor(p, f))]
@@ -92,7 +92,7 @@ def _accessor(p: m.Parameter, f: m.Field) -> Accessor | None:
 
 
 def _element(p: m.Parameter) -> str:
-    """The elements of an array whose size varies."""
+    """Returns the element type of a variable-length array."""
     assert p.element is not None
     one = names.c_type(p.element)
     return f"const {one.replace('struct ', '::')}{_dimensions(p.item)}"
@@ -107,19 +107,19 @@ def _dimensions(p: m.Parameter) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """The parameters of a command, as one of its calls takes them."""
+    """A structure with the parameters that one call of a command needs."""
 
     name: str
     field: m.Field
     response: m.Field | None
     doc: str
     members: tuple[str, ...]
-    call: str  # the function of C
-    arguments: tuple[str, ...]  # of that
-    fill: str  # the function that fills the structure of C
-    filled: tuple[str, ...]  # the arguments of that
-    plain: bool  # does it have `fill`?
-    fixed: tuple[str, ...] | None  # for a command whose data is always the same: its function, if it has one
+    call: str  # the C function
+    arguments: tuple[str, ...]  # of the C function
+    fill: str  # the function that fills the C structure
+    filled: tuple[str, ...]  # the arguments of `fill`
+    plain: bool  # are all members arguments of `fill`?
+    fixed: tuple[str, ...] | None  # for a command with constant data: its function selector, if it has one
 
 
 def commands(f: m.Field, model: m.Model) -> list[Command]:
@@ -127,7 +127,7 @@ def commands(f: m.Field, model: m.Model) -> list[Command]:
 
 
 def whole_response(f: m.Field, model: m.Model) -> m.Field | None:
-    """The response to a command that is passed as its structure of C."""
+    """Returns the response to a command that is passed as a C structure; None if there are several."""
     responses = model.responses(f)
     return responses[0] if len(responses) == 1 else None
 
@@ -155,14 +155,15 @@ def _command(f: m.Field, c: calls.Call) -> Command:
 
 
 def _fixed(c: calls.Call) -> tuple[str, ...] | None:
-    """The function selector of a command that has nothing else, nothing of one that is empty."""
+    """Returns the function selector of a command without other data; empty if there is no data, None if there is
+    more."""
     if c.data is None or c.given or (c.way and (c.way.asked or c.way.assigned or not c.way.function)):
         return None
     return (f"MIP_FUNCTION_SELECTOR_{names.macro(c.way.function.name)}",) if c.way and c.way.function else ()
 
 
 def command_name(f: m.Field, c: calls.Call) -> str:
-    """`write_message_format`, `ping`; of a call for one of several responses, `for_...`."""
+    """Returns the name of a call: `write_message_format`, `ping`; `for_...` for one of several responses."""
     function = c.way.function.name if c.way and c.way.function else ""
     several = c.response is not None and "_call_for_" in c.name
     name = f"for_{c.response.name}" if several and c.response else f.name
@@ -170,7 +171,7 @@ def command_name(f: m.Field, c: calls.Call) -> str:
 
 
 def _declared(p: m.Parameter, f: m.Field) -> str:
-    """A member."""
+    """Declares a member."""
     name = _member(p.name)
     if p.element is None:
         return f"::{names.union_name(p, f)} {name}"
@@ -187,7 +188,7 @@ def _declared(p: m.Parameter, f: m.Field) -> str:
 
 
 def _passed(p: m.Parameter, arrays: dict[str, m.Parameter]) -> list[str]:
-    """The arguments of C for a parameter."""
+    """Writes the C arguments for a parameter."""
     name = _member(p.name)
     if p.name in arrays:
         return [f"detail::count({_member(arrays[p.name].name)})"]
@@ -208,7 +209,7 @@ def _passed(p: m.Parameter, arrays: dict[str, m.Parameter]) -> list[str]:
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
-    """Every name that the C++ headers define in a namespace."""
+    """Yields every name that the C++ headers define in a namespace."""
     for name in names.LANGUAGE["cpp_runtime"]:
         yield Identifier("namespace mip", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):

@@ -58,7 +58,7 @@ class Programs:
 
 
 def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
-    """The declarations before a call, and the call, whose result is assigned."""
+    """Writes the declarations for a call, and the call, whose result is assigned."""
     values = literals.record(f.parameters, samples.values(f, shown))
     chosen = snippets.call_of(f, shown, samples)
     before: list[Expression] = []
@@ -80,7 +80,7 @@ def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: 
 
 
 def _argument(p: m.Parameter, x: Literal) -> tuple[list[Expression], Expression]:
-    """The declarations before a command, and its member."""
+    """Writes the declarations that a member of a command needs, and the member's value."""
     match x:
         case literals.Choice(known=None):
             return [], f"static_cast<{qualified(x.type)}>({x.number.value})"

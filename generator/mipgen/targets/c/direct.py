@@ -1,4 +1,4 @@
-"""Straight-line code for layouts that never vary: the bytes of each member."""
+"""Straight-line code for fixed layouts: the bytes of each member."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _SCALARS: dict[str, str] = LANGUAGE["scalars"]
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """One member, or one of the numbers or texts inside of it."""
+    """One member, or one of the numbers or texts inside it."""
 
     path: str
     offset: int  # in the data of the field
@@ -26,7 +26,7 @@ class Access:
 
     @property
     def bytes(self) -> bool:
-        """Are they copied as they are?"""
+        """Are the bytes copied unchanged?"""
         return self.count > 0 and self.size == 1
 
     @property
@@ -35,12 +35,12 @@ class Access:
 
     @property
     def cast(self) -> str:
-        """The type of the number, where it is not the unsigned one."""
+        """The type of a signed number or a character, to which the unsigned one is cast; empty for others."""
         return _SCALARS[self.type] if m.SCALARS[self.type].kind in ("signed", "char") else ""
 
 
 def direct(f: m.Field) -> list[Access]:
-    """The members of a field in wire order; none if its layout varies or has constants, which need checks."""
+    """Returns the members of a field in wire order; none if its layout varies or has constants, which need checks."""
     return [_access(run) for run in runs.runs(f)]
 
 

@@ -18,12 +18,12 @@ def hexadecimal(value: int) -> str:
 
 
 def key(f: m.Field) -> str:
-    """Descriptor set and descriptor of a field as one number."""
+    """Writes descriptor set and descriptor of a field as one number."""
     return f"0x{f.set:02X}{f.descriptor:02X}"
 
 
 def belongs(numbers: Sequence[int], name: str) -> str:
-    """A condition: is the number of that name one of these, which ascend?
+    """Writes the condition that the variable `name` is one of these ascending numbers.
 
     >>> belongs((0x81, 0x91, 0x92, 0x93), "set")
     'set == 0x81 || (set >= 0x91 && set <= 0x93)'
@@ -37,7 +37,7 @@ def belongs(numbers: Sequence[int], name: str) -> str:
 
 
 def number(value: int, size: int, text: str = "") -> str:
-    """An unsigned number of `size` bytes, perhaps in a form of its own.
+    """Writes an unsigned number of `size` bytes; `text`, if given, is its notation.
 
     >>> number(3, 1), number(0xFFFF0000, 4), number(1, 8)
     ('3', 'UINT32_C(0xFFFF0000)', 'UINT64_C(1)')
@@ -47,7 +47,7 @@ def number(value: int, size: int, text: str = "") -> str:
 
 
 def mask(b: m.Bits, t: m.Bitfield) -> str:
-    """The mask of bits, wide enough that its complement clears nothing else."""
+    """Writes a mask of bits, wide enough that its complement clears no other bits."""
     text = f"0x{b.mask:0{2 * t.size}X}"
     return f"UINT{8 * t.size}_C({text})" if t.size > 2 else f"{text}U"
 

@@ -12,26 +12,26 @@ from .names import argument_name, c_type, is_enum, is_struct, macro, member, typ
 
 
 def declaration(p: m.Parameter, record: m.Record) -> str:
-    """A member: `float bias[3]`."""
+    """Declares a member: `float bias[3]`."""
     if p.element is None:
         return f"union {union_name(p, record)} {member(p.name)}"
     return f"{c_type(p.element)} {member(p.name)}{_dimensions(p)}"
 
 
 def _dimensions(p: m.Parameter) -> str:
-    """The brackets after a member's name."""
+    """Writes the brackets after a member's name."""
     if p.kind == "text":
         return f"[{p.capacity + 1}]"
     return f"[{max(1, p.capacity)}]{_dimensions(p.item)}" if p.several else ""
 
 
 def home(alternative: m.Parameter) -> str:
-    """The prefix of the name of an alternative: one that fills the field shares a structure with its count."""
+    """Writes the prefix of a union's alternative; one that fills the field shares a structure with its count."""
     return f"{member(alternative.name)}." if alternative.fills else ""
 
 
 def last_present(f: m.Field) -> list[tuple[m.Parameter, int]]:
-    """The optional parameters, each with the value of `present` when it is the last one present."""
+    """Returns the optional parameters, each with the value of `present` when it is the last one present."""
     return [(p, f.present_with[p.name]) for p in members(f) if p.optional and not p.counts]
 
 
@@ -69,7 +69,7 @@ def _constructor(f: m.Field, way: m.Call) -> Constructor:
 
 
 def argument(p: m.Parameter, f: m.Field) -> str:
-    """The arguments for a parameter: one, or a count and the elements."""
+    """Declares the arguments for a parameter: one, or a count and the elements."""
     name = argument_name(p.name)
     if p.element is None:
         return f"const union {union_name(p, f)} *{name}"
@@ -89,18 +89,18 @@ def argument(p: m.Parameter, f: m.Field) -> str:
 def takes_enum(p: m.Parameter) -> bool:
     """Is its argument an enumeration, so that the compiler detects values of another one?
 
-    Not if it has several bytes on the wire: in C, a compiler may give one whose values are small a single byte.
+    Not if it has several bytes on the wire: a C compiler may store an enumeration with small values in a single byte.
     """
     return p.length is None and isinstance(p.element, m.Enum) and is_enum(p.element) and p.element.scalar.size == 1
 
 
-#: A test of a command: a place in its field, whose length and descriptor are before the data, and the value there.
+#: A test of a command: an offset in its field, which begins with length and descriptor, and the value at that offset.
 Test = tuple[int, str]
 DATA = 2
 
 
 def holding(f: m.Field, c: m.Condition) -> list[Test]:
-    """Tests of bytes of a command; for a Boolean, everything but 0 is true."""
+    """Returns the tests of a command's bytes for a condition; for a Boolean, everything but 0 is true."""
     p = next(q for q in f.parameters if q.name == c.parameter)
     before = [extent.size(q) for q in f.parameters[: f.parameters.index(p)]]
     assert all(least == most for least, most in before), f"{f.full_name}.{p.name}: no fixed place"
@@ -112,7 +112,7 @@ def holding(f: m.Field, c: m.Condition) -> list[Test]:
 
 @dataclass(frozen=True)
 class Reply:
-    """A row of the table of a command's responses: see `mip_response` in client.h."""
+    """A row in a command's table of responses: see `mip_response` in client.h."""
 
     layout: m.Field | None
     descriptor: int
@@ -122,8 +122,8 @@ class Reply:
 
 
 def replies(f: m.Field, model: m.Model) -> list[Reply]:
-    """The replies to a command: the layouts of a response, each with one test of the command. If there are more
-    of one than of the other, the last is repeated."""
+    """Returns the replies to a command: rows with one layout of a response and one test of the command. If there are
+    fewer layouts than tests, or the reverse, the last one is repeated."""
     ways: list[tuple[list[Test], tuple[m.Field, ...]]] = [([_function(x)], ()) for x in f.functions if not x.reply]
     if f.silent_when:
         ways.append(([test for c in f.silent_when for test in holding(f, c)], ()))
@@ -150,10 +150,10 @@ def _function(x: m.Function) -> Test:
 
 
 def bits_type(b: m.Bits) -> str:
-    """The type of a number inside a bitfield."""
+    """Returns the type of a number inside a bitfield."""
     return f"uint{next(n for n in (8, 16, 32, 64) if b.width <= n)}_t"
 
 
 def has_accessor(b: m.Bits, t: m.Bitfield) -> bool:
-    """True for a number inside a bitfield, which has functions; flags, and bits of bytes, are constants."""
+    """True for a number inside a bitfield, which has get and set functions; flags and bits in bytes are constants."""
     return t.scalar is not None and b.width > 1 and not b.alias

@@ -20,17 +20,17 @@ _argument = Escape(frozenset(LANGUAGE["arguments"]), digit_prefix="n")
 
 
 def argument_name(name: str) -> str:
-    """The name of the argument for a member."""
+    """Returns the name of a member's argument."""
     return _argument(member(name))
 
 
 def short(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> str:
-    """The name of a thing, or the shorter one that the specification has for languages like this."""
+    """Returns the name of a thing, or the shorter one that the specification defines for C."""
     return thing.short or thing.name
 
 
 def type_name(t: m.Type) -> str:
-    """The name of a type, after its family, whose name is not repeated."""
+    """Returns the name of a type, prefixed with the name of its family, which is not repeated."""
     if isinstance(t, m.Vector):
         return f"mip_{t.name}"
     return f"mip_{t.owner}_{short(t).removeprefix(f'{t.owner}_')}" if t.owner else f"mip_{short(t)}"
@@ -45,7 +45,7 @@ def set_constant(s: m.Set) -> str:
 
 
 def symbol(thing: m.Type | m.Field) -> str:
-    """The type of a field, or a type."""
+    """Returns the C name of a field's type, or of a type."""
     return field_name(thing) if isinstance(thing, m.Field) else type_name(thing)
 
 
@@ -58,12 +58,12 @@ def constant(t: m.Enum | m.Bitfield, part: m.EnumValue | m.Bits) -> str:
 
 
 def accessor(t: m.Bitfield, verb: str, b: m.Bits) -> str:
-    """The function that gets or sets a number inside a bitfield."""
+    """Returns the function that gets or sets a number inside a bitfield."""
     return f"{type_name(t)}_{verb}_{short(b)}"
 
 
 def bare(thing: m.Type | m.Field) -> str:
-    """A name without the prefix of the library, for static names in a source."""
+    """Returns a name without the library's prefix, for static names in a source file."""
     return symbol(thing).removeprefix("mip_")
 
 
@@ -73,7 +73,8 @@ def is_enum(e: m.Scalar | m.Type | None) -> bool:
 
 
 def c_type(e: m.Scalar | m.Type) -> str:
-    """The C type of one item; of a vector, that of its elements; of an enumeration, a number of its width."""
+    """Returns the C type of one item: for a vector, that of its elements; for an enumeration, an integer of its
+    width."""
     match e:
         case m.Scalar():
             return _SCALARS[e.name]

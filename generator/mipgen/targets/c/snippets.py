@@ -57,7 +57,7 @@ class Programs:
 def in_turn(
     steps: Sequence[tuple[m.Field, GivenValues]], calls: Sequence[list[str]], remark: str, succeeded: str
 ) -> list[str]:
-    """The statements of a function that makes these calls as long as they succeed."""
+    """Writes the statements of a function that makes these calls until one fails."""
     lines: list[str] = []
     for i, ((f, given), call) in enumerate(zip(steps, calls, strict=True), 1):
         title = remark.format(f"{i}: {title_of(f, given)}")
@@ -70,7 +70,7 @@ def in_turn(
 
 
 def _call(f: m.Field, shown: m.Call, samples: SampleValues, result: str, width: int = 96) -> list[str]:
-    """The declarations before a call, and the call, whose result is assigned."""
+    """Writes the declarations for a call, and the call, whose result is assigned."""
     values = literals.record(f.parameters, samples.values(f, shown))
     chosen = call_of(f, shown, samples)
     before: list[Expression] = []
@@ -94,7 +94,7 @@ def statement(x: Expression) -> Expression:
 
 
 def call_of(f: m.Field, shown: m.Call, samples: SampleValues) -> Call:
-    """The function that calls it in this way, and decodes its response."""
+    """Returns the C function that sends the command in this form and decodes its response."""
     replies = samples.replies(f, shown)
     wanted = replies[0].layouts[0] if replies else None
     way = next((c.name for c in constructors(f) if c.function == shown.function), None)
@@ -103,7 +103,7 @@ def call_of(f: m.Field, shown: m.Call, samples: SampleValues) -> Call:
 
 
 def _argument(p: m.Parameter, f: m.Field, x: Literal) -> tuple[list[Expression], list[Expression]]:
-    """The declarations before a call, and its argument."""
+    """Writes the declarations that an argument of a call needs, and the argument."""
     name = argument_name(p.name)
     match x:
         case literals.Alternative():
@@ -130,12 +130,12 @@ def _type(p: m.Parameter) -> str:
 
 
 def _count(p: m.Parameter, items: Sequence[object]) -> list[str]:
-    """The number of elements of an array that fills the field."""
+    """Writes the number of elements, if the array fills the field."""
     return [str(len(items))] if p.fills else []
 
 
 def record(values: dict[str, Literal]) -> Brackets:
-    """The initializer of a structure. A union without a value is left out: {0} would lack braces."""
+    """Writes the initializer of a structure. A union without a value is omitted, because {0} would lack braces."""
     held = {k: x for k, x in values.items() if not (isinstance(x, literals.Alternative) and x.value is None)}
     return Brackets("{", [after(f".{member(k)} = ", value(x)) for k, x in held.items()] or ["0"], "}")
 

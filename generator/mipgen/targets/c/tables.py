@@ -15,7 +15,7 @@ from .names import bare, field_name, member, symbol, union_name
 
 
 def required(f: m.Field) -> list[int]:
-    """The number of parameters that each function requires, by its value."""
+    """Returns the number of parameters that each function requires; the index is the function's value."""
     return [f.required(value) for value in range(max(x.value for x in f.functions) + 1)]
 
 
@@ -38,14 +38,13 @@ class SetEntry:
 
 
 def _ordered(model: m.Model) -> list[m.Field]:
-    """All fields, by family, descriptor, and the order of the specification; first the acknowledge."""
+    """Returns the acknowledge, then all fields by family, descriptor and order in the specification."""
     families = (sorted(x.fields, key=lambda f: f.descriptor) for x in model.families)
     return [model.protocol.acknowledge, *(f for fields in families for f in fields)]
 
 
 def sets(model: m.Model) -> Iterator[SetEntry]:
-    """All descriptor sets by number; that of the acknowledge, which represents all command sets, is
-    0."""
+    """Yields all descriptor sets by number, after set 0 of the acknowledge, which represents all command sets."""
     acknowledge = model.protocol.acknowledge
     yield SetEntry(acknowledge.set, acknowledge.family, 0, 1)
     places: dict[str, tuple[int, int]] = {}
@@ -68,17 +67,17 @@ def entries(model: m.Model) -> Iterator[Entry]:
 
 # --------------------------------------------------------------------------- reflection
 
-#: Kinds of operation that have another name in C.
+#: Kinds of parameters with a different name in C.
 _KINDS = {"scalar": "NUMBER", "switch": "UNION"}
 
 
 def names(t: m.Enum | m.Bitfield) -> str:
-    """The table that names the values or bits of a type."""
+    """Returns the name of the table with the names of a type's values or bits."""
     return f"mip_names_{bare(t)}"
 
 
 def labels(parts: Sequence[m.EnumValue | m.Bits]) -> str:
-    """Names, each followed by a NUL; that of the last one is the end of the string."""
+    """Writes names as one string, each followed by a NUL; after the last name, it is the string's own."""
     return " ".join([*(f'"{part.name}\\0"' for part in parts[:-1]), *(f'"{part.name}"' for part in parts[-1:])]) or '""'
 
 
@@ -87,7 +86,7 @@ def numbers(t: m.Enum) -> str:
 
 
 def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None) -> str:
-    """The members of struct mip_parameter; `union`: of an alternative, the union that holds it."""
+    """Writes the members of struct mip_parameter; `union` is the union that contains the parameter, if one does."""
     item, full = p.leaf, bare(record)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     by = p.tag or p.counts or p.counter
@@ -116,7 +115,7 @@ def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None
 
 
 def _place(p: m.Parameter, record: m.Record, union: m.Parameter | None) -> tuple[str, str]:
-    """The offsets of the member and of the number of its items."""
+    """Writes the location of a member, and the offset of its item count."""
     if not union and p not in members(record):
         return "0, 0", "0"
     within = f"union {union_name(union, record)}" if union else f"struct {symbol(record)}"
@@ -126,7 +125,7 @@ def _place(p: m.Parameter, record: m.Record, union: m.Parameter | None) -> tuple
 
 
 def reflection(f: m.Field) -> str:
-    """The members of struct mip_reflection."""
+    """Writes the members of struct mip_reflection."""
     name, table = field_name(f), f"required_{bare(f)}"
     row = [
         f"&{name}_codec",
@@ -141,7 +140,8 @@ def reflection(f: m.Field) -> str:
 
 
 def readings(p: m.Parameter, record: m.Record) -> Iterator[str]:
-    """The members of struct mip_reading: device, or index and value of the parameter that decides; and the names."""
+    """Yields the members of struct mip_reading: device, or index and value of the selecting parameter; and the
+    names."""
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     for v in p.readings:
         assert v.type is not None

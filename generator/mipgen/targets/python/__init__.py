@@ -29,7 +29,7 @@ def files(model: m.Model) -> Iterator[File]:
         "at_port": model.program("device.py").rstrip(),
         "at_port_aio": model.program("device_aio.py").rstrip(),
         "meaning": model.program("meaning.py").rstrip(),
-        "device": known.id if known else "DEVICE",  # the device that shows most
+        "device": known.id if known else "DEVICE",  # the device with the most fields
     }
     without = {"without": needs.left_out(model)}
     yield File("README.md", "README.md.j2", shown | without)
@@ -48,7 +48,7 @@ def files(model: m.Model) -> Iterator[File]:
 
 
 def _meaning(module: str, types: Sequence[m.Type], fields: Sequence[m.Field] = ()) -> File:
-    """The facts about the types and fields of a module."""
+    """Returns the file with the facts about a module's types and fields."""
     known = {"module": module, "kinds": types, "fields": fields}
     return File(f"{PACKAGE}/_meaning/{module}.py", "meaning.py.j2", known)
 
@@ -66,7 +66,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "qualified": names.qualified,
         "reference": names.reference,
         "hides_builtin": names.hides_builtin,
-        # what objects hold
+        # contents of objects
         "members": calls.members,
         "hint": members.hint,
         "held": members.held,
@@ -121,7 +121,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
 
 
 def attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
-    """The names of the members of a class in Python, and in the specification."""
+    """Yields the names of a class's members in Python and in the specification."""
     if isinstance(t, m.Enum):
         for v in t.values:
             yield names.constant(v.name), v.name, v.position

@@ -1,4 +1,5 @@
-"""The interface of Python for other targets: names of fields and types, programs, and data for writing programs."""
+"""The Python target's interface for other targets: names of fields and types, programs, and data for writing
+programs."""
 
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ __all__ = ["Programs", "symbol", "symbols", "writing"]
 
 
 def symbol(thing: m.Type | m.Field) -> str:
-    """The class of a field or a type, as programs import it."""
+    """Returns the class of a field or a type, as programs import it."""
     return f"{PACKAGE}.{names.qualified(thing).removeprefix('protocol.')}"
 
 
@@ -31,7 +32,7 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
 
 
 def writing(model: m.Model) -> dict[str, Any]:
-    """Data for tools that write programs: names that Python writes in another way than the specification."""
+    """Returns data for tools that write programs: names that differ between Python and the specification."""
     functions = [f.name for f in model.protocol.functions]
     modules = [names.module(x.name) for x in model.families]
     return {

@@ -11,7 +11,7 @@ from mipgen.facts.comments import Comments
 from . import names
 from .members import annotation
 
-WIDTH = 100  # of generated lines; pyproject.toml of the package says the same to ruff
+WIDTH = 100  # of generated lines; the package's pyproject.toml sets the same for ruff
 
 
 def _alternative(p: m.Parameter | None, record: m.Record) -> str:
@@ -22,7 +22,7 @@ COMMENTS = Comments(names, _alternative)
 
 
 def filters(model: m.Model) -> dict[str, Callable[..., str]]:
-    """The docstring of each kind of thing, and the comments of what has none."""
+    """Returns the filters that write docstrings, and comments for things without one."""
 
     def documented(paragraphs: Callable[..., list[str]], indent: int) -> Callable[..., str]:
         return lambda *thing: literal(paragraphs(*thing, model), indent)
@@ -37,7 +37,7 @@ def filters(model: m.Model) -> dict[str, Callable[..., str]]:
         "member_doc": documented(COMMENTS.member, 4),
         "function_doc": lambda f: literal([f.description], 8),
         "device_doc": documented(COMMENTS.device, 0),
-        # of a parameter that objects do not hold, as it follows from the rest
+        # a parameter without a member, because it follows from the others
         "unheld_doc": lambda p, record: comment(" ".join(filter(None, COMMENTS.member(p, record, model))), 4),
     }
 
@@ -46,7 +46,7 @@ def filters(model: m.Model) -> dict[str, Callable[..., str]]:
 
 
 def literal(paragraphs: Iterable[str], indent: int) -> str:
-    """A docstring of these paragraphs, indented; nothing if they are empty.
+    """Writes an indented docstring of these paragraphs; nothing if they are empty.
 
     >>> literal(["Short."], 4)
     '\"""Short.\"""'
@@ -67,15 +67,15 @@ def literal(paragraphs: Iterable[str], indent: int) -> str:
 
 
 def comment(text: str, indent: int) -> str:
-    """A comment, indented."""
+    """Writes an indented comment."""
     return _indented([f"# {line}" for line in _wrapped(text, WIDTH - indent - 2)], indent)
 
 
 def _wrapped(text: str, width: int) -> list[str]:
-    """The lines of a paragraph or of an item of a list, which hangs below its dash."""
+    """Wraps a paragraph, or a list item with a hanging indent."""
     return wrapped(text, width, "  " if text.lstrip('"').startswith("- ") else "") or [""]
 
 
 def _indented(lines: Iterable[str], indent: int) -> str:
-    """Lines, indented except for the first one, whose indentation is already there."""
+    """Indents all lines except the first one, whose indentation is already there."""
     return "\n".join(" " * indent + line if line else "" for line in lines).lstrip()

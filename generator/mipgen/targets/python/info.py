@@ -1,6 +1,6 @@
-"""Rows of the modules of `_meaning`: descriptions of fields, structures, enumerations and bitfields at run time.
+"""Rows of the `_meaning` modules: descriptions of fields, structures, enumerations and bitfields at run time.
 
-A row has the attributes of an object of a class of `info` or `parameter`, as Python source; empty ones are left out.
+A row contains the attributes of an object from `info` or `parameter` as Python source, without empty ones.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ Row = dict[str, str]
 
 
 def shown(values: dict[str, Any]) -> Row:
-    """The values as Python source, without empty ones."""
+    """Returns the values as Python source, without empty ones."""
     return {k: code(v) for k, v in values.items() if v not in (None, "", (), False)}
 
 
 def code(value: object) -> str:
-    """As `repr`, but texts in double quotes.
+    """Like `repr`, but with double quotes around texts.
 
     >>> print(code((1, "a", ("it's",))))
     (1, "a", ("it's",))
@@ -66,7 +66,7 @@ def of_bitfield(t: m.Bitfield) -> Row:
 
 
 def _spelled(names: Iterable[str]) -> Row:
-    """The names that are not those of the class in small letters."""
+    """Returns the names that differ from the class's names in lower case."""
     other = {constant(name): code(name) for name in names if constant(name).lower() != name}
     return {"spelled": _mapping(other)} if other else {}
 
@@ -75,7 +75,7 @@ def _spelled(names: Iterable[str]) -> Row:
 
 
 def of_parameter(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
-    """The description of a parameter besides its name, kind and cases."""
+    """Returns the description of a parameter without its name, kind and cases."""
     values = {
         "scalar": _scalar(p.leaf),
         "size": p.size if p.kind == "bits" else 0,
@@ -119,7 +119,8 @@ def _scalar(p: m.Parameter) -> str:
 
 
 def _variants(p: m.Parameter, record: m.Record, model: m.Model) -> Row:
-    """The differences by device or another parameter, and the flags of devices that have their own."""
+    """Returns the differences by device or by another parameter, and the valid flags that some devices define
+    differently."""
     rows = []
     for group, _ in describe.variants(p, record, model):
         v = group[0]
@@ -142,7 +143,7 @@ def _mapping(row: Row) -> str:
 
 
 def _changes(v: m.Variant, p: m.Parameter, record: m.Record) -> Row:
-    """The attributes of a parameter that differ in a variant."""
+    """Returns the attributes of a parameter that differ in a variant."""
     if v.member and isinstance(p.element, m.Struct):
         p = next(q for q in p.element.parameters if q.name == v.member)
     changes: dict[str, object] = {
@@ -173,9 +174,9 @@ Flags = list[tuple[str, str, int]]
 
 
 def flags(paths: Iterable[str], record: m.Record, device: str | None = None) -> Flags:
-    """The flags that mark a value as valid: path, attribute and mask of each; the mask of a bool is 0.
+    """Returns path, attribute and mask of each flag that marks a value as valid; the mask of a bool is 0.
 
-    Empty if the bit depends on the device, which is not known.
+    Empty if the bit depends on the device and the device is not known.
     """
     flags = []
     for path in paths:
@@ -188,7 +189,7 @@ def flags(paths: Iterable[str], record: m.Record, device: str | None = None) -> 
 
 
 def _mask(holder: m.Parameter, bit: str, device: str | None) -> int | None:
-    """The mask of a bit, as the device has it; None if that depends on a device that is not known."""
+    """Returns the mask of a bit on the device; None if it depends on the device and the device is not known."""
     own = next((v.type for v in holder.readings if v.by_device and v.key == device), None)
     types: list[object] = [own or holder.element]
     if not own and not _masks(types, bit):
@@ -202,7 +203,7 @@ def _masks(types: Iterable[object], bit: str) -> list[int]:
 
 
 def _flags_on(p: m.Parameter, record: m.Record) -> dict[str, Flags]:
-    """Devices where a parameter has another valid flag, or the same flag is another bit."""
+    """Returns the flags on devices where a parameter has a different valid flag, or its flag is a different bit."""
     own = {v.key: v.valid for v in p.variants if v.by_device and v.valid is not None and not v.member}
     holders = {path.partition(".")[0] for paths in (p.valid, *own.values()) for path in paths}
     readings = (v for q in record.parameters if q.name in holders for v in q.readings if v.by_device)
@@ -224,5 +225,5 @@ def fields(model: m.Model) -> list[m.Field]:
 
 
 def called(d: m.Device) -> tuple[str, ...]:
-    """The title of a device, and its other names."""
+    """Returns the title of a device and its other names."""
     return (d.title, *d.also)

@@ -1,4 +1,4 @@
-"""The members of a record in objects, their types and defaults, and the parameters of constructors."""
+"""Members of objects, their types and defaults, and the parameters of constructors."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from .names import SCALARS, constant, home, member, reference
 
 
 def held(record: m.Record) -> tuple[str, ...]:
-    """The names of the members."""
+    """Returns the names of the members."""
     return tuple(member(p.name) for p in members(record))
 
 
 def is_shared(f: m.Field) -> bool:
-    """True for a field of several sets."""
+    """True for a field that occurs in several sets."""
     return len(f.sets) > 1
 
 
 def sets(f: m.Field) -> str:
-    """The numbers of the sets in which a field occurs."""
+    """Writes the numbers of the sets in which a field occurs."""
     if f.everywhere:
         return f"range(0x{f.everywhere.start:02X}, 0x{f.everywhere.stop:02X})"
     return f"({', '.join(f'0x{n:02X}' for n in f.sets)},)"
 
 
 def annotation(p: m.Parameter, record: m.Record) -> str:
-    """The type of a parameter's value, where it is present."""
+    """Returns the type of a parameter's value when it is present."""
     one = _one(p, record)
     if not is_array(p):
         return one
@@ -39,12 +39,12 @@ def annotation(p: m.Parameter, record: m.Record) -> str:
 
 
 def is_array(p: m.Parameter) -> bool:
-    """True for several elements in a tuple; a text is one value."""
+    """True for several elements in a tuple; a text or a vector is one value."""
     return p.kind == "array" and not p.vector
 
 
 def few_elements(p: m.Parameter) -> int:
-    """The length of an array whose type names each element; 0 if it does not."""
+    """Returns the length of an array whose tuple type lists each element; 0 for any other type."""
     plain = is_array(p) and not (p.leaf.named or p.leaf.struct)
     return p.capacity if plain and not p.open and p.capacity <= 4 else 0
 
@@ -61,7 +61,7 @@ def _one(p: m.Parameter, record: m.Record) -> str:
 
 
 def hint(p: m.Parameter, record: m.Record) -> str:
-    """The type of a member."""
+    """Returns the type of a member."""
     one = annotation(p, record)
     return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
 
@@ -72,7 +72,7 @@ def may_be_absent(p: m.Parameter, record: m.Record) -> bool:
 
 
 def default(p: m.Parameter, record: m.Record) -> str | None:
-    """The value of a member that the caller does not pass."""
+    """Returns the value of a member that the caller omits; None if it must be passed."""
     if may_be_absent(p, record) or p.element is None:
         return "None"
     return None if p.reserved is None else _reserved(p)
@@ -92,12 +92,12 @@ def keyword_only(p: m.Parameter, record: m.Record) -> bool:
 
 
 def by_place(record: m.Record) -> tuple[str, ...]:
-    """The members that a caller may pass by place."""
+    """Returns the members that a caller may pass by position."""
     return tuple(member(p.name) for p in members(record) if not keyword_only(p, record))
 
 
 def initial(record: m.Record) -> list[str]:
-    """The parameters of the constructor."""
+    """Writes the parameters of the constructor."""
     by_place: list[str] = []
     by_name: list[str] = []
     for p in members(record):
@@ -108,13 +108,13 @@ def initial(record: m.Record) -> list[str]:
 
 
 def accepted(p: m.Parameter, record: m.Record) -> str:
-    """The type of the argument for a member."""
+    """Returns the type of the argument for a member."""
     one = _needed(p, record)
     return f"{one} | None" if may_be_absent(p, record) and p.element is not None else one
 
 
 def _needed(p: m.Parameter, record: m.Record) -> str:
-    """The same for a member that is present: vectors can be made of any numbers, arrays of any sequence."""
+    """Returns the same for a member that is present: a vector accepts any numbers, an array any sequence."""
     kinds = vectors(p)
     numbers = "codec.Rows" if any(columns(v) for v in kinds) else "codec.Numbers"
     if is_array(p):
@@ -123,7 +123,7 @@ def _needed(p: m.Parameter, record: m.Record) -> str:
 
 
 def kept(p: m.Parameter, record: m.Record) -> str:
-    """The value that the object keeps of an argument."""
+    """Writes the value that the object stores for an argument."""
     name, kinds = member(p.name), ", ".join(reference(v, home(record)) for v in vectors(p))
     if kinds:
         return f"codec.{'vectors' if is_array(p) else 'vector'}({name}, {kinds})"
@@ -131,20 +131,20 @@ def kept(p: m.Parameter, record: m.Record) -> str:
 
 
 def vectors(p: m.Parameter) -> list[m.Vector]:
-    """The vectors that a member may be, or may be several of."""
+    """Returns the vectors that a member or its elements may be."""
     if p.element is None:
         return list(dict.fromkeys(v for c in p.cases if c.parameter for v in vectors(c.parameter)))
     return [p.element] if isinstance(p.element, m.Vector) else []
 
 
 def vector_members(record: m.Record) -> dict[str, list[str]]:
-    """Members that are vectors -> the classes of which they may be, as Python writes them."""
+    """Returns the members that are vectors, each with its possible classes in Python's notation."""
     single = [p for p in members(record) if p.length is None and vectors(p)]
     return {member(p.name): [reference(v, home(record)) for v in vectors(p)] for p in single}
 
 
 def columns(v: m.Vector) -> int:
-    """The number of columns of a matrix, whose elements are named by row and column, m11, m12 …; 0 for other vectors.
+    """Returns the number of columns of a matrix, whose elements are named by row and column, m11, m12 …; else 0.
 
     >>> columns(m.Vector("matrix2f", m.SCALARS["float"], ("m11", "m12", "m21", "m22"), ""))
     2
@@ -155,13 +155,13 @@ def columns(v: m.Vector) -> int:
 
 
 def layout(record: m.Record) -> list[tuple[str, str, str]]:
-    """The rows of a layout, as `wire` of the package has them: name, letters of `struct`, and the function that makes
-    the value."""
+    """Returns the rows of a layout in the form that the package's module `wire` uses: name, letters for `struct`, and
+    the function that makes the value."""
     return [_row(p, record) for p in record.parameters]
 
 
 def always(record: m.Record) -> int | None:
-    """The number of parameters that are always present, if not all are."""
+    """Returns the number of parameters that are always present; None if all are."""
     return len(record.always) if record.optional else None
 
 
@@ -191,7 +191,7 @@ def _row(p: m.Parameter, record: m.Record) -> tuple[str, str, str]:
 
 
 def _made(p: m.Parameter, several: bool, record: m.Record, where: str) -> str:
-    """The expression that makes the value from plain numbers."""
+    """Writes the expression that makes the value from plain numbers."""
     if p.constant is not None:
         return str(p.constant)
     if p.counts is not None:
@@ -206,7 +206,7 @@ def _made(p: m.Parameter, several: bool, record: m.Record, where: str) -> str:
 
 
 def _convert(p: m.Parameter, where: str) -> str:
-    """The function that makes a value from a number."""
+    """Returns the function that converts a number to a value."""
     if p.named is not None:
         return reference(p.named, where)
     return "codec.truth" if p.kind == "scalar" and p.scalar.kind == "bool" else "None"
@@ -216,13 +216,13 @@ def _convert(p: m.Parameter, where: str) -> str:
 
 
 def parameters(way: m.Call, record: m.Field) -> list[str]:
-    """The parameters of the constructor for a function: the required ones, then the optional ones."""
+    """Writes the parameters of the constructor for a function: the required ones, then the optional ones."""
     asked = [f"{member(p.name)}: {_needed(p, record)}" for p in way.values]
     return asked + [f"{member(p.name)}: {accepted(p, record)} = None" for p in way.addable]
 
 
 def arguments(way: m.Call) -> list[str]:
-    """The arguments that this constructor passes on, after the function."""
+    """Writes the arguments that this constructor passes on after the function."""
     passed = []
     for p in way.required:
         if not p.derived:
@@ -231,7 +231,7 @@ def arguments(way: m.Call) -> list[str]:
         later = [q for q in way.optional[i:] if q in way.addable]
         if p in way.addable:
             passed.append(f"{member(p.name)}={member(p.name)}")
-        elif p.reserved is not None and later:  # it is sent with the parameters after it
+        elif p.reserved is not None and later:  # sent only with the parameters after it
             passed.append(f"{member(p.name)}={_reserved(p)} if {member(later[0].name)} is not None else None")
     return passed
 
@@ -240,7 +240,7 @@ def arguments(way: m.Call) -> list[str]:
 
 
 def holding(c: m.Condition, negated: bool = False) -> str:
-    """A condition on the members of a command, or its negation; for a Boolean, everything but 0 is true."""
+    """Writes a condition on a member of a command, or its negation; for a Boolean, everything but 0 is true."""
     value = f"self.{member(c.parameter)}"
     if c.boolean:
         return value if bool(c.value) != negated else f"not {value}"
@@ -248,7 +248,7 @@ def holding(c: m.Condition, negated: bool = False) -> str:
 
 
 def answered(f: m.Field) -> str:
-    """When the device sends an acknowledge, as a condition on the members; empty if it always sends one."""
+    """Writes the condition under which the device sends an acknowledge; empty if it always does."""
     tests = [f"self.function != FunctionSelector.{constant(x.name)}" for x in f.functions if not x.reply]
     if f.silent_when:
         tests.append(f"({' or '.join(holding(c, negated=True) for c in f.silent_when)})")
@@ -256,7 +256,7 @@ def answered(f: m.Field) -> str:
 
 
 def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
-    """The layouts of each response of a command, with the condition under which it is sent; none if there are no
+    """Returns the condition under which each response of a command is sent, and its layouts; empty if there are no
     conditions."""
     responses = []
     for reply in model.replies(f):
@@ -269,19 +269,19 @@ def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
 
 
 def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
-    """The type of the result for a command that a client sends in this way: a response, one of several, or None."""
+    """Returns the result type of a command with this function: a response, one of several, or None."""
     layouts = calls.answers(f, function, model)
     return " | ".join(dict.fromkeys(reference(layout, home(f)) for layout in layouts)) or "None"
 
 
 def answers(f: m.Field, model: m.Model) -> str:
-    """The same for a command however it is sent; empty if that depends on the function."""
+    """Returns the same for a command with any function; empty if the type depends on the function."""
     types = {answer(way.function, f, model) for way in constructors(f)}
     return types.pop() if len(types) == 1 else ""
 
 
 def silencers(f: m.Field, model: m.Model) -> list[tuple[int, int, str, int]]:
-    """The settings that keep the device from acknowledging a command: set, descriptor, member and value."""
+    """Returns the settings that suppress the acknowledge of a command: set, descriptor, member and value."""
     settings = []
     for c in f.silenced_by:
         setting = model.field(c.command or "")
@@ -291,7 +291,7 @@ def silencers(f: m.Field, model: m.Model) -> list[tuple[int, int, str, int]]:
 
 
 def matches(f: m.Field, model: m.Model) -> str:
-    """The condition that `data` is that of a field; empty if any data can be."""
+    """Writes the condition that `data` belongs to a field; empty if any data may."""
     sizes = model.sizes(f)
     tests = [f"{sizes.start} <= len(data)"] if sizes.start else []
     if sizes.stop <= m.MAX_FIELD_DATA:

@@ -11,7 +11,7 @@ from mipgen.emit.render import language
 _LANGUAGE = language("python")
 _KEYWORDS = frozenset(str(k) for k in _LANGUAGE["keywords"])
 
-#: Module -> the fact of the specification without which it is left out.
+#: Module -> the fact that a specification must contain for its package to include the module.
 NEEDS: dict[str, str] = dict(_LANGUAGE["needs"])
 
 GRAMMAR = Grammar(r"[A-Za-z_]\w*", _KEYWORDS)
@@ -39,7 +39,7 @@ prop = Escape(_KEYWORDS | frozenset(_LANGUAGE["bits"]), digit_prefix="n")
 
 
 def constant(words: str) -> str:
-    """A value, a bit or a device."""
+    """Returns the constant for a value, a bit or a device."""
     return _constant(upper(words))
 
 

@@ -1,7 +1,7 @@
-"""Leaves out the parts of a package that are useless without a fact that its specification does not have.
+"""Omits the parts of a package that need a fact which its specification lacks.
 
-`needs` in language.yaml names the modules that need a fact. They are left out with the statements that import from
-them, and with each statement of the runtime below a comment such as `# needs: session`.
+`needs` in language.yaml lists the modules that need a fact. If it is missing, they are omitted, with the statements
+that import from them and each statement of the runtime below a comment such as `# needs: session`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from mipgen.lower.session import session
 
 from .names import NEEDS
 
-#: Fact -> predicate: True if the specification has it.
+#: Fact -> predicate: True if the specification contains it.
 FACTS: dict[str, Callable[[m.Model], bool]] = {
     "baud rates": lambda model: _names_rates(model) or _changes_rate(model),
     "session": lambda model: session(model) is not None,
@@ -35,13 +35,13 @@ def _changes_rate(model: m.Model) -> bool:
 
 
 def left_out(model: m.Model) -> frozenset[str]:
-    """The modules that the package of a specification does not have."""
+    """Returns the modules that the package of a specification omits."""
     known = _known(model)
     return frozenset(module for module, fact in NEEDS.items() if fact not in known)
 
 
 def runtime(files: Mapping[str, bytes], model: m.Model) -> dict[str, bytes]:
-    """The finished source in a package: all of it, unchanged, if the specification has all facts."""
+    """Returns the runtime's files for a package, all of them unchanged if the specification contains all facts."""
     without, known = left_out(model), _known(model)
     if not without:
         return dict(files)
@@ -66,7 +66,7 @@ def _reduced(source: bytes, without: Container[str], known: Container[str]) -> b
 def _useless(
     body: list[ast.stmt], lines: list[str], without: Container[str], known: Container[str]
 ) -> Iterator[tuple[int, int]]:
-    """The lines of the statements that are left out, in order, and of the comments above them."""
+    """Yields the line ranges of omitted statements, in order, including the comments above them."""
     for node in body:
         first = min([node.lineno, *(d.lineno for d in getattr(node, "decorator_list", ()))]) - 1
         while first and lines[first - 1].lstrip().startswith("#"):

@@ -1,4 +1,4 @@
-"""The commands that start the data of a device, as expressions of Python."""
+"""The commands that start a device's data, as Python expressions."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Session:
 
 
 def of(model: m.Model) -> Session | None:
-    """None if the specification, or the part of it, does not have all of these commands."""
+    """Returns the commands; None if the specification, or the selected part of it, lacks one of them."""
     start = lower.session(model)
     if start is None:
         return None
@@ -60,6 +60,7 @@ def of(model: m.Model) -> Session | None:
 
 
 def _call(f: m.Field) -> str:
-    """The constructor of the command: that of its first function, called with the parameters that this requires."""
+    """Returns the constructor of a command for its first function; calls pass the parameters that this function
+    requires."""
     function = f.calls[0].function
     return names.qualified(f) + (f".{names.member(function.name)}" if function else "")

@@ -10,7 +10,7 @@ from mipgen.model.simulation import Behavior, Source, Value
 
 
 def document(model: m.Model) -> str:
-    """The text of `simulation.json`; empty parts are left out."""
+    """Writes the text of `simulation.json`; empty parts are omitted."""
     simulation = model.simulation
     shown = {s.field.full_name if s.set is None else s.field.name_in(s.set): s for s in simulation.sources}
     parts: dict[str, dict[str, Any]] = {

@@ -88,7 +88,7 @@ class _Program:
                 return self.value(x.value) if x.value else "None"
 
     def arguments(self, x: literals.Structure) -> list[Expression]:
-        """The arguments of a structure's class; reserved ones may be left out, if they are not passed by place."""
+        """Writes the arguments of a structure's class; reserved ones are omitted, unless they are positional."""
         held = [(p, keyword_only(p, x.type)) for p in members(x.type)]
         return [
             after(f"{member(p.name)}=" if named else "", self.value(x.members[p.name]))
@@ -98,5 +98,5 @@ class _Program:
 
 
 def local(module: str) -> str:
-    """The name under which a program imports a module."""
+    """Returns the name under which a program imports a module."""
     return f"mip_{module}" if hides_builtin(module) else module

@@ -6,7 +6,7 @@ from mipgen import model as m
 
 
 def by_descriptor(s: m.Family) -> dict[int, list[m.Field]]:
-    """The layouts of each descriptor."""
+    """Returns the layouts of each descriptor."""
     fields: dict[int, list[m.Field]] = {}
     for f in sorted(s.fields, key=lambda f: f.descriptor):
         fields.setdefault(f.descriptor, []).append(f)
