@@ -118,7 +118,7 @@ class Command:
     arguments: tuple[str, ...]  # of the C function
     fill: str  # the function that fills the C structure
     filled: tuple[str, ...]  # the arguments of `fill`
-    plain: bool  # are all members arguments of `fill`?
+    plain: bool  # are the members all that `fill` needs?
     fixed: tuple[str, ...] | None  # for a command with constant data: its function selector, if it has one
 
 

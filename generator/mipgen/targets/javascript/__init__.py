@@ -14,7 +14,7 @@ from mipgen.targets.json import api as json
 
 from . import blocks, docs, members, names, session
 
-#: The modules that programs import, except those of families: name -> path, without its ending.
+#: The modules that programs import, except those of families: name -> path without extension.
 EXPORTS = {
     ".": "./mip/index",
     "./protocol": "./protocol",
@@ -99,7 +99,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
 
 
 def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
-    """The names of the members of a class in JavaScript, and in the specification."""
+    """Yields the names of a class's members in JavaScript and in the specification."""
     if isinstance(t, m.Enum):
         for v in t.values:
             yield names.constant(v.name), v.name, v.position

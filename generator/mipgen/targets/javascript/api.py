@@ -1,4 +1,5 @@
-"""The interface of JavaScript for other targets: names of fields and types, programs, and data for writing programs."""
+"""The JavaScript target's interface for other targets: names of fields and types, programs, and data for writing
+programs."""
 
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ __all__ = ["Programs", "symbol", "symbols", "writing"]
 
 
 def symbol(thing: m.Type | m.Field) -> str:
-    """The class of a field, or the name of a type, after the module that exports it."""
+    """Returns the class of a field or the name of a type, prefixed with the module that exports it."""
     return f"mip-protocol/{names.home(thing)}.{names.class_name(thing)}"
 
 
@@ -33,5 +34,5 @@ def symbols(model: m.Model) -> Iterator[Symbols]:
 
 
 def writing(model: m.Model) -> dict[str, Any]:
-    """Data for tools that write programs: names that JavaScript writes in another way than the specification."""
+    """Returns data for tools that write programs: names that differ between JavaScript and the specification."""
     return {"constants": others(constants(model), names.constant, upper)}

@@ -1,4 +1,4 @@
-"""Layouts as expressions of JavaScript, made of the blocks of `mip/codec.mjs`, and further attributes of classes."""
+"""Layouts as JavaScript expressions, built from blocks of `mip/codec.mjs`, and further attributes of classes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .names import class_name, constant, home, namespace, reference
 
 
 def block(p: m.Parameter, record: m.Record) -> str:
-    """The block that reads and writes a parameter."""
+    """Writes the block that decodes and encodes a parameter."""
     match p.kind:
         case "constant":
             return call("constant", _scalar(p), str(p.constant))
@@ -26,7 +26,7 @@ def block(p: m.Parameter, record: m.Record) -> str:
 
 
 def call(function: str, *arguments: str) -> str:
-    """A call of a function of `mip/codec.mjs`. Bundlers leave it out where the result is not used."""
+    """Writes a call of a function in `mip/codec.mjs`. Bundlers drop it if the result is not used."""
     return f"/* @__PURE__ */ codec.{function}({', '.join(arguments)})"
 
 
@@ -57,7 +57,7 @@ def _initial(p: m.Parameter) -> str:
 
 
 def key(name: str) -> str:
-    """A name in an object."""
+    """Writes a name as the key of an object."""
     return json.dumps(name) if name[:1].isdigit() else name
 
 
@@ -83,7 +83,7 @@ def sets(f: m.Field) -> str:
 
 
 def more(f: m.Field, model: m.Model) -> list[str]:
-    """The attributes of its class that not every class has."""
+    """Returns the attributes that only some classes of fields have."""
     return list(_more(f, model))
 
 
@@ -121,13 +121,13 @@ def _silenced_by(f: m.Field, model: m.Model) -> Iterator[tuple[m.Condition, m.Fi
 
 
 def _elsewhere(other: m.Field, f: m.Field) -> str:
-    """A class that may be in the module of another family."""
+    """Writes the name of a class, with its module if that belongs to another family."""
     name = class_name(other)
     return name if other.family == f.family else f"{namespace(other.family)}.{name}"
 
 
 def needs(family: m.Family, model: m.Model) -> list[str]:
-    """The other families whose modules that of a family imports."""
+    """Returns the other families whose modules a family's module imports."""
     families = {s.family for f in family.fields if f.role == m.COMMAND for _, s in _silenced_by(f, model)}
     return sorted(families - {family.name})
 

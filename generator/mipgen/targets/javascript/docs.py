@@ -22,7 +22,7 @@ COMMENTS = Comments(names, _alternative)
 
 
 def filters(model: m.Model) -> dict[str, Callable[..., str]]:
-    """The comment of each kind of thing."""
+    """Returns the filters that write comments."""
 
     def documented(paragraphs: Callable[..., list[str]], indent: int) -> Callable[..., str]:
         return lambda *thing: comment(paragraphs(*thing, model), indent)
@@ -39,7 +39,7 @@ def filters(model: m.Model) -> dict[str, Callable[..., str]]:
 
 
 def comment(paragraphs: Iterable[str], indent: int) -> str:
-    """A comment of these paragraphs with a line end after it, indented; nothing if they are empty.
+    """Writes an indented comment of these paragraphs, and a line end; nothing if they are empty.
 
     >>> comment(["Short."], 4)
     '    /** Short. */\\n'
@@ -55,5 +55,5 @@ def comment(paragraphs: Iterable[str], indent: int) -> str:
 
 
 def _wrapped(text: str, width: int) -> list[str]:
-    """The lines of a paragraph or of an item of a list, which hangs below its dash."""
+    """Wraps a paragraph, or a list item with a hanging indent."""
     return wrapped(text, width, "  " if text.startswith("- ") else "") or [""]

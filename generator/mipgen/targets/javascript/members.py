@@ -12,17 +12,17 @@ from .names import SCALARS, home, member, reference
 
 
 def key(p: m.Parameter) -> str:
-    """The name of a member where it is declared."""
+    """Returns the name of a member in its declaration."""
     return member(p.name)
 
 
 def may_be_absent(p: m.Parameter, record: m.Record) -> bool:
-    """Can it be missing in what was received?"""
+    """Can it be missing from a received field?"""
     return p.name in record.present_with
 
 
 def hint(p: m.Parameter, record: m.Record) -> str:
-    """The type of a member."""
+    """Returns the type of a member."""
     if p.element is None:
         cases = [f"{key(c.parameter)}?: {hint(c.parameter, record)}" for c in p.cases if c.parameter is not None]
         return f"{{ {'; '.join(dict.fromkeys(cases))} }}"
@@ -45,34 +45,34 @@ def _named(p: m.Parameter) -> m.Type:
 
 
 def number(t: m.Enum | m.Bitfield) -> str:
-    """The type of its numbers; those of several bytes are BigInts."""
+    """Returns the type of its values: BigInt for a bitfield that is an array of bytes."""
     return SCALARS[t.scalar.name] if t.scalar else "bigint"
 
 
 def unneeded(record: m.Record) -> str:
-    """The members that a caller need not give, as a type of keys; empty if there are none."""
+    """Writes the keys of the members that a caller may omit, as a type; empty if there are none."""
     return " | ".join(json.dumps(key(p)) for p in members(record) if p.reserved is not None)
 
 
 def given(way: m.Call, record: m.Field) -> str:
-    """The parameter of the constructor of a function; empty if it has none."""
+    """Writes the parameter of the constructor for a function; empty if it has none."""
     asked = [f"{key(p)}: {hint(p, record)}" for p in way.values]
     asked += [f"{key(p)}?: {hint(p, record)}" for p in way.addable]
     return f"values{'' if way.values else '?'}: {{ {'; '.join(asked)} }}" if asked else ""
 
 
 def answer(function: m.Function | None, f: m.Field, model: m.Model) -> str:
-    """The type of the result for a command that a client sends in this way."""
+    """Returns the result type of a command with this function."""
     layouts = calls.answers(f, function, model)
     return " | ".join(dict.fromkeys(reference(layout, home(f)) for layout in layouts)) or "undefined"
 
 
 def answers(f: m.Field, model: m.Model) -> str:
-    """The same for a command however it is sent."""
+    """Returns the possible result types of a command with any function."""
     types = dict.fromkeys(t for way in constructors(f) for t in answer(way.function, f, model).split(" | "))
     return " | ".join(types)
 
 
 def depends(f: m.Field, model: m.Model) -> bool:
-    """Does the answer depend on the function?"""
+    """Does the result type depend on the function?"""
     return len({answer(way.function, f, model) for way in constructors(f)}) > 1

@@ -1,4 +1,4 @@
-"""Identifiers: the words of the specification in the case of JavaScript, with its own names escaped."""
+"""Identifiers: the words of the specification in JavaScript's case, with JavaScript's own names escaped."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ SCALARS: dict[str, str] = _LANGUAGE["scalars"]
 _constant = Escape(frozenset(), digit_prefix="N")
 _member = Escape(frozenset(_LANGUAGE["members"]))
 
-#: A family -> the name of its module, after which its file is called.
+#: A family -> the name of its module and of the module's file.
 module = Escape(frozenset(_LANGUAGE["modules"]), digit_prefix="")
 
 _classes = Classes(module, Escape(frozenset(_LANGUAGE["classes"]), digit_prefix="Mip"))
 class_name, home, reference, identifiers = _classes.name, _classes.home, _classes.reference, _classes.identifiers
 
-#: A family -> its name in a program that imports its module as a whole.
+#: A family -> the name under which a program imports its whole module.
 namespace = Escape(_KEYWORDS | frozenset(_LANGUAGE["modules"]), digit_prefix="mip")
 
 
@@ -43,10 +43,10 @@ def camel(words: str) -> str:
 
 
 def member(words: str) -> str:
-    """A parameter -> the member of objects that holds it; a function -> its constructor. `memberName` does the same."""
+    """Returns the member for a parameter, or the constructor for a function, as `memberName` does at run time."""
     return _member(camel(words))
 
 
 def constant(words: str) -> str:
-    """A value or a bit."""
+    """Returns the constant for a value or a bit."""
     return _constant(upper(words))

@@ -1,4 +1,4 @@
-"""The commands that find a device and start its data, as expressions of JavaScript."""
+"""The commands that find a device and start its data, as JavaScript expressions."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from . import names
 
 @dataclass(frozen=True, slots=True)
 class Rate:
-    """The command that asks for a base rate, and the member of the response that holds it."""
+    """The command that reads a base rate, and the response's member that contains the rate."""
 
     command: str
     member: str
@@ -43,7 +43,7 @@ class Session:
 
 
 def of(model: m.Model) -> Session | None:
-    """None if the specification, or the part of it, does not have all of these commands."""
+    """Returns the commands; None if the specification, or the selected part of it, lacks one of them."""
     start = lower.session(model)
     if start is None:
         return None
@@ -74,7 +74,7 @@ def _rate(rate: lower.Rate, *arguments: str) -> Rate:
 
 
 def _call(f: m.Field, *arguments: str) -> str:
-    """The command with its first function and these values of the parameters that this requires."""
+    """Writes a command with its first function and these values of the parameters that the function requires."""
     way = f.calls[0]
     values = ", ".join(f"{names.member(p.name)}: {a}" for p, a in zip(way.values, arguments, strict=True))
     name = f"{names.namespace(f.family)}.{names.class_name(f)}"

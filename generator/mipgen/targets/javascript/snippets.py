@@ -46,12 +46,12 @@ class _Program:
         return "\n".join([*needs, *lines])
 
     def name(self, thing: m.Type | m.Field) -> str:
-        """A class, or an object with the names of numbers."""
+        """Returns the name of a class, or of an object with named numbers, and imports it."""
         self.modules.setdefault(home(thing), set()).add(class_name(thing))
         return class_name(thing)
 
     def sent(self, f: m.Field, samples: SampleValues) -> list[str]:
-        """The lines that send it, and show a response."""
+        """Returns the lines that send a command and print its response."""
         lines = []
         ways = {way.function: way for way in constructors(f)}
         for shown in samples.shown(f):
@@ -97,7 +97,7 @@ class _Program:
                 return self.members({parameter.name: x.value} if parameter and x.value else {})
 
     def flags(self, x: literals.Flags) -> str:
-        """Flags, joined by an operator; a sum where bitwise operators would make the number negative."""
+        """Joins flags with an operator; adds them if a bitwise operator would make the number negative."""
         names = [f"{self.name(x.type)}.{constant(b.name)}" for b in x.names]
         joint = " + " if x.number.size == 4 and x.number.value >= 1 << 31 else " | "
         return joint.join(names) or f"{x.number.value:#x}{'n' if x.number.size == 8 else ''}"

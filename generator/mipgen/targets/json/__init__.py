@@ -19,7 +19,7 @@ def files(model: m.Model) -> Iterator[File]:
 
 
 def shown(model: m.Model) -> m.Field:
-    """A field that shows much in few lines: a command with a selector and an enumeration."""
+    """Returns a short, instructive field for the README: a command with a selector and an enumeration."""
     commands = [f for f in model.fields if f.functions and any(isinstance(p.element, m.Enum) for p in f.counted)]
     return min(commands or model.fields, key=lambda f: len(f.parameters))
 

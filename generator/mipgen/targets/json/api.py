@@ -1,4 +1,4 @@
-"""The interface of JSON for other targets: the document, and the names in it."""
+"""The JSON target's interface for other targets: the document, and the names in it."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ __all__ = ["identifiers", "text"]
 
 
 def text(model: m.Model) -> str:
-    """The document: one line for each item of a list. Several targets have it in one of their files."""
+    """Returns the document, with one line for each item of a list. Several targets include it in a file."""
     return document.text(model)
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
-    """Fields and types are referred to by name. Scalars are types too."""
+    """Yields the names that references to fields and types use. Scalars are types too."""
     return document.identifiers(model)

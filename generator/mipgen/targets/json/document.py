@@ -1,6 +1,6 @@
-"""The model as values of JSON. References in the model become names.
+"""Converts the model to JSON values. References in the model become names.
 
-An attribute is left out where it has its default: nothing, false, or an empty text or list. All attributes of the
+An attribute is omitted if it has its default: null, false, or an empty text or list. All other attributes of the
 model's classes are written, so that nothing is forgotten; the exceptions are listed here.
 """
 
@@ -24,7 +24,7 @@ from mipgen.model.simulation import Quantity
 
 from .names import programs, symbols, type_name
 
-#: The version of the form of the document, as the README explains it; the schema states it too.
+#: The version of the document's format, which the README explains; the schema states it too.
 FORMAT = "1.0"
 
 #: Attributes that are not written: positions in the sources, and those written in another place or form.
@@ -43,12 +43,12 @@ LEFT_OUT: dict[type, tuple[str, ...]] = {
     guides.Shown: ("data",),  # in the packet
 }
 
-#: Attributes that are written under another name: of a union, its tag and its cases.
+#: Attributes that are written under another name: a union is represented by its tag.
 RENAMED = {"union": "tag"}
 
 
 def text(model: m.Model) -> str:
-    """The document: one line for each item of a list. Several targets have it in one of their files."""
+    """Returns the document, with one line for each item of a list. Several targets include it in a file."""
     return model.derived(_text)
 
 
@@ -68,18 +68,18 @@ def _laid_out(value: Any) -> str:
 
 
 def lines(f: m.Field, samples: SampleValues) -> str:
-    """A field, one line for each attribute."""
+    """Writes a field, with one line for each attribute."""
     attributes = _with_samples(f, samples)
     return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in attributes.items()) + "\n}"
 
 
-#: A value in one line.
+#: Writes a value on one line.
 line = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
 
 
 @dataclass(frozen=True, slots=True)
 class _Each:
-    """A value for each of many objects, in one line each."""
+    """A list with a value for each of many objects, one on each line."""
 
     things: Sequence[Any]
     value: Callable[[Any], Any]
@@ -94,7 +94,7 @@ class _Each:
 
 @dataclass(frozen=True, slots=True)
 class _Whole:
-    """A value that is made of one object, in several lines."""
+    """A value that is made from one object, on several lines."""
 
     thing: Any
     value: Callable[[Any], Any]
@@ -141,7 +141,7 @@ def _parts(model: m.Model) -> dict[str, Any]:
 
 
 def _session(model: m.Model) -> dict[str, Any]:
-    """The commands that start data, if the specification names them."""
+    """Returns the commands that start data, if the specification names them."""
     start = session(model)
     if start is None:
         return {}
@@ -160,14 +160,14 @@ def _rate(r: Rate) -> dict[str, str]:
 
 
 def types(model: m.Model) -> list[m.Type]:
-    """All types, each after those that it uses."""
+    """Returns all types, each after those that it uses."""
     selector, *rest = model.protocol.function_selector, *model.all_types
     codes = [] if model.protocol.ack_code in rest else [model.protocol.ack_code]
     return [selector, *codes, *rest]
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
-    """Fields and types are referred to by name. Scalars are types too."""
+    """Yields the names that references to fields and types use. Scalars are types too."""
     for f in (model.protocol.acknowledge, *model.fields):
         yield Identifier("fields", f.full_name, f"field {f.full_name}", f.position)
     for name in m.SCALARS:
@@ -180,7 +180,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
 
 
 def plain(value: Any) -> Any:
-    """A value inside another; an object with a place of its own is represented by its name."""
+    """Converts a value inside another; an object that is listed elsewhere is represented by its name."""
     kind = type(value)
     if kind in (str, int, float, bool):
         return value
@@ -195,7 +195,7 @@ def _source(source: simulation.Source) -> dict[str, Any]:
     return _attributes(source) | ({"field": source.field.name_in(source.set)} if source.set is not None else {})
 
 
-#: Class -> the value in place of an object inside another.
+#: Class -> the value that represents an object inside another.
 _PLAIN: dict[type, Callable[[Any], Any]] = {
     m.Field: attrgetter("full_name"),
     **dict.fromkeys((m.Scalar, m.Enum, m.Bitfield, m.Vector, m.Struct), type_name),
@@ -209,7 +209,7 @@ _PLAIN: dict[type, Callable[[Any], Any]] = {
 
 
 def _attributes(thing: Any) -> dict[str, Any]:
-    """The attributes of an object of the model, and the added ones."""
+    """Returns the attributes of an object of the model, and the added ones."""
     attributes = {
         RENAMED.get(name, name): plain(v)
         for name, default in _written(type(thing))
@@ -231,7 +231,7 @@ def _written(kind: type) -> list[tuple[str, Any]]:
 
 
 def _behind(attributes: dict[str, Any], place: str, name: str, value: Any) -> dict[str, Any]:
-    """The attributes with one more, after another."""
+    """Returns the attributes with one more after the attribute `place`."""
     at = [*attributes].index(place) + 1
     items = [*attributes.items()]
     return dict([*items[:at], (name, value), *items[at:]])
@@ -264,7 +264,7 @@ def _parameter(p: m.Parameter, attributes: dict[str, Any]) -> dict[str, Any]:
 
 
 def _field(f: m.Field, attributes: dict[str, Any]) -> dict[str, Any]:
-    """Names are full: those of responses, and of the command that owns a response."""
+    """Adds the attributes of a field. Names of its responses or of its command become full names."""
     attributes = _behind(attributes, "parameters", "operations", operations(f))
     attributes = {"set": f.set, **attributes, "name": f.full_name, "symbols": symbols(f)}
     if len(f.names) > 1:
@@ -299,12 +299,12 @@ _MORE: dict[type, Callable[[Any, dict[str, Any]], dict[str, Any]]] = {
 
 
 def _clock(c: m.Clock, model: m.Model) -> dict[str, Any]:
-    """A clock with its timestamps, as far as a part of a specification has them."""
+    """Returns a clock, without timestamps that a part of a specification lacks."""
     return _attributes(c) | {"timestamps": [name for name in c.timestamps if model.field(name)]}
 
 
 def _set(s: m.Set, model: m.Model) -> dict[str, Any]:
-    """A set with the fields that occur in it, and the types of its family."""
+    """Returns a set with the fields that occur in it and the types of its family."""
     family = model.family(s.family)
     assert family is not None
     more = {"types": plain(family.types), "fields": plain(model.fields_in(s))}
@@ -320,7 +320,7 @@ def _occurrence(o: m.Occurrence, f: m.Field) -> dict[str, Any]:
 
 
 def _with_samples(f: m.Field, samples: SampleValues) -> dict[str, Any]:
-    """A field with the values that a user would send or see."""
+    """Returns a field with the values that a user would send or see."""
     attributes = _attributes(f)
     values = [samples.whole(f, c) for c in f.calls]
     if f.functions:
@@ -332,7 +332,7 @@ def _with_samples(f: m.Field, samples: SampleValues) -> dict[str, Any]:
 
 
 def _device(d: m.Device, model: m.Model) -> dict[str, Any]:
-    """A device; statements about a field refer to their evidence by its place in the list."""
+    """Returns a device; statements about a field refer to their evidence by its index in the list."""
     attributes = _attributes(d)
     if d.evidence:
         attributes["evidence"] = [
@@ -372,7 +372,7 @@ _OPERATIONS: dict[m.Shape, dict[str, str]] = {
 
 
 def operations(record: m.Field | m.Struct) -> list[dict[str, Any]]:
-    """The steps of a codec: the parameters as it reads and writes them, without their meaning."""
+    """Returns the steps of a codec: the parameters as it reads and writes them, without their meaning."""
     groups = [
         {"kind": "group", "first": g.first, "last": g.last, "body": [*map(_operation, g.parameters)]}
         for g in record.groups

@@ -1,4 +1,4 @@
-"""The form of references, and the names of fields and types in the bindings."""
+"""The names of types in references, and the names of fields and types in the bindings."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from mipgen.targets.rust import api as rust
 
 
 def type_name(t: m.Scalar | m.Type) -> str:
-    """The name of a type, after the set that owns it."""
+    """Returns the name of a type, prefixed with the set that owns it."""
     return t.name if isinstance(t, m.Scalar) else t.full_name
 
 
 def symbols(thing: m.Type | m.Field) -> dict[str, str]:
-    """The names in the bindings of the type of a field, or of a type of the specification. C++ has no type for a
-    command: each way to send it has one."""
+    """Returns the names in the bindings of a field's type, or of a type. C++ has no type for a command, but one for
+    each way to send it."""
     names = {"c": c.symbol(thing), "cpp": c.cpp_symbol(thing), "python": python.symbol(thing)}
     names |= {"rust": rust.symbol(thing), "javascript": javascript.symbol(thing)}
     return {language: name for language, name in names.items() if name}
 
 
 def programs(model: m.Model) -> dict[str, dict[str, Any]]:
-    """The data that a tool needs, besides `symbols`, to write calls of the bindings.
+    """Returns the data that a tool needs, besides `symbols`, to write calls of the bindings.
 
-    A table has the names that a language writes in another way than the specification; all others stay as they are.
+    Its tables contain only names that differ between a language and the specification.
     """
     return {
         "c": c.writing(model),

@@ -15,7 +15,7 @@ from mipgen.facts import describe
 from . import expressions, names
 from .names import member, type_name, value
 
-#: The documentation of a parameter besides its description.
+#: Topics in the documentation of a parameter, besides its description.
 TOPICS = ("unit", "frame", "range", "default", "valid", "reserved")
 
 
@@ -56,7 +56,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
 
 def kinds(model: m.Model) -> list[tuple[int, str, tuple[m.Field, ...]]]:
-    """Every descriptor that can be decoded: its number (set, descriptor), its name in that set, and its layouts."""
+    """Returns every descriptor that can be decoded: its number (set, descriptor), its name in that set, its layouts."""
     layouts: dict[tuple[int, int], list[m.Field]] = {}
     for f in (model.protocol.acknowledge, *model.fields):
         for o in f.occurrences:
@@ -65,17 +65,19 @@ def kinds(model: m.Model) -> list[tuple[int, str, tuple[m.Field, ...]]]:
 
 
 def first(fields: Sequence[m.Field]) -> m.Field:
-    """The layout that names a descriptor: the first in the specification; those of `fields` are in order of choice."""
+    """Returns the layout that names a descriptor: the first in the specification; `fields` are in the order of
+    choice."""
     return min(fields, key=lambda f: f.position or ())
 
 
 def home(fields: Sequence[m.Field]) -> str:
-    """The type of a descriptor's data."""
+    """Returns the type of a descriptor's data."""
     return type_name(first(fields)) + ("_layouts" if len(fields) > 1 else "")
 
 
 def kind(model: m.Model) -> str:
-    """The number of a descriptor in `kinds`; the acknowledge field and shared fields are in many sets."""
+    """Writes the number of a descriptor in `kinds`, where acknowledge and shared fields have one number for many
+    sets."""
     ack = model.protocol.acknowledge.descriptor
     numbers = {f.descriptor for f in model.fields if f.everywhere}
     every = ((o.set, f.descriptor) for f in model.fields if not f.everywhere for o in f.occurrences)
@@ -89,7 +91,7 @@ def kind(model: m.Model) -> str:
 
 
 def records(model: m.Model) -> list[m.Field]:
-    """The fields, each of which has a type."""
+    """Returns the fields, each of which has a type."""
     return [model.protocol.acknowledge, *model.fields]
 
 
@@ -98,7 +100,7 @@ def enums(model: m.Model) -> list[m.Enum]:
 
 
 def readings(model: m.Model) -> dict[str, list[str]]:
-    """The parameters whose values have other names on each device, or by the value of another parameter."""
+    """Returns the parameters whose values have different names by device, or by the value of another parameter."""
     places: dict[str, list[str]] = {"device": [], "parameter": []}
     holders: list[m.Record] = [*m.structs(model.all_types)]
     for record in (*holders, *records(model)):
@@ -119,7 +121,7 @@ _WORDS = {"true", "false", "null", "yes", "no", "on", "off"}  # these are not te
 
 
 def text(words: str) -> str:
-    """Text as YAML writes it on one line.
+    """Writes a text on one line of YAML.
 
     >>> text("Speed, in m/s."), text("Of: all"), text('a "b"')
     ('Speed, in m/s.', '"Of: all"', '"a \\\\"b\\\\""')
@@ -133,7 +135,7 @@ def say(words: Iterable[str | describe.Ref]) -> str:
 
 
 def _named(ref: describe.Ref) -> str:
-    """The name in the file of something that a text names."""
+    """Returns the name in the file of a thing to which a text refers."""
     match ref.thing:
         case m.Field() | m.Enum() | m.Bitfield() | m.Struct():
             return f"`{type_name(ref.thing)}`"
@@ -148,7 +150,7 @@ def _named(ref: describe.Ref) -> str:
 
 
 def about(name: str, record: m.Record, model: m.Model) -> str:
-    """The documentation of a parameter, or of one in a union; empty if there is none."""
+    """Composes the documentation of a parameter, or of a union's alternative; empty if there is none."""
     everything = [q for p in record.parameters for q in (p, *p.alternatives)]
     p = next(q for q in everything if q.name == name)
     facts = describe.topics(describe.parameter(p, record, model), *TOPICS) if p in record.parameters else []

@@ -13,7 +13,7 @@ from .names import member, type_name, value
 
 
 def least(parameters: Iterable[m.Parameter]) -> Extent:
-    """The bytes that must be present, once counters are known."""
+    """Returns the bytes that must be present, once counters are known."""
     return extent.shortest(parameters).counted
 
 
@@ -34,7 +34,7 @@ def _path(words: str) -> str:
 
 
 def count(p: m.Parameter, record: m.Record) -> str:
-    """The condition of a count: the elements fit into the rest of the data, and into a field."""
+    """Writes the condition for a count: the elements fit into the rest of the data and into a field."""
     after = record.parameters[record.parameters.index(p) + 1 :]
     at = next(i for i, q in enumerate(after) if q.name == p.counts)
     array, before = after[at], least(after[:at])
@@ -43,14 +43,14 @@ def count(p: m.Parameter, record: m.Record) -> str:
     if before == Extent():
         return f"_ <= {array.capacity} and {needed} <= _io.size - _io.pos"
     fits = f"_ <= {array.capacity} and {needed} + {between} <= _io.size - _io.pos"
-    # Data that ends before the array is another mistake, which reading on finds.
+    # Data that ends before the array is a different error, which occurs when reading continues.
     return f"_io.size - _io.pos < {between} or ({fits})"
 
 
 @dataclass(frozen=True, slots=True)
 class Rest:
-    """The number of elements of an array to the end of the data: an instance, which is computed once, as some
-    languages evaluate the expression of a repetition again for every element."""
+    """The number of elements of an array that reaches to the end of the data. It is an instance, computed once, because
+    some languages evaluate the expression of a repetition again for every element."""
 
     name: str
     array: str
@@ -86,7 +86,7 @@ class Peek:
 
 
 def present(group: m.Group, f: m.Field) -> str:
-    """The condition for the parameters of a group to be present; empty if they always are."""
+    """Writes the condition for the parameters of a group to be present; empty if they always are."""
     required = [c.function for c in f.calls if len(c.required) >= group.last]
     if required == [None]:
         return ""
@@ -96,7 +96,7 @@ def present(group: m.Group, f: m.Field) -> str:
 
 
 def peeks(record: m.Record) -> list[Peek]:
-    """The tags that `present` reads ahead."""
+    """Returns the tags that `present` reads ahead."""
     ahead: list[Peek] = []
     for group in record.groups:
         if isinstance(record, m.Field) and present(group, record):
@@ -111,7 +111,7 @@ def _room(group: m.Group, f: m.Field, peeks: list[Peek]) -> Iterator[str]:
     Array elements are not checked, because a count that is too large is a different error.
     """
     begin = least(f.parameters[: f.parameters.index(group.parameters[0])])
-    if begin.terms:  # the counters, without which that is not known
+    if begin.terms:  # the counters must be present first
         yield f"_io.size >= {begin.fixed}"
     at = begin
     for p in group.parameters:
@@ -133,14 +133,14 @@ def _head(p: m.Parameter) -> Extent:
 
 
 def _cases(union: m.Union, tag: str, at: Extent, peeks: list[Peek]) -> Iterator[tuple[str, list[str]]]:
-    """For each case with data, when it is selected and when its data are whole."""
+    """Yields, for each case with data, the condition that selects it and the conditions for its data to be complete."""
     for c in union.cases:
         if c.parameter is not None:
             yield f"{tag} == {type_name(union.type)}::{value(c.tag.name)}", list(_whole(c.parameter, at, peeks))
 
 
 def _whole(p: m.Parameter, at: Extent, peeks: list[Peek]) -> Iterator[str]:
-    """Conditions for a parameter at a place to fit into the data."""
+    """Yields the conditions for a parameter at this offset to fit into the data."""
     if not p.struct:
         yield f"_io.size >= {bytes_of(at + _head(p))}"
         return
@@ -165,9 +165,9 @@ def _whole(p: m.Parameter, at: Extent, peeks: list[Peek]) -> Iterator[str]:
 class Layouts:
     """The expressions that distinguish the layouts of one descriptor."""
 
-    bytes: tuple[int, ...]  # places of constants, byte by byte: data may end inside of one
+    bytes: tuple[int, ...]  # offsets of the bytes of constants; data may end inside a constant
     fits: tuple[str, ...]  # for each layout: the constants do not contradict it
-    number: str  # the number of the layout that the data has, -1 if none
+    number: str  # the index of the layout that fits the data, -1 if none does
 
 
 def layouts(fields: Sequence[m.Field]) -> Layouts:
@@ -196,13 +196,13 @@ class Segment:
     bits: m.Bits | None
 
 
-#: The attribute of a bitfield in a number that is this number.
+#: The attribute that contains all bits of a bitfield as a number.
 NUMBER = "number"
 
 
 def segments(t: m.Bitfield) -> list[Segment]:
-    """All bits of a bitfield in the order in which they are read: the most significant first in a number, the least
-    significant first in bytes."""
+    """Returns all bits of a bitfield in the order in which they are read: the most significant first in a number, the
+    least significant first in bytes."""
     parts, at = [], 0
     for b in sorted((b for b in t.bits if not b.alias), key=lambda b: b.first):
         parts += [*_unused(at, b.first), Segment(member(b.name), b.first, b.width, b)]
@@ -219,17 +219,17 @@ def _unused(first: int, end: int) -> Iterator[Segment]:
 
 
 def number(t: m.Bitfield) -> str:
-    """The number that the bits are parts of."""
+    """Writes all bits of a bitfield as one number."""
     return _together(t, 0, 8 * t.size - 1)
 
 
 def alias(b: m.Bits, t: m.Bitfield) -> str:
-    """A number made of bits that have other names too."""
+    """Writes an alias: a number whose bits also have other names."""
     return _together(t, b.first, b.last)
 
 
 def _together(t: m.Bitfield, first: int, last: int) -> str:
-    """Bits as a number. It multiplies: a shift would make negative numbers of 32 bits in some languages."""
+    """Writes bits as a number. It multiplies, because a shift would make 32-bit numbers negative in some languages."""
     terms = []
     for s in sorted(segments(t), key=lambda s: s.first):
         low, high = max(s.first, first), min(s.first + s.width, last + 1)

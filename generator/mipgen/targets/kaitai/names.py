@@ -22,7 +22,7 @@ _type = Escape(_RESERVED | frozenset(_LANGUAGE["types"]), suffix="_type", digit_
 
 
 def type_name(thing: m.Type | m.Field) -> str:
-    """A type or an enumeration; all are in one scope.
+    """Returns the name of a type or an enumeration; all are in one scope.
 
     >>> type_name(m.Vector("vector3f", m.SCALARS["float"], ("x", "y", "z"), ""))
     'vector3f'
@@ -32,12 +32,12 @@ def type_name(thing: m.Type | m.Field) -> str:
 
 
 def kind_name(f: m.Field, number: int) -> str:
-    """A field in one of its sets."""
+    """Returns the name of a field in one of its sets."""
     return _type(f.name_in(number).replace(".", "_")) if f.set else type_name(f)
 
 
 def joined(name: str) -> str:
-    """A name in languages that join words by case, to find names that are the same there.
+    """Returns a name in camel case, as some languages write it, to find names that would be equal there.
 
     >>> joined("pos_1"), joined("pos1")
     ('pos1', 'pos1')
@@ -47,7 +47,7 @@ def joined(name: str) -> str:
 
 
 def cases(union: str) -> str:
-    """The type of a union, inside that of its record."""
+    """Returns the type of a union, which is nested in the type of its record."""
     return f"{union}_cases"
 
 

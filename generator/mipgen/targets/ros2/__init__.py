@@ -14,7 +14,7 @@ from . import members, names
 
 
 def fields(model: m.Model) -> list[m.Field]:
-    """The fields that have messages."""
+    """Returns the fields that have messages."""
     return [f for f in model.fields if f.role == m.DATA]
 
 

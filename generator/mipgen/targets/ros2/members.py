@@ -1,4 +1,4 @@
-"""Content of messages: the members of fields and structures, and the constants for their values."""
+"""Contents of messages: the members of fields and structures, and the constants for their values."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Member:
 
 
 def of_record(record: m.Record, model: m.Model) -> list[Member]:
-    """The members of a message in wire order; counters and constants are left out.
+    """Returns the members of a message in wire order, without counters and constants.
 
     A value that may be absent is an array, which is then empty.
     """
@@ -41,7 +41,7 @@ def of_record(record: m.Record, model: m.Model) -> list[Member]:
 
 
 def nested(records: list[m.Field]) -> list[m.Struct]:
-    """The structures that messages contain, each of which is a message, too."""
+    """Returns the structures that messages contain; each is also a message."""
     messages: dict[str, m.Struct] = {}
 
     def collect(record: m.Record) -> None:
@@ -77,7 +77,7 @@ def _element(p: m.Parameter) -> str:
 
 
 def _count(p: m.Parameter) -> int | None:
-    """The numbers in an array; those of vectors follow each other. None if it varies, or if it is not an array."""
+    """Returns the length of an array, with the elements of all its vectors; None if it varies or there is no array."""
     if p.kind != "array" or p.count is None:
         return None
     return p.count * (_count(p.item) or 1) if p.item.kind == "array" else p.count
@@ -108,7 +108,7 @@ def _is_message(thing: m.Field | m.Struct) -> bool:
 
 
 def _constants(p: m.Parameter) -> Iterator[str]:
-    """The values of an enumeration, the masks of a bitfield; none if they depend on the device."""
+    """Yields the values of an enumeration or the masks of a bitfield; none if they depend on the device."""
     kind = p.leaf.named
     if kind is None or p.by_device or p.leaf.kind == "bits":
         return

@@ -17,7 +17,7 @@ SCALARS: dict[str, str] = _LANGUAGE["scalars"]
 
 
 def message(thing: m.Field | m.Struct | m.Vector) -> str:
-    """The message of a field or a structure; all are in one package."""
+    """Returns the name of the message for a field or a structure; all are in one package."""
     name = f"{thing.owner}_{thing.name}" if thing.owner else thing.name
     made = pascal(name).replace("_", "")
     return f"N{made}" if made[:1].isdigit() else made
@@ -32,7 +32,7 @@ def member(name: str) -> str:
 
 
 def constant(p: m.Parameter, name: str) -> str:
-    """A value or a bit of a parameter."""
+    """Returns the constant for a value or a bit of a parameter."""
     return re.sub(r"_+", "_", upper(f"{member(p.name)}_{name}")).strip("_")
 
 

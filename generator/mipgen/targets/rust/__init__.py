@@ -16,7 +16,7 @@ from .records import Records
 
 #: The oldest Rust that builds the crate.
 OLDEST = "1.65"
-#: Programs with fields of the specification, and the features that they need besides descriptor sets.
+#: Example programs, and the features that they need besides descriptor sets.
 EXAMPLES = {
     "quickstart": (),
     "log_to_csv": ("std",),
@@ -27,7 +27,7 @@ EXAMPLES = {
     "firmware": (),
 }
 
-#: A package of its own, because of its dependencies: its files, and the programs that they are.
+#: Files of an example that is a separate package because of its dependencies, and their names in `programs/`.
 EMBASSY = {"Cargo.toml": "embassy.toml", "build.rs": "embassy_build.rs", "src/main.rs": "embassy.rs"}
 
 
@@ -59,7 +59,7 @@ def files(model: m.Model) -> Iterable[File]:
 
 
 def keywords(model: m.Model) -> list[str]:
-    """The keywords for the registry, which allows five."""
+    """Returns the keywords for the registry, which allows five."""
     own = [word.lower().replace(" ", "-") for word in model.protocol.keywords]
     return list(dict.fromkeys([model.protocol.package.replace("_", "-"), *own[:2], "no-std", "protocol"]))
 

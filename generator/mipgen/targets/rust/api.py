@@ -1,4 +1,4 @@
-"""The interface of Rust for other targets: names of fields and types, programs, and data for writing programs."""
+"""The Rust target's interface for other targets: names of fields and types, programs, and data for writing programs."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["Programs", "symbol", "symbols", "writing"]
 
 
 def symbol(thing: m.Type | m.Field) -> str:
-    """The type of a field, or a type, by its path."""
+    """Returns the path of a field's type, or of a type."""
     return f"mip_protocol::{names.home(thing)}::{names.type_name(thing.name)}"
 
 
@@ -48,7 +48,7 @@ def _belonging(x: m.Type | m.Field, name: str, records: Records) -> Iterator[str
 
 
 def writing(model: m.Model) -> dict[str, Any]:
-    """Data for tools that write programs: names that Rust writes unlike the specification, and its unions."""
+    """Returns data for tools that write programs: names that differ between Rust and the specification, and unions."""
     return {
         "members": of.others(of.parameters(model), names.member),
         "constants": of.others(of.constants(model), names.constant, upper),
@@ -60,7 +60,7 @@ def writing(model: m.Model) -> dict[str, Any]:
 
 
 def _unions(model: m.Model) -> dict[str, str]:
-    """The union of a parameter: those of a module that have the same alternatives are one type."""
+    """Returns the union of each parameter; unions with the same alternatives in one module share a type."""
     records, unions = model.derived(Records), {}
     for r in of.records(model):
         for p in r.parameters:

@@ -11,13 +11,13 @@ from .records import BOOL, Records
 
 
 def response(command: m.Field) -> str:
-    """The type of the response to a command whose function is known only at run time."""
+    """Returns the response type of a command whose function is known only at run time."""
     whole = whole_response(command)
     return f"Option<{whole}>" if command.selector and whole != "()" else whole
 
 
 def answers(command: m.Field) -> list[tuple[str, list[m.Function]]]:
-    """The same for its functions: those without a response, and those with one."""
+    """Returns the response types of a command's functions: those without a response, then those with one."""
     whole = whole_response(command)
     plain = [f for f in command.functions if not f.responds or whole == "()"]
     return [
@@ -28,19 +28,19 @@ def answers(command: m.Field) -> list[tuple[str, list[m.Function]]]:
 
 
 def whole_response(command: m.Field) -> str:
-    """The type of its responses."""
+    """Returns the type of a command's responses."""
     if len(command.responses) > 1:
         return responses_name(command)
     return type_name(command.responses[0]) if command.responses else "()"
 
 
 def silent(command: m.Field) -> list[m.Function]:
-    """The functions that nothing answers."""
+    """Returns the functions to which the device never replies."""
     return [f for f in command.functions if not f.reply]
 
 
 def holding(conditions: Iterable[m.Condition], command: m.Field, records: Records) -> list[str]:
-    """Conditions on a command as members and their values: `part = types::Mode::FAST`."""
+    """Writes conditions on a command as members and their values: `part = types::Mode::FAST`."""
     members = {x.parameter.name: x for x in records.members(command)}
     tests = []
     for c in conditions:

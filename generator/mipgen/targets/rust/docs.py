@@ -49,7 +49,7 @@ class Docs:
         return self._prose(p.description, home(record)) or ("" if said else words(p.name)), said, notes
 
     def _unheld(self, record: m.Record) -> list[Block]:
-        """The parameters on the wire that have no member."""
+        """Describes the parameters on the wire that have no member."""
         blocks: list[Block] = []
         for p in record.parameters:
             if p.derived:
@@ -108,7 +108,7 @@ class Docs:
         return blocks
 
     def difference(self, v: m.DeviceVariant) -> str:
-        """The difference on a device, as plain text."""
+        """Describes the difference on a device, as plain text."""
         said = describe.difference(v.variant, v.parameter, v.field, self.model)
         return describe.say(said, lambda r: r.words)
 
@@ -118,7 +118,7 @@ class Docs:
         return describe.say(describe.prose(text, self.model), lambda r: reference(r, here), prose)
 
     def _facts(self, facts: Iterable[describe.Fact], here: str) -> tuple[str, list[str]]:
-        """The facts as one paragraph, and the notes."""
+        """Returns the facts as one paragraph, and the notes."""
         said: list[str] = []
         notes: list[str] = []
         for fact in facts:
@@ -128,13 +128,13 @@ class Docs:
 
 
 def title(f: m.Field) -> str:
-    """The title of a field with its key, unless the set may be one of several."""
+    """Returns the title of a field with its key; without the set, if there are several."""
     key = f"0x{f.descriptor:02X}" if len(f.occurrences) > 1 else f"0x{f.set:02X},0x{f.descriptor:02X}"
     return f"{prose(f.title)} ({key})"
 
 
 def numbers(family: m.Family) -> str:
-    """The descriptor sets of a family, as people write them."""
+    """Writes the descriptor sets of a family, as people read them."""
     return ", ".join(f"0x{s.number:02X}" for s in family.sets)
 
 
@@ -144,7 +144,7 @@ def sources(thing: m.Field | m.Family | m.Set | m.Type | m.Device) -> str:
 
 
 def words(name: str) -> str:
-    """A name as a sentence, for want of a description.
+    """Writes a name as a sentence, if there is no description.
 
     >>> words("time_of_week")
     'Time of week.'
@@ -170,7 +170,7 @@ def prose(text: str) -> str:
 
 
 def reference(r: describe.Ref, here: str) -> str:
-    """A link to an item, or a word where the crate has no such item."""
+    """Writes a link to an item, or its words if the crate has no such item."""
     match r.thing, r.within:
         case m.Field() as f, _:
             return link(path(f, here))
@@ -204,7 +204,7 @@ def link(target: str, shown: str = "") -> str:
 
 
 def comment(blocks: Iterable[Block], indent: int = 0, marker: str = "///") -> str:
-    """The lines of a documentation comment.
+    """Writes the lines of a documentation comment.
 
     >>> print(comment(["One.", ["two", "three"], ""], 4))
         /// One.

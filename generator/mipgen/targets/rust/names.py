@@ -46,7 +46,7 @@ def constant(words: str) -> str:
 
 
 def constants(functions: Iterable[m.Function]) -> str:
-    """Function selectors, as the macros of the crate list them."""
+    """Writes function selectors as the macros of the crate list them."""
     return " ".join(constant(f.name) for f in functions)
 
 
@@ -56,12 +56,12 @@ def constructor(function: m.Function) -> str:
 
 
 def call_type(function: m.Function) -> str:
-    """The type of a command with this function."""
+    """Returns the type of a command with this function."""
     return _type(pascal(constructor(function)))
 
 
 def named(name: str, words: str) -> str:
-    """An identifier, followed by the name in the specification if that differs.
+    """Writes an identifier, followed by the name in the specification if that differs.
 
     >>> named("mode", "mode"), named("type_", "type")
     ('mode', 'type_ "type"')
@@ -70,7 +70,7 @@ def named(name: str, words: str) -> str:
 
 
 def responses_name(command: m.Field) -> str:
-    """The type of the response to a command that has several."""
+    """Returns the type of the responses to a command that has several."""
     return type_name(f"{command.name}_responses")
 
 
@@ -83,23 +83,23 @@ def response_variant(response: m.Field, command: m.Field) -> str:
 
 
 def home(thing: m.Type | m.Record) -> str:
-    """The module of a type."""
+    """Returns the module of a type."""
     return module(thing.owner) if thing.owner else "types"
 
 
 def feature(family: m.Family) -> str:
-    """The cargo feature of a family."""
+    """Returns the cargo feature of a family."""
     return module(family.name)
 
 
 def set_constant(s: m.Set, family: m.Family) -> str:
-    """The number of a descriptor set; empty if no packet has it. Each has its own name, for imports of several modules
-    as a whole."""
+    """Returns the constant for the number of a descriptor set; empty if no packet uses it. Names are unique across
+    modules, so that programs can import several modules with `*`."""
     return "" if family.kind == "shared" else f"{module(s.name).upper()}_SET"
 
 
 def path(thing: m.Type | m.Record, here: str) -> str:
-    """The name of a type inside the module `here`."""
+    """Returns the name of a type inside the module `here`."""
     name, where = type_name(thing.name), home(thing)
     return name if where == here else f"types::{name}" if where == "types" else f"crate::{where}::{name}"
 
@@ -113,12 +113,12 @@ def scalar(of: m.Scalar | None) -> str:
 
 
 def inner(t: m.Enum | m.Bitfield) -> str:
-    """The type inside a newtype."""
+    """Returns the type inside a newtype."""
     return f"[u8; {t.size}]" if isinstance(t, m.Bitfield) and t.scalar is None else scalar(t.scalar)
 
 
 def bits_type(bits: m.Bits, here: str) -> str:
-    """The type of some bits: a flag, an enumeration, or the smallest number that holds them."""
+    """Returns the type of some bits: a flag, an enumeration, or the smallest sufficient number."""
     if bits.enum is not None:
         return path(bits.enum, here)
     return "bool" if bits.width == 1 else next(f"u{n}" for n in (8, 16, 32, 64) if n >= bits.width)

@@ -28,13 +28,13 @@ from .names import (
 BOOL = scalar(m.SCALARS["bool"])
 DEFAULT = "core::default::Default::default()"
 
-#: Records are `Copy` up to this size on the wire, and larger ones are not: a copy should be seen.
+#: Records up to this size on the wire are `Copy`. Larger ones are not, so that copies are explicit.
 MAX_COPIED = 64
 
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """A parameter that a record holds: whatever does not follow from others."""
+    """A member of a record: a parameter that does not follow from others."""
 
     name: str
     type: str
@@ -62,7 +62,7 @@ class Member:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A member that is always at the same place."""
+    """A member at a fixed offset."""
 
     member: Member
     offset: int
@@ -107,11 +107,11 @@ class Reading:
     type: str
     member: Member
     variants: tuple[m.Variant, ...]
-    tag: Member | None  # the sibling that decides, if it is not the device
+    tag: Member | None  # the parameter that selects the type, unless the device does
 
     @property
     def pattern(self) -> str:
-        """The values of the sibling that select the type."""
+        """The values of the other parameter that select the type."""
         assert self.tag is not None
         values = " | ".join(f"{self.tag.type}::{constant(v.key)}" for v in self.variants)
         return f"Some({values})" if self.tag.may_be_absent else values
@@ -138,7 +138,7 @@ class Records:
     def __init__(self, model: m.Model) -> None:
         self.model = model
         self.unions: list[Union] = []
-        self._members: Memo[int, list[Member]] = Memo()  # those of a record, by its identity
+        self._members: Memo[int, list[Member]] = Memo()  # by the identity of a record
         for record in self.all():
             for p in record.parameters:
                 if p.union and self._union(p.union, home(record)) is None:
@@ -157,7 +157,7 @@ class Records:
         return [u for u in self.unions if u.record is record]
 
     def union(self, of: m.Union, here: str) -> Union:
-        """Unions of a module that have the same alternatives are one type."""
+        """Returns a union's type; unions with the same alternatives in one module share it."""
         union = self._union(of, here)
         assert union is not None
         return union
@@ -167,7 +167,7 @@ class Records:
         return next((u for u in same if alike(u.of.cases, of.cases)), None)
 
     def rust(self, p: m.Parameter, here: str) -> str:
-        """The type of a parameter."""
+        """Returns the type of a parameter."""
         if p.union:
             return self.union(p.union, here).name
         if t := p.named or p.vector or p.struct:
@@ -191,7 +191,7 @@ class Records:
         ]
 
     def places(self, record: m.Record) -> list[Place]:
-        """The members and their offsets; nothing if not all are always there at the same offsets."""
+        """Returns the members and their offsets; nothing unless all are always present at fixed offsets."""
         sizes = [extent.size(p) for p in record.parameters]
         if is_special(record) or any(least != most for least, most in sizes):
             return []
@@ -202,26 +202,25 @@ class Records:
         return [x for x in self.members(record) if x.parameter in group.parameters]
 
     def derives(self, record: m.Record) -> list[str]:
-        """The traits that a record derives besides those of all records."""
+        """Returns the traits that a record derives besides those of all records."""
         default = ["Default"] if self.derives_default(record) and not record.selector else []
         return sorted([*default, *_derives(record.parameters, record.max_size)])
 
     def derives_default(self, record: m.Record) -> bool:
-        """Is the default of each member the one of its type?"""
+        """Is the default of each member the default of its type?"""
         return all(x.default in ("None", DEFAULT) for x in self.members(record))
 
     # ------------------------------------------------------------------ constructors and setters
 
     def constructors(self, record: m.Record) -> list[Constructor]:
-        """The constructors of a record. Those of data and responses are used by simulators and
-        tests."""
+        """Returns the constructors of a record. Simulators and tests use those of data and responses."""
         ways = calls.constructors(record)
         if isinstance(record, m.Field) and record.role != m.COMMAND and record.parameters:
             ways = record.calls
         return [self._constructor(record, way) for way in ways]
 
     def _constructor(self, record: m.Record, way: m.Call) -> Constructor:
-        """The caller passes no reserved values, and no tag whose union is passed."""
+        """Makes a constructor. A caller passes neither reserved values nor the tag of a union."""
         given, values = [], []
         for x in self.members(record):
             p = x.parameter
@@ -242,19 +241,21 @@ class Records:
         return Constructor("new", f"Creates {what}.", None, tuple(given), tuple(values))
 
     def tuple_of(self, record: m.Struct) -> list[Member]:
-        """The members that a tuple converts to: of two to four, all of which a caller passes."""
+        """Returns the members to which a tuple of two to four values converts; none if some are not passed by a
+        caller."""
         (way,) = self.constructors(record)
         return list(way.given) if 2 <= len(way.given) <= 4 and not way.set else []
 
     def settable(self, record: m.Record) -> list[Member]:
-        """The optional parameters that a caller may set in a command."""
+        """Returns the optional parameters that a caller may set in a command."""
         command = isinstance(record, m.Field) and record.role == m.COMMAND
         return [x for x in self.members(record) if command and x.parameter.optional]
 
     # ------------------------------------------------------------------ readings
 
     def readings(self, record: m.Record) -> list[Reading]:
-        """One for each type that names the values of a member, on a device or beside a value of a sibling."""
+        """Returns a method for each type that names the values of a member on a device or for a value of another
+        parameter."""
         here, members = home(record), {x.parameter.name: x for x in self.members(record)}
         readings = []
         for x in members.values():
@@ -268,7 +269,7 @@ class Records:
         return readings
 
     def needs(self, family: m.Family) -> list[str]:
-        """The features of the families whose types the fields of a family have."""
+        """Returns the features of the families whose types a family's fields use."""
         records: list[m.Record] = [*family.fields, *m.structs(family.types)]
         used = [t for record in records for t in self._types(record)]
         used += [b.enum for t in (*family.types, *used) if isinstance(t, m.Bitfield) for b in t.bits if b.enum]
@@ -279,7 +280,7 @@ class Records:
         yield from (t for p in _parts(record.parameters) if (t := p.named or p.struct))
 
     def conversions(self) -> list[Conversion]:
-        """From the named types of members to the types that they are read as."""
+        """Returns the conversions from the named types of members to the types as which they can be read."""
         conversions: dict[tuple[str, str], Conversion] = {}
         for record in self.all():
             for reading in self.readings(record):
@@ -294,13 +295,13 @@ def union_derives(union: Union) -> list[str]:
 
 
 def responses_derive(responses: Iterable[m.Field]) -> list[str]:
-    """The traits that the enumeration of responses derives: those that all of them derive."""
+    """Returns the traits that the enumeration of responses derives: those that all responses derive."""
     derived = [_derives(r.parameters, r.max_size) for r in responses]
     return [name for name in ("Copy", "Eq", "Hash") if all(name in names for names in derived)]
 
 
 def _derives(parameters: Iterable[m.Parameter], size: int) -> list[str]:
-    """`Copy` for small records without lists, `Eq` and `Hash` for those without floats."""
+    """Returns `Copy` for small records without lists, and `Eq` and `Hash` for records without floats."""
     parts = list(_parts(parameters))
     lists = size > MAX_COPIED or any(p.open for p in parts)
     floats = any(p.kind == "scalar" and p.scalar.kind == "float" for p in parts)
@@ -308,7 +309,7 @@ def _derives(parameters: Iterable[m.Parameter], size: int) -> list[str]:
 
 
 def _parts(parameters: Iterable[m.Parameter]) -> Iterator[m.Parameter]:
-    """The parameters, and those inside of them."""
+    """Yields the parameters and those nested in them."""
     for p in parameters:
         yield p
         yield from _parts(p.inside)
@@ -326,29 +327,30 @@ def is_special(record: m.Record) -> bool:
 
 
 def when(group: m.Group, record: m.Field) -> str:
-    """The condition under which a group must be present: for some functions, or never."""
+    """Writes for which functions a group must be present, or that it is optional."""
     required = record.counted[group.first - 1].required_for
     return f"for {constants(required)}" if required else "optional"
 
 
 def default(p: m.Parameter) -> str:
-    """The default of the type of a parameter."""
+    """Writes the default of a parameter's type."""
     return f"[{DEFAULT}; {p.count}]" if is_long(p) else DEFAULT
 
 
 def raw(x: Member) -> str:
-    """The type of its number, or of its bytes."""
+    """Returns the type of a member's number or bytes."""
     named = x.parameter.named
     return inner(named) if named else x.type
 
 
 def reserved(p: m.Parameter) -> str:
-    """The value that is sent for a reserved parameter."""
+    """Writes the value that is sent for a reserved parameter."""
     return f"[{p.reserved}; {p.length}]" if isinstance(p.length, int) else str(p.reserved)
 
 
 def serde_module(p: m.Parameter) -> str:
-    """The module that serde needs: for floats, as a format may have no NaN; for arrays that are too long for it."""
+    """Returns the module that serde needs for floats, because a format may lack NaN, and for arrays that are too
+    long."""
     item = p
     while item.kind == "array" and item.vector is None:
         item = item.item

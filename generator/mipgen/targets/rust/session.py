@@ -1,4 +1,4 @@
-"""The commands that find a device, and start its data, as expressions of Rust."""
+"""The commands that find a device and start its data, as Rust expressions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class BaseRate:
 
 @dataclass(frozen=True, slots=True)
 class Older:
-    """The same for the data of one set of an older device."""
+    """Like `Session`, for one data set of an older device."""
 
     set: int
     call: str
@@ -55,12 +55,12 @@ class Session:
 
     @property
     def needs(self) -> str:
-        """A condition of `cfg`."""
+        """The condition for `cfg`."""
         return ", ".join(f'feature = "{name}"' for name in self.families)
 
 
 def of(model: m.Model) -> Session | None:
-    """None if the specification, or the part of it, does not have all of these commands."""
+    """Returns the commands; None if the specification, or the selected part of it, lacks one of them."""
     start = lower.session(model)
     if start is None:
         return None
@@ -118,7 +118,7 @@ def _baud_changes(model: m.Model, records: Records, families: set[str]) -> Itera
 
 
 def _way(f: m.Field, records: Records) -> str:
-    """The constructor of the command: its first function."""
+    """Returns the constructor for the first function of a command."""
     return f"{_path(f)}::{records.constructors(f)[0].name}"
 
 

@@ -23,10 +23,10 @@ class Programs(Statements):
         return _Program(self.samples.model.derived(Records))
 
     def data(self, f: m.Field) -> str:
-        """Reads it from a packet."""
+        """Composes a program that reads the field from a packet."""
         program = self.program()
         read = next((f"value.{x.name}" for x in program.records.members(f)), "value")
-        # A field that cannot be decoded is an error, as a rejected command is.
+        # A field that cannot be decoded is an error, like a rejected command.
         search = f"packet.find::<{program.name(f)}>().transpose()?"
         return program.text([f"if let Some(value) = {search} {{", f'    println!("{{:?}}", {read});', "}"])
 
@@ -45,7 +45,7 @@ class _Program:
         return "\n".join([f"use mip_protocol::{names};", *lines])
 
     def item(self, words: str) -> str:
-        """An item of the crate: a type of its own, or one of a module."""
+        """Imports an item of the crate, or the module that contains it, and returns the item."""
         self.uses.add(words.partition("::")[0])
         return words
 
@@ -104,7 +104,7 @@ class _Program:
         return Brackets(f"{one}(", [self.inner(x.value, record)], ")") if x.value else one
 
     def inner(self, x: Literal, record: m.Record) -> Expression:
-        """An inner value: a `Bool`, where constructors take a `bool`."""
+        """Writes a nested value: a `Bool`, where constructors accept a `bool`."""
         if isinstance(x, literals.Truth):
             return f"{self.item('Bool')}({x.byte})"
         return self.value(x, record)

@@ -11,7 +11,7 @@ from .names import constant, feature
 
 
 def quoted(text: str) -> str:
-    """A string literal.
+    """Writes a string literal.
 
     >>> print(quoted('say "µ"'))
     "say \\"µ\\""
@@ -21,7 +21,7 @@ def quoted(text: str) -> str:
 
 
 def decimal(value: float | int) -> str:
-    """A floating-point literal.
+    """Writes a floating-point literal.
 
     >>> decimal(250), decimal(0.5)
     ('250.0', '0.5')
@@ -54,7 +54,7 @@ class Described:
 
 
 def described(parameters: Iterable[m.Parameter]) -> tuple[Described, ...]:
-    """The parameters that types hold: all that do not follow from others."""
+    """Describes the parameters that are members of types: all that do not follow from others."""
     return tuple(
         Described(
             p.name, p.elements, p.units, p.frame,
@@ -70,7 +70,7 @@ def _inside(p: m.Parameter) -> Iterable[m.Parameter]:
 
 
 def sets(numbers: Sequence[int], separator: str) -> str:
-    """The numbers of descriptor sets: a range, or one by one.
+    """Writes the numbers of descriptor sets: as a range, or one by one.
 
     >>> sets(range(1, 128), " "), sets((0x81, 0x91), " | ")
     ('0x01..=0x7F', '0x81 | 0x91')
@@ -90,20 +90,20 @@ class Tables:
         self.model = model
 
     def groups(self) -> list[Group]:
-        """All fields as the registry looks for them: by family, those that every set has last."""
+        """Returns all fields in the order in which the registry searches them: by family, the acknowledge last."""
         groups = [_group(f'feature = "{feature(x)}"', x.fields) for x in self.model.families if x.fields]
         return [*groups, _group("all()", (self.model.protocol.acknowledge,))]
 
     def linked(self, f: m.Field) -> list[str]:
-        """The responses of a command, or the commands of a response."""
+        """Returns the responses of a command, or the commands of a response."""
         return [x.full_name for x in (self.model.responses(f) or self.model.commands(f))]
 
     def layouts(self, f: m.Field) -> int:
-        """The number of layouts of the descriptor."""
+        """Returns the number of layouts of the descriptor."""
         return len(self.model.layouts(f))
 
     def sizes(self, f: m.Field) -> str:
-        """The sizes of data that a layout may have; empty if it may have any."""
+        """Writes the sizes that the data of a layout may have; empty if it may have any."""
         sizes = self.model.sizes(f)
         if sizes == range(m.MAX_FIELD_DATA + 1):
             return ""

@@ -14,17 +14,17 @@ GRAMMAR = Grammar(r"[a-z0-9_]+(\.[a-z0-9_]+)*")  # of display filters
 
 
 def field_filter(f: m.Field, o: m.Occurrence | None = None) -> str:
-    """The filter of a field in one of its sets, the first one if none is given."""
+    """Returns the filter name of a field in one of its sets, by default the first."""
     return f"{PREFIX}.{(o or f.occurrences[0]).set_name}.{f.name}"
 
 
 def plain(f: m.Field) -> bool:
-    """Does a value have the name of the field, so that the line of the field itself has none?"""
+    """Does a value use the filter name of the field, so that the line of the field itself has none?"""
     return any(p.name == f.name and _leaf(p) for p in f.parameters)
 
 
 def filter_name(within: str, name: str) -> str:
-    """The name of a part. A parameter that has the name of its field does not repeat it.
+    """Returns the filter name of a part. A parameter with the name of its field does not repeat it.
 
     >>> filter_name("mip.sensor.scaled_accel", "scaled_accel"), filter_name("mip.sensor.scaled_accel", "x")
     ('mip.sensor.scaled_accel', 'mip.sensor.scaled_accel.x')
@@ -34,7 +34,7 @@ def filter_name(within: str, name: str) -> str:
 
 
 def examples(model: m.Model) -> list[str]:
-    """Examples of filters: for an element of a vector, a bit, a function, and a rejected command."""
+    """Returns examples of filters: for an element of a vector, a bit, a function, and a rejected command."""
     filters: dict[str, str] = {}
     for f in model.fields:
         for p in f.parameters:
@@ -78,12 +78,12 @@ def _parts(parameters: tuple[m.Parameter, ...], path: str, place: m.Position | N
 
 
 def members(union: m.Parameter) -> tuple[m.Parameter, ...]:
-    """The alternatives of a union that have data; several cases may share one."""
+    """Returns the alternatives of a union that have data; several cases may share one."""
     return tuple({(p.name, p.element, p.length): p for p in union.alternatives}.values())
 
 
 def _leaf(p: m.Parameter) -> bool:
-    """Do its values have the name? The name of a vector, a structure or a union applies to all of its parts."""
+    """Does the name apply to single values? That of a vector, a structure or a union applies to all of its parts."""
     return not (p.elements or p.item.struct or p.cases)
 
 

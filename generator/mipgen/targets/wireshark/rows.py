@@ -1,4 +1,4 @@
-"""Rows of the tables that the dissector interprets, besides the model: units, types, and the places of bits."""
+"""Rows of the tables that the dissector interprets: units, types, and the positions of bits."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Named = m.Enum | m.Bitfield
 
 
 def units(p: m.Parameter) -> tuple[str, ...]:
-    """The text after values; none after plain numbers."""
+    """Returns the units that are shown after values; none for plain numbers."""
     return tuple("" if unit == "1" else unit for unit in p.units) if set(p.units) - {"1"} else ()
 
 
@@ -19,7 +19,7 @@ def units(p: m.Parameter) -> tuple[str, ...]:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """The place of bits: bytes from the first one of the bitfield, and a mask in their number."""
+    """The position of bits: offset and size of some bytes of the bitfield, and a mask in the number that they form."""
 
     at: int
     size: int
@@ -32,7 +32,7 @@ class Place:
 
 
 def place(b: m.Bits, t: m.Bitfield) -> Place:
-    """The bytes with which Wireshark shows them: the whole of a short bitfield, the fewest of a long one.
+    """Returns the bytes that Wireshark shows for bits: all of a short bitfield, as few as possible of a long one.
 
     >>> health = m.Bitfield("h", None, 16, (), "", None)
     >>> place(m.Bits("a", 20, 23, "", False), health), place(m.Bits("b", 30, 33, "", False), health)
@@ -51,11 +51,11 @@ def place(b: m.Bits, t: m.Bitfield) -> Place:
 
 
 def types(model: m.Model) -> list[Named]:
-    """Every enumeration and bitfield, once."""
+    """Returns every enumeration and bitfield once."""
     known = [model.protocol.function_selector, model.protocol.ack_code, *model.all_types]
     return list({t.full_name: t for t in known if isinstance(t, (m.Enum, m.Bitfield))}.values())
 
 
 def structs(model: m.Model) -> list[m.Struct]:
-    """Every structure, those that others hold before these."""
+    """Returns every structure, each after those that it contains."""
     return m.structs(model.all_types)

@@ -1,4 +1,4 @@
-"""Literals of Lua, and the texts about a field in Wireshark."""
+"""Lua literals, and the texts about a field in Wireshark."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def string(text: str) -> str:
 
 
 def octets(values: Iterable[int]) -> str:
-    """Bytes as a Lua string.
+    """Writes bytes as a Lua string.
 
     >>> octets(b"\\x18n")
     '"\\\\24\\\\110"'
