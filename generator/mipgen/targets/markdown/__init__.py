@@ -1,7 +1,7 @@
 """The reference manual: Markdown that reads well on a plain Git host and builds into a searchable site.
 
-`places` determines the pages and anchors, each other module makes the Markdown of its subject, and templates lay it
-out.
+`places` determines the pages and anchors, each other module writes the Markdown for its subject, and templates arrange
+it.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def files(model: m.Model) -> Iterator[File]:
 
     printed, wrong = examples.parts(model), sources.parts(model)
     navigation = {"page": Page(places.INDEX, index), **lists, "examples": printed, "errata": wrong}
-    yield File("mkdocs.yml", "mkdocs.yml.j2", navigation)  # its paths begin below docs/
+    yield File("mkdocs.yml", "mkdocs.yml.j2", navigation)  # its paths are relative to docs/
     yield page(places.README, "index.md.j2")
     yield page(places.INDEX, "index.md.j2")
     if starts:
@@ -74,7 +74,7 @@ def files(model: m.Model) -> Iterator[File]:
 
 
 def _things(model: m.Model, page: Callable[..., File]) -> Iterator[File]:
-    """The pages that are each about one thing."""
+    """Yields the pages that are each about one thing."""
     for tool in tools.TOOLS:
         yield page(places.tool_page(tool), "tool.md.j2", tool=tool)
     for s in model.sets:
@@ -92,7 +92,7 @@ def _things(model: m.Model, page: Callable[..., File]) -> Iterator[File]:
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
-    """Anchors: two things of a page must not have the same."""
+    """Yields the anchors, which must be unique on each page."""
     things: list[Thing] = [model.protocol.acknowledge, model.protocol.function_selector, *model.all_types]
     things += [*model.fields, *model.protocol.units, *model.protocol.frames, *model.examples, *model.errata]
     for thing in things:
@@ -100,7 +100,7 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
         yield Identifier(page, anchor, getattr(thing, "name", anchor), getattr(thing, "position", None))
 
 
-# --------------------------------------------------------------------------- the words of the templates
+# --------------------------------------------------------------------------- filters of the templates
 
 Filters = dict[str, Callable[..., Any]]
 

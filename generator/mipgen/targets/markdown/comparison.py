@@ -30,7 +30,7 @@ Key = TypeVar("Key")
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """A part of a page that is a table."""
+    """A section of a page, which consists of a table."""
 
     title: str
     table: str
@@ -40,7 +40,7 @@ class Section:
 
 
 def compared(model: m.Model) -> list[m.Device]:
-    """The devices that have columns: those with certain fields."""
+    """Returns the devices that have columns: those with certain fields."""
     return [d for d in _by_generation(model) if d.certain]
 
 
@@ -88,7 +88,7 @@ def _device(page: Page, d: m.Device) -> list[str]:
 
 
 def known(d: m.Device) -> str:
-    """The completeness of a device's profile."""
+    """States how complete the profile of a device is."""
     if not d.certain:
         return "by name"
     return "in part" if d.incomplete else "whole"
@@ -98,7 +98,7 @@ def known(d: m.Device) -> str:
 
 
 def fields(page: Page, role: m.Role) -> list[Section]:
-    """A table for each set: which devices support its commands or data fields, and with which functions."""
+    """Lists, in a table for each set, which devices support its commands or data fields, and with which functions."""
     devices = compared(page.model)
     support = {(d.id, s.name): s for d in devices for s in (*d.supports, *d.refuses)}
 
@@ -114,7 +114,7 @@ def fields(page: Page, role: m.Role) -> list[Section]:
 
 
 def supported(d: m.Device, s: m.Support | None) -> str:
-    """Words the support of a field on a device: its functions there, if it has any."""
+    """States whether a device supports a field, and with which functions."""
     if s is None:
         return missing(d)
     if s.evidence.answer == "no":
@@ -125,12 +125,12 @@ def supported(d: m.Device, s: m.Support | None) -> str:
 
 
 def missing(d: m.Device) -> str:
-    """The mark of a field that a profile does not name: NO only if the profile is complete."""
+    """Returns the mark of a field that a profile does not list: NO only if the profile is complete."""
     return UNKNOWN if d.absent == "unknown" else NO
 
 
 def units(f: m.Field) -> list[str]:
-    """The units in which a field measures."""
+    """Returns the units of a field's values."""
     symbols = (u for row in layout(f) if row.parameter for u in row.parameter.units)
     return list(dict.fromkeys(symbols))
 
@@ -151,7 +151,7 @@ def perhaps(page: Page, role: m.Role) -> str:
 
 
 def rates(page: Page) -> list[Section]:
-    """Tables of base rates, ports, baud rates and limits."""
+    """Compares base rates, ports, baud rates and limits."""
     model = page.model
     ports = dict.fromkeys(p.name for d in compared(model) for p in d.ports)
     bauds = sorted({baud for d in compared(model) for p in d.ports for baud in p.baud_rates})
@@ -177,14 +177,14 @@ def _matrix(
     words: Callable[[Key], str],
     cell: Callable[[m.Device, Key], str],
 ) -> Section:
-    """A row for each key, a column for each device."""
+    """Writes a table with a row for each key and a column for each device."""
     devices = compared(page.model)
     rows = [[words(key), *(cell(d, key) for d in devices)] for key in keys]
     return Section(title, table(rows, [of, *map(page.link, devices)]) if rows else "")
 
 
 def _rate(d: m.Device, s: m.Set) -> str:
-    """The base rate; unknown if a device has the set but no rate is documented."""
+    """Returns the base rate; unknown if a device supports the set but no rate is documented."""
     has = any(x.set == s.number for x in d.supports)
     return base_rate(d, s) or (UNKNOWN if has else missing(d))
 
@@ -204,7 +204,7 @@ def _baud(d: m.Device, baud: int) -> str:
 
 
 def _named(page: Page, limit: m.Limit) -> str:
-    """The subject of a limit, and its name in programs."""
+    """Writes the description of a limit, and its name in programs."""
     return f"{page.prose(limit.description.rstrip('.'))} ({code(limit.name)})"
 
 

@@ -1,4 +1,4 @@
-"""Devices: the fields that each supports, and the differences there."""
+"""Devices: the fields that each supports, and how it differs."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def deprecated(page: Page, d: m.Device) -> str:
 
 
 def remarks(page: Page, d: m.Device) -> list[str]:
-    """The gaps and uncertainties about a device."""
+    """Lists what is unknown or uncertain about a device."""
     return [
         opening(page.say(x.sentence))
         for x in describe.topics(describe.device(d, page.model), "incomplete", "uncertain")
@@ -97,7 +97,7 @@ def _identity(page: Page, d: m.Device) -> list[str]:
 
 
 def _named(page: Page, d: m.Device) -> str:
-    """A device without certain fields: its link, its other names and its number."""
+    """Writes a device without certain fields: its link, its other names and its number."""
     more = [*map(inline, d.also), *([] if d.model_number is None else [str(d.model_number)])]
     return page.link(d) + (f" ({', '.join(more)})" if more else "")
 
@@ -107,7 +107,7 @@ def hertz(rate: m.Rate) -> str:
 
 
 def base_rate(d: m.Device, s: m.Set) -> str:
-    """The base rate of a set on a device; empty if none is documented."""
+    """Returns the base rate of a set on a device; empty if none is documented."""
     return next((hertz(r) for r in d.base_rates if r.set.number == s.number), "")
 
 
@@ -122,7 +122,7 @@ def rates_of_set(page: Page, s: m.Set) -> str:
 
 
 def protocols(of: m.Port, names: tuple[str, ...]) -> str:
-    """Protocols of a port, with the firmware that supports them."""
+    """Lists the protocols of a port, with the firmware that supports them."""
     versions = {f.protocol: f.versions for f in of.firmware}
     return ", ".join(inline(f"{x} (firmware {versions[x]})" if x in versions else x) for x in names)
 
@@ -142,7 +142,7 @@ def ports(d: m.Device) -> str:
 
 
 def limit(page: Page, of: m.Limit) -> str:
-    """The value of a limit with its unit."""
+    """Writes the value of a limit with its unit."""
     said = inline(describe.measured(describe.number(of.value), of.unit, page.model))
     return f"{said} (firmware {inline(of.firmware)})" if of.firmware else said
 
@@ -162,7 +162,7 @@ def variants(page: Page, d: m.Device) -> str:
 
 
 def note_table(note: m.Note) -> str:
-    """A note's rows as a table; the first row is the heading, and short rows are padded."""
+    """Writes a note's rows as a table; the first row is the heading, and short rows are padded."""
     width = max(map(len, note.rows))
     head, *rows = [[*map(inline, row), *[""] * (width - len(row))] for row in note.rows]
     return "\n".join("| " + " | ".join(row) + " |" for row in [head, ["---"] * width, *rows])

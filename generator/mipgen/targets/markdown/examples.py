@@ -37,7 +37,7 @@ class Around:
     fields_of: int | None = None  # the set to which the record's field descriptors belong
 
     def inside(self, p: m.Parameter, inner: m.Struct, values: Mapping[str, Any]) -> Around:
-        """The surroundings of the values in a nested structure."""
+        """Returns the surroundings of the values in a nested structure."""
         number = descriptors.set_of(p, self.values, self.model)
         return replace(self, parameters=inner.parameters, values=values, fields_of=number)
 
@@ -46,17 +46,17 @@ class Around:
 
 
 def device(page: Page, x: m.Example) -> m.Device | None:
-    """The device that sends or receives an example; also None if a partial specification lacks the device."""
+    """Returns the device that sends or receives an example; None also if a partial specification lacks it."""
     return page.model.device(x.device.id) if x.device else None
 
 
 def right_bytes(x: m.Example) -> str:
-    """The correct bytes: only the field's bytes if the manual shows it without a packet."""
+    """Returns the correct bytes: only the field's bytes if the manual shows it without a packet."""
     return spaced(x.packet[4:-2] if x.role == "field" else x.packet)
 
 
 def misprints(x: m.Example) -> list[str]:
-    """The differences between the bytes in the manual and the correct ones."""
+    """Lists the differences between the bytes in the manual and the correct ones."""
     return [plain(d) for d in differences(x)]
 
 
@@ -71,7 +71,7 @@ class Part:
 
 
 def parts(model: m.Model) -> list[Part]:
-    """One page for each manual and family. The examples are in the order of the manual's sections."""
+    """Returns one page for each manual and family. The examples are in the order of the manual's sections."""
     found = []
     for manual in model.protocol.manuals:
         order = {section: i for i, section in enumerate(manual.sections)}
@@ -88,7 +88,7 @@ def parts(model: m.Model) -> list[Part]:
 
 
 def packet_table(page: Page, x: m.Example) -> str:
-    """Every byte of an example, and its meaning."""
+    """Explains every byte of an example."""
     pieces = [piece for part in x.fields for piece in _field(page, x, part)]
     if x.role != "field":
         s = page.model.set(x.set)
@@ -102,18 +102,18 @@ def packet_table(page: Page, x: m.Example) -> str:
 
 
 def typical(page: Page, f: m.Field) -> m.Call:
-    """The form whose typical values a page shows: for a command, the first that a device accepts."""
+    """Returns the form whose typical values a page shows: for a command, the first that a device accepts."""
     return page.index.samples.sent(f)[0] if f.role == m.COMMAND else f.calls[0]
 
 
 def pieces(page: Page, f: m.Field) -> list[Piece]:
-    """The parameters of a field with typical values."""
+    """Returns the parameters of a field with typical values."""
     values = page.index.samples.values(f, typical(page, f))
     return list(_record(Around(f.parameters, values, None, page.model, page), codec.encode(f, dict(values)), ""))
 
 
 def printed(page: Page, f: m.Field) -> list[m.Example]:
-    """The manuals' examples of a command or a data field, and of its responses."""
+    """Returns the manuals' examples of a command or a data field, and of its responses."""
     return list({x.id: x for g in on_page(page, f) for x in page.index.examples(g)}.values())
 
 
@@ -138,7 +138,7 @@ def _field(page: Page, x: m.Example, part: m.ExampleField) -> Iterator[Piece]:
 
 
 def _record(around: Around, data: bytes, prefix: str) -> Iterator[Piece]:
-    """The parameters of a record that are present, in order, each with its bytes."""
+    """Yields the parameters of a record that are present, in order, each with its bytes."""
     at = 0
     for p in around.parameters:
         if p.constant is None and p.name not in around.values:
@@ -175,7 +175,7 @@ def _parameter(p: m.Parameter, value: Any, around: Around, data: bytes, name: st
 
 
 def _value(p: m.Parameter, value: Any, around: Around) -> str:
-    """A value or a list of values, with names and units."""
+    """Writes a value or a list of values, with names and units."""
     t = _type(p, around)
     if t is None:
         each = value if isinstance(value, list) else [value]
@@ -187,7 +187,7 @@ def _value(p: m.Parameter, value: Any, around: Around) -> str:
 
 
 def _hexadecimal(p: m.Parameter, value: int, around: Around) -> str:
-    """A number in hexadecimal, and the set or the field that it means."""
+    """Writes a number in hexadecimal, with the set or the field that it identifies."""
     number = descriptors.set_of(p, around.values, around.model) or around.fields_of
     meant = descriptors.meant(p, value, number, around.model)
     shown = code(descriptors.hexadecimal(p, value))
@@ -195,13 +195,13 @@ def _hexadecimal(p: m.Parameter, value: int, around: Around) -> str:
 
 
 def _variants(p: m.Parameter, around: Around) -> list[m.Variant]:
-    """The variants that apply here, by the device or by the value of a sibling."""
+    """Returns the variants that apply here, by the device or by the value of another parameter."""
     device = around.device.id if around.device else None
     return [v for v in p.variants if (v.key == device if v.by_device else v.value == around.values.get(v.by))]
 
 
 def _type(p: m.Parameter, around: Around) -> m.Enum | m.Bitfield | None:
-    """The type that names a value; a sibling or the device may select it."""
+    """Returns the type that names a value; another parameter or the device may select it."""
     named = next((v.type for v in _variants(p, around) if v.type is not None), None)
     return named or (p.leaf.named)
 

@@ -21,7 +21,8 @@ DEVICES = ("devices", "perhaps", "refused", "deprecation", "firmware", "support"
 
 
 def facts(page: Page, f: m.Field) -> str:
-    """The facts about a field besides its description, in sentences. The command of a response is above it."""
+    """Writes the facts about a field besides its description. Its only command is omitted, as the page begins with
+    it."""
     above = ["commands"] if f.role == m.RESPONSE and len(page.model.commands(f)) == 1 else []
     tabled = (*TABLED, *RELATIONS, *DEVICES, "note", *above)
     facts = (x for x in describe.field(f, page.model) if x.topic not in tabled)
@@ -34,12 +35,12 @@ def notes(page: Page, f: m.Field) -> list[str]:
 
 
 def relations(page: Page, f: m.Field) -> list[str]:
-    """The fields that a field changes, the fields that change it, and the flags that concern it."""
+    """Lists the fields that a field changes, the fields that change it, and the flags that concern it."""
     return _listed(page, f, *RELATIONS)
 
 
 def on_devices(page: Page, f: m.Field) -> list[str]:
-    """The devices that support a field, and their differences."""
+    """Lists the devices that support a field, and their differences."""
     return _listed(page, f, *DEVICES)
 
 
@@ -48,7 +49,7 @@ def _listed(page: Page, f: m.Field, *topics: str) -> list[str]:
 
 
 def changed(page: Page, s: m.Set) -> list[str]:
-    """The commands that may change every field of a set."""
+    """Lists the commands that may change every field of a set."""
     return [opening(page.say(x.sentence)) for x in describe.changed(s, page.model)]
 
 
@@ -56,13 +57,13 @@ def changed(page: Page, s: m.Set) -> list[str]:
 
 
 def length(parameters: Sequence[m.Parameter], head: int = 2) -> str:
-    """The length of a field with these parameters after `head` bytes."""
+    """Writes the length of a field with these parameters after `head` bytes."""
     lengths = [code(e) if e.terms else str(e) for e in totals(parameters, Extent(head))]
     return " or ".join([", ".join(lengths[:-1]), lengths[-1]] if len(lengths) > 1 else lengths)
 
 
 def field_length(f: m.Field) -> str:
-    """The length of a field without a function selector."""
+    """Writes the length of a field without a function selector."""
     (call,) = f.calls
     required, whole = length(call.required), length(f.parameters)
     return whole if required == whole else f"{required}; {whole} with all optional parameters"
@@ -72,7 +73,7 @@ def field_length(f: m.Field) -> str:
 
 
 def whole_packet(model: m.Model, f: m.Field, c: m.Call) -> bytes | None:
-    """The packet of a form without values to choose; None if it has some."""
+    """Builds the packet of a form without selectable values; None if it has some."""
     if any(p.constant is None for p in c.required):
         return None
     values = {"function": c.function.value} if c.function else {}
@@ -80,7 +81,7 @@ def whole_packet(model: m.Model, f: m.Field, c: m.Call) -> bytes | None:
 
 
 def checksum_steps(model: m.Model) -> list[dict[str, Any]]:
-    """The checksum of the first command without values to choose, byte by byte."""
+    """Computes the checksum of the first command without selectable values, byte by byte."""
     calls = ((f, c) for f in model.fields if f.role == m.COMMAND for c in f.calls)
     packet = next((p for f, c in calls if (p := whole_packet(model, f, c)) is not None), b"")
     sums = [codec.checksum(packet[: i + 1]) for i in range(len(packet[:-2]))]
@@ -93,7 +94,7 @@ ENTRY = ["Descriptor", "Field", "Functions", "Responses"]
 
 
 def entry(page: Page, f: m.Field, functions: Sequence[m.Function], d: m.Device | None = None) -> list[str]:
-    """A field in a list, with these functions; for a device, with the responses that it sends."""
+    """Writes a row about a field with these functions; for a device, with the responses that it sends."""
     asks = not f.functions or any(x.responds for x in functions)
     responses = (page.model.answers(f, d.id) if d else page.model.responses(f)) if asks else ()
     marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
@@ -132,18 +133,18 @@ def first_sentence(page: Page, f: m.Field) -> str:
 
 
 def size(f: m.Field) -> str:
-    """The length of a field, from the shortest form to the longest."""
+    """Writes the length of a field, from the shortest form to the longest."""
     low = min(_shortest(c) for c in f.calls) if f.role == m.COMMAND else f.min_size
     return f"{low + 2}" if low == f.max_size else f"{low + 2} to {f.max_size + 2}"
 
 
 def _shortest(c: m.Call) -> int:
-    """The bytes of the shortest data of a form."""
+    """Returns the size of the shortest data of a form."""
     return totals(c.required, Extent(1 if c.function else 0))[0].fixed
 
 
 def named(page: Page, s: m.Set) -> str:
-    """The descriptors that sources name without a layout; empty if there are none."""
+    """Lists the descriptors that sources name without a layout; empty if there are none."""
     rows = []
     family = page.model.family(s.family)
     for x in family.named if family else ():
@@ -158,20 +159,20 @@ def named(page: Page, s: m.Set) -> str:
 
 
 def uncertain(page: Page, thing: m.Set | m.Family | m.Type) -> list[str]:
-    """The uncertainties about a set or a type; those of a field are among its facts."""
+    """Lists the uncertainties about a set or a type; those about a field are among its facts."""
     return [opening(page.say(x.sentence)) for x in describe.uncertain(thing, page.model)]
 
 
 def asked(fields: Sequence[m.Field]) -> list[m.Field]:
-    """The fields that are not responses; responses are shown with their commands."""
+    """Returns the fields that are not responses; responses are shown with their commands."""
     return [f for f in fields if f.role != m.RESPONSE]
 
 
 def on_page(page: Page, f: m.Field) -> list[m.Field]:
-    """The fields that a page describes: its own, and the responses to it."""
+    """Returns the fields on the page of a command or a data field: the field, and the responses that it defines."""
     return [f, *own_responses(page, f)]
 
 
 def own_responses(page: Page, f: m.Field) -> list[m.Field]:
-    """The responses that a command defines, which are described on its page."""
+    """Returns the responses that a command defines, which are described on its page."""
     return [r for r in page.model.responses(f) if r.command == f.name]

@@ -61,7 +61,7 @@ class Arrow:
 
 
 def arrows(axes: Iterable[str]) -> list[Arrow]:
-    """The axes of a frame on paper; none if one of them has no direction there."""
+    """Returns the axes of a frame on paper; none if one of them cannot be drawn."""
     ends = [_on_paper(axis) for axis in axes]
     if not all(ends):
         return []
@@ -86,7 +86,7 @@ def _arrow(name: str, axis: str, end: tuple[float, float]) -> Arrow:
 
 
 def drawn(model: m.Model) -> list[tuple[str, str, list[Arrow]]]:
-    """The frames that can be drawn, then frames of other software: file name, title, axes."""
+    """Returns the frames that can be drawn, then frames of other software: file name, title, axes."""
     frames = [(f.symbol, f.title, f.axes) for f in model.protocol.frames]
     others = {(c.title, c.axes) for f in model.protocol.frames for c in f.conversions}
     frames += [("-".join(axes), title, axes) for title, axes in sorted(others)]
@@ -94,7 +94,7 @@ def drawn(model: m.Model) -> list[tuple[str, str, list[Arrow]]]:
 
 
 def drawings(page: Page, model: m.Model) -> str:
-    """All frames as images, each with a description."""
+    """Writes all frames as images, each with a description."""
     return "\n".join(
         f"![{inline(title)}: " + ", ".join(f"{x.name} {x.direction}" for x in axes) + f"]({page.url(drawing(name))})"
         for name, title, axes in drawn(model)

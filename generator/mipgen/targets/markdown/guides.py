@@ -18,17 +18,17 @@ from .places import Page
 from .snippets import Program, sequences
 from .text import code, inline, plain, spaced, table
 
-#: Longer packets are shown with their step only, and not in the overview.
+#: Longer packets are shown only with their step, not in the overview.
 SHORT = 36
 
-#: Bits of a byte on a UART.
+#: Bits that a UART sends for each byte.
 BITS = 10
 
 Role = Literal["command", "reply", "data"]
 
 
 def heading(guide: Guide) -> str:
-    """The reader's aim as a title."""
+    """Writes the title of a guide, which is the reader's goal, as a heading."""
     return plain(guide.title[0].upper() + guide.title[1:])
 
 
@@ -40,7 +40,7 @@ def named(page: Page, guide: Guide | Question) -> list[str]:
 
 
 def with_field(page: Page, f: m.Field) -> list[Guide]:
-    """The guides that use a field in a step or in data."""
+    """Returns the guides that use a field in a step or in data."""
     return page.index.guides.get(f.full_name, [])
 
 
@@ -100,7 +100,7 @@ def _table(page: Page, role: Role, packet: bytes, fields: Iterable[tuple[m.Field
 
 
 def surely(step: Step) -> str:
-    """The values of the response that are fixed once the steps before it are done."""
+    """States which values of the response are certain after the steps before it."""
     if step.response is None:
         return ""
     given = {p.name for p in step.response.field.parameters if not p.derived}
@@ -113,7 +113,7 @@ def surely(step: Step) -> str:
 
 
 def streamed(page: Page, stream: Stream) -> str:
-    """The rate of data packets, and their content."""
+    """States the rate of data packets, and their contents."""
     *others, last = [page.link(x.field) for x in stream.fields]
     fields = f"{', '.join(others)} and {last}" if others else last
     sent = f"a packet of {page.link(stream.set)} with {fields}"
@@ -127,7 +127,7 @@ def streamed(page: Page, stream: Stream) -> str:
 
 
 def read(steps: Steps) -> list[m.Field]:
-    """The data fields that the sequence starts; their pages have programs that read them."""
+    """Returns the data fields that the sequence starts; their pages contain programs that read them."""
     return list({x.field.full_name: x.field for s in steps.streams for x in s.fields}.values())
 
 
@@ -144,7 +144,7 @@ def rates(page: Page, steps: Steps) -> list[str]:
 
 
 def bandwidth(steps: Steps) -> str:
-    """The load of the streams on a UART."""
+    """Computes the load of the streams on a UART."""
     streams = [s for s in steps.streams if s.rate]
     if not streams:
         return ""
@@ -160,7 +160,7 @@ def bandwidth(steps: Steps) -> str:
 
 
 def _fitting(d: m.Device, bits: float) -> tuple[str, int] | None:
-    """The first port with baud rates, and its lowest baud rate that is high enough."""
+    """Returns the first port with baud rates, and the lowest sufficient one; None if there is none."""
     port = next((p for p in d.ports if p.baud_rates), None)
     rate = min((r for r in port.baud_rates if r >= bits), default=None) if port else None
     return (port.name, rate) if port and rate else None
@@ -186,7 +186,7 @@ def doubts(page: Page, steps: Steps) -> list[str]:
 
 
 def programs(page: Page, steps: Steps, guide: Guide) -> list[Program]:
-    """The same sequence in each language that has a target here."""
+    """Writes the sequence as a program in each language."""
     sent = [(s.command, _given(page, s)) for s in steps.steps]
     name = guide.name if len(guide.sequences) == 1 else f"{guide.name}_{guide.sequences.index(steps) + 1}"
     return sequences(page, name, sent)
@@ -205,7 +205,7 @@ def _call(step: Step) -> m.Call:
 
 
 def fact_table(page: Page, name: str) -> str:
-    """A table of one fact for all devices; `guides.TABLES` has the names of the facts."""
+    """Writes a table of one fact for all devices; `guides.TABLES` lists the names of the facts."""
     return {"base_rates": _base_rates, "baud_rates": _baud_rates}[name](page)
 
 
@@ -230,7 +230,7 @@ def _baud_rates(page: Page) -> str:
 
 
 def changes(page: Page, guide: Guide) -> str:
-    """The replacements of the fields that the new device lacks."""
+    """Lists the replacements of the fields that the new device lacks."""
     move = guide.migration
     assert move is not None
     rows = [
@@ -241,7 +241,7 @@ def changes(page: Page, guide: Guide) -> str:
 
 
 def meanings(page: Page, guide: Guide) -> str:
-    """The parameters that both devices have, but with different meanings."""
+    """Lists the parameters that both devices support, but with different meanings."""
     move = guide.migration
     assert move is not None
     both = {f.full_name for f in _both(page, guide)}
@@ -257,14 +257,14 @@ def meanings(page: Page, guide: Guide) -> str:
 
 
 def _both(page: Page, guide: Guide) -> list[m.Field]:
-    """The fields that both devices certainly have: commands, data, and responses that both send."""
+    """Returns the fields that both devices certainly support: commands, data and responses."""
     assert guide.migration is not None
     wanted = {guide.migration.before.id, guide.migration.after.id}
     return [f for f in page.model.fields if wanted <= {d.id for d in page.model.devices_of(f)}]
 
 
 def refused(page: Page, guide: Guide) -> str:
-    """The commands of both devices for which the new device accepts fewer functions."""
+    """Lists the commands of both devices for which the new device accepts fewer functions."""
     move = guide.migration
     assert move is not None
     taken = [{s.field.full_name: s.functions for s in d.supports} for d in (move.before, move.after)]
@@ -278,14 +278,14 @@ def refused(page: Page, guide: Guide) -> str:
 
 
 def _reading(page: Page, v: m.DeviceVariant | None, other: m.DeviceVariant) -> str:
-    """The meaning of a parameter on a device: the usual one unless the device differs."""
+    """States the meaning of a parameter on a device: the usual one unless the device differs."""
     if v is None:
         return page.say(describe.usual(other.variant, other.parameter, other.field, page.model))
     return page.say(describe.difference(v.variant, v.parameter, v.field, page.model))
 
 
 def added(page: Page, guide: Guide) -> Iterator[str]:
-    """The fields that are new, set by set."""
+    """Lists the new fields, set by set."""
     move = guide.migration
     assert move is not None
     known = {s.field.full_name for s in move.before.supports}

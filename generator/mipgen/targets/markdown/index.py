@@ -28,7 +28,8 @@ class Index:
     # ----------------------------------------------------------------------- errata
 
     def errata(self, f: m.Field) -> list[m.Erratum]:
-        """The errata of the sections that a field cites, of its printed lengths, and of its examples."""
+        """Returns the errata about the sections that a field cites, about its printed lengths, and about its
+        examples."""
         errata = [e for s in f.sources for e in self.errata_of_length(f, s.manual)]
         errata += [e for x in self.examples(f) for e in self.errata_of_example(x)]
         if f.role != m.RESPONSE:  # a response cites the sections of its command
@@ -36,7 +37,7 @@ class Index:
         return sorted({e.id: e for e in errata}.values(), key=lambda e: e.id)
 
     def errata_naming(self, f: m.Field) -> list[m.Erratum]:
-        """Further errata whose texts mention a field besides their own subject."""
+        """Returns the other errata whose texts mention a field."""
         own = {e.id for e in self.errata(f)}
         return list({e.id: e for e in self._naming.get(f.full_name, ()) if e.id not in own}.values())
 
@@ -48,7 +49,7 @@ class Index:
         return [e for name in names for e in self._of_length.get((manual, name), ())]
 
     def fields_of_section(self, e: m.Erratum) -> list[m.Field]:
-        """The fields that cite the section of an erratum."""
+        """Returns the fields that cite the section of an erratum."""
         return self._fields_of_section.get(_section(e), [])
 
     @kept
@@ -84,7 +85,8 @@ class Index:
         return list({x.id: x for x in self._examples.get(f.full_name, ())}.values())
 
     def shown(self, x: m.Example, part: m.ExampleField) -> list[str]:
-        """The fields that a part of an example shows: the field, or the command that an acknowledge answers."""
+        """Returns the names of the fields that a part of an example shows: itself, or what an acknowledge replies
+        to."""
         if part.field != self.model.protocol.acknowledge.full_name or not part.data:
             f = self.model.field(part.field) if part.field else None
             return [f.full_name] if f else []
@@ -104,7 +106,7 @@ class Index:
     # ----------------------------------------------------------------------- users of types
 
     def users(self, t: m.Type) -> list[User]:
-        """The fields and types with parameters, bits or variants of a type."""
+        """Returns the fields and types whose parameters, bits or variants use a type."""
         return self._users.get(_name(t), [])
 
     @kept
@@ -119,12 +121,12 @@ class Index:
 
 
 def _name(thing: m.Type | m.Field) -> tuple[str | None, str]:
-    """A key; it is unique because a field and a type of its set never have the same name."""
+    """Returns a key, which is unique because a field and a type of its set never have the same name."""
     return thing.owner, thing.name
 
 
 def _section(e: m.Erratum) -> tuple[str, str]:
-    """The section as fields cite it: an erratum may name a part of it after " > "."""
+    """Returns the section as fields cite it, without the part of it that an erratum may add after " > "."""
     return e.manual, e.section.partition(" > ")[0]
 
 

@@ -49,7 +49,7 @@ def _described(page: Page, f: m.Field, number: int) -> list[str]:
 
 
 def _spelled(set_: int, descriptor: int) -> list[str]:
-    """Set and descriptor in both notations; for the acknowledge field, which has no set of its own, the descriptor."""
+    """Writes set and descriptor in both notations; for the acknowledge, which has no set of its own, the descriptor."""
     one = hexadecimal(descriptor)
     return [code(f"{hexadecimal(set_)},{one}"), code(f"{hexadecimal(set_)}{one[2:]}")] if set_ else [code(one), ""]
 
@@ -91,7 +91,7 @@ def vendor(page: Page) -> list[Section]:
 
 
 def lettered(rows: Iterable[tuple[str, Sequence[str]]], headings: Sequence[str]) -> list[Section]:
-    """A table for each letter; entries that begin with a digit come first."""
+    """Writes a table for each letter; entries that begin with a digit come first."""
     by_letter: dict[str, list[Sequence[str]]] = {}
     for word, row in sorted(rows, key=lambda row: (row[0].lower(), row[1])):
         by_letter.setdefault("0 to 9" if word[:1].isdigit() else word[:1].upper(), []).append(row)
@@ -119,7 +119,7 @@ def units(page: Page) -> list[Section]:
 
 
 def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
-    """The units in a field, each with a link to a parameter that uses it."""
+    """Yields the units in a field, each with a link to a parameter that uses it."""
     for row in layout(f):
         if row.parameter is None:
             continue
@@ -133,7 +133,7 @@ def _measured(page: Page, f: m.Field) -> Iterator[tuple[str, str]]:
 
 
 def of_language(page: Page, symbols: Iterable[Symbols]) -> list[Section]:
-    """The symbols of a binding for each field and type, a table for each set."""
+    """Lists the symbols of a binding for each field and type, in one table for each set."""
     headings = ["Symbol", "Field or type", "Functions and constants"]
     rows: dict[str, list[list[str]]] = {}
     for x in symbols:

@@ -21,17 +21,17 @@ class Row:
     size: Extent | None  # None: it reaches to the end of the field, or is a union
     parameter: m.Parameter | None  # None: the empty alternative of a union
     record: m.Record  # the field or structure that contains it
-    case: tuple[m.Case, m.Parameter] | None = None  # it is this alternative of that union
+    case: tuple[m.Case, m.Parameter] | None = None  # for an alternative: its case, and its union
 
     def beside(self, name: str) -> str:
-        """The full name of a parameter of the same record."""
+        """Returns the full name of another parameter of the same record."""
         last = 2 if self.case and self.parameter else 1
         around = self.name.split(".")[:-last]
         return ".".join([*around, name])
 
 
 def layout(record: m.Record, at: Extent = BEGIN, prefix: str = "", depth: int = 0) -> Iterator[Row]:
-    """Every parameter with its offset, including those inside structures and unions."""
+    """Yields every parameter with its offset, including those inside structures and unions."""
     for p in record.parameters:
         row = Row(prefix + p.name, at, exact(p, prefix), p, record)
         yield row

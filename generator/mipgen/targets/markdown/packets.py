@@ -46,7 +46,7 @@ def _reply(page: Page, f: m.Field, function: m.Function | None) -> str:
 
 
 def ruler(page: Page, f: m.Field) -> str:
-    """A packet with typical values, part by part; the parameters' bytes link to their descriptions."""
+    """Shows the parts of a packet with typical values; the bytes of parameters link to the descriptions."""
     samples, model = page.index.samples, page.model
     data = samples.data(f, examples.typical(page, f))
     head = b""
@@ -73,7 +73,7 @@ def _anchored(page: Page, f: m.Field) -> Iterable[tuple[examples.Piece, str]]:
 
 
 def path(piece: examples.Piece) -> str:
-    """The path of the parameter of which a piece shows a value or an element.
+    """Returns the path of the parameter whose value or element a piece shows.
 
     >>> path(examples.Piece(b"", "`list[2].rate`", ""))
     'list.rate'
@@ -85,8 +85,8 @@ def path(piece: examples.Piece) -> str:
 
 
 def replies(page: Page, f: m.Field) -> str:
-    """The packets that acknowledge and reject a command; empty if it is not answered. Packets with a response that the
-    command defines are shown with that response."""
+    """Shows the packets that acknowledge and reject a command; empty if the device never replies. Packets with a
+    response that the command defines are shown with that response."""
     if f.functions and not any(x.reply for x in f.functions):
         return ""
     first, second, *_ = page.model.protocol.ack_code.values
@@ -104,6 +104,6 @@ def replies(page: Page, f: m.Field) -> str:
 
 
 def acknowledge(model: m.Model, f: m.Field, value: int, *responses: tuple[int, bytes]) -> bytes:
-    """A packet that acknowledges or rejects a command, with further fields."""
+    """Builds a packet that acknowledges or rejects a command, with further fields."""
     ack = model.protocol.acknowledge
     return codec.build(model, f.set, [(ack.descriptor, bytes([f.descriptor, value])), *responses])

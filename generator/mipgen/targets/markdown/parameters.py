@@ -47,7 +47,7 @@ class _Row:
         return (self.row.name, p and p.element, p and p.length, p and p.description, facts)
 
     def ref(self, r: Ref) -> str:
-        """A reference; a sibling of the parameter has its full name."""
+        """Writes a reference; other parameters of the record get their full names."""
         if isinstance(r.thing, m.Bits) or (isinstance(r.thing, m.Parameter) and r.within is self.row.record):
             r = replace(r, words=self.row.beside(r.words))
         return self.page.ref(r)
@@ -59,7 +59,7 @@ class _Row:
         return " ".join(self.say(f.value or f.sentence) for f in describe.topics(self.facts, *topics))
 
     def description(self) -> str:
-        """Its description, and the facts that have no column."""
+        """Writes its description, and the facts that have no column."""
         p = self.row.parameter
         elsewhere = {topic for topics in COLUMNS.values() for topic in topics} | {*BELOW}
         said = [(f.topic, self.say(f.sentence)) for f in self.facts if f.topic not in elsewhere]
@@ -86,7 +86,7 @@ def parameter_anchor(f: m.Field, row: Row) -> str:
 
 
 def _path(row: Row) -> str:
-    """The name of a parameter without indices."""
+    """Returns the name of a parameter without indices."""
     return re.sub(r"\[[a-z]\]", "", row.name)
 
 
@@ -101,7 +101,7 @@ class Parameters:
     notes: list[str]  # differences by device or by a sibling, and notes, a line for each
 
 
-#: The maximum number of an example's elements in a row; the others are alike.
+#: The maximum number of array elements in the example of a row; further ones are similar.
 SHOWN = 3
 
 
@@ -117,7 +117,7 @@ def parameter_list(page: Page, record: m.Record) -> Parameters:
 
 
 def as_command(page: Page, r: m.Field) -> str:
-    """The parameters of a response in one sentence, if its command has the same parameters; else empty."""
+    """Lists the parameters of a response in one sentence if its command has the same ones; otherwise empty."""
     command = page.model.commands(r)[0]
     others = [x for x in _rows(page, command) if not (x.row.parameter and x.row.parameter.selector)]
     rows = list(_rows(page, r))
@@ -166,21 +166,21 @@ def _type(page: Page, row: Row) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Values:
-    """The values or bits of a type, where a page uses it."""
+    """The values or bits of a type on a page that uses it."""
 
-    anchor: str  # before those of its values and bits
+    anchor: str  # prefix of the anchors of its values and bits
     type: m.Enum | m.Bitfield
     users: list[str]  # the parameters, as Markdown
     table: str
 
 
 def parameter_values(page: Page, record: m.Record) -> list[Values]:
-    """The values and bits that the parameters of a record may have, one for each type."""
+    """Returns the values and bits that the parameters of a record may have, one entry for each type."""
     return _values(page, [record])
 
 
 def field_values(page: Page, f: m.Field) -> list[Values]:
-    """The values and bits on the page of a command or a data field."""
+    """Returns the values and bits on the page of a command or a data field."""
     return _values(page, on_page(page, f))
 
 

@@ -56,7 +56,7 @@ def set_page(name: str) -> str:
 
 
 def field_page(f: m.Field) -> str:
-    """The page of a command or a data field; a response is on the page of the command that defines it."""
+    """Returns the page of a command or a data field; a response is on the page of the command that defines it."""
     return f"docs/fields/{f.family}/{f.command if f.role == m.RESPONSE else f.name}.md"
 
 
@@ -81,13 +81,13 @@ def guide_page(g: Guide) -> str:
 
 
 def examples_page(x: m.Example, model: m.Model) -> str:
-    """The page of a manual's examples that are packets of one family."""
+    """Returns the page of a manual's examples that are packets of one family."""
     s = model.set(x.set)
     return f"docs/examples/{x.manual}/{s.family if s else hexadecimal(x.set)}.md"
 
 
 def errata_page(e: m.Erratum) -> str:
-    """The page of a manual's errata with one severity."""
+    """Returns the page of a manual's errata with one severity."""
     return f"docs/errata/{e.manual}/{e.severity}.md"
 
 
@@ -96,7 +96,7 @@ def tool_page(tool: Tool) -> str:
 
 
 def own_page(thing: m.Set | m.Family | m.Device | Guide | Tool) -> str:
-    """The page that describes a whole thing."""
+    """Returns the page that is about one thing."""
     match thing:
         case m.Set():
             return set_page(thing.name)
@@ -111,7 +111,7 @@ def own_page(thing: m.Set | m.Family | m.Device | Guide | Tool) -> str:
 
 
 def place(thing: Thing, model: m.Model) -> tuple[str, str]:
-    """The page of a thing, and its anchor there."""
+    """Returns the page of a thing, and its anchor on that page."""
     match thing:
         case str():
             page, _, anchor = thing.partition("#")
@@ -137,7 +137,7 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
 
 
 def label(thing: Thing) -> str:
-    """The label of a thing, as Markdown."""
+    """Returns the label of a thing, as Markdown."""
     match thing:
         case m.Set():
             return plain(f"{thing.title} ({hexadecimal(thing.number)})")
@@ -157,13 +157,13 @@ def label(thing: Thing) -> str:
 
 
 def descriptors(f: m.Field) -> str:
-    """Set and descriptor of a field; for a field of several sets, only its descriptor."""
+    """Writes set and descriptor of a field; for a field of several sets, only its descriptor."""
     several = len(f.occurrences) > 1 or not f.set
     return f"{'' if several else hexadecimal(f.set) + ','}{hexadecimal(f.descriptor)}"
 
 
 def _relative(path: str, page: str) -> str:
-    """The path relative to a page."""
+    """Returns a path relative to a page."""
     if path == page:
         return ""
     folder, _, name = path.rpartition("/")
@@ -172,7 +172,7 @@ def _relative(path: str, page: str) -> str:
 
 @cache
 def _up(folder: str, start: str) -> str:
-    """The relative path between two folders, with a slash after it; cached because there are few and it is slow."""
+    """Returns the relative path between two folders, with a trailing slash. Cached: it is slow, and there are few."""
     way = posixpath.relpath(folder or ".", start or ".")
     return "" if way == "." else f"{way}/"
 
@@ -197,7 +197,7 @@ class Page:
         return f"{path}#{anchor}" if anchor else path or posixpath.basename(self.path)
 
     def link(self, thing: Thing, words: str | None = None) -> str:
-        """A link to a thing; `words` are Markdown."""
+        """Writes a link to a thing; `words` are Markdown."""
         return f"[{label(thing) if words is None else words}]({self.url(thing)})"
 
     def links(self, things: Iterable[Thing]) -> str:

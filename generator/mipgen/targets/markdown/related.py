@@ -12,7 +12,8 @@ from .places import Page, field_page
 
 
 def related(page: Page, f: m.Field) -> list[m.Field]:
-    """The fields that share a field's descriptor or its response, or that its description names."""
+    """Returns the fields that share a field's descriptor or response, suppress its acknowledge, or are named in its
+    texts."""
     fields: dict[str, m.Field] = {}
     for g in _related(page, f):
         if g.role != m.RESPONSE and g.set and field_page(g) != field_page(f):

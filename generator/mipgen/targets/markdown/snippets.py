@@ -55,7 +55,7 @@ def programs(page: Page, f: m.Field) -> list[Program]:
 
 
 def sequences(page: Page, name: str, steps: Sequence[tuple[m.Field, GivenValues]]) -> list[Program]:
-    """Programs that send several commands."""
+    """Writes programs that send several commands."""
     return _each(page, lambda of: of.sequence(name, steps))
 
 

@@ -19,7 +19,7 @@ SEVERITIES = ("wire", "meaning", "editorial")
 
 
 def of_manual(things: Sequence[Any], manual: m.Manual) -> list[Any]:
-    """Examples or errata of a manual."""
+    """Returns the examples or errata of a manual."""
     return [t for t in things if t.manual == manual.id]
 
 
@@ -27,7 +27,7 @@ def of_manual(things: Sequence[Any], manual: m.Manual) -> list[Any]:
 
 
 def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Family | m.Chapter | m.Device | Guide) -> list[str]:
-    """The sections of the manuals that describe a thing, one line for each."""
+    """Lists the sections of the manuals that describe a thing, one line for each."""
     return [_citation(page, thing, s) for s in getattr(thing, "sources", ())]
 
 
@@ -59,7 +59,7 @@ def field_lengths(page: Page, manual: m.Manual) -> str:
 
 
 def length_remarks(page: Page, f: m.Field) -> list[str]:
-    """The manuals that state a different length for a response, in the sections of its command."""
+    """Lists the manuals that state a different length for a response, in the sections about its command."""
     remarks = [(_manual(page, s), _length_remark(page, f, s)) for s in f.sources]
     return list(dict.fromkeys(f"{manual}: {remark}" for manual, remark in remarks if remark))
 
@@ -82,8 +82,8 @@ def _length_remark(page: Page, f: m.Field, s: m.Source) -> str:
 
 
 def defined(thing: m.Field) -> str:
-    """The definition of a field in the specification: a file of its folder, and the name there. It has no line
-    number, which a comment further up would change."""
+    """States where the specification defines a field: the file, and the name in it. A line number would change with
+    every edit above it."""
     if thing.position is None:
         return ""
     return f"{code('/'.join(thing.position.file.split('/')[-2:]))}, {code(f'name: {thing.name}')}"
@@ -103,7 +103,8 @@ class Part:
 
 
 def parts(model: m.Model) -> list[Part]:
-    """One page for each manual and severity, the worst first. The errata are in the order of the manual's sections."""
+    """Returns a page for each manual and severity, worst first. The errata are in the order of the manual's
+    sections."""
     found = []
     for manual in model.protocol.manuals:
         order = {section: i for i, section in enumerate(manual.sections)}
@@ -116,7 +117,7 @@ def parts(model: m.Model) -> list[Part]:
 
 
 def subjects(page: Page, e: m.Erratum) -> list[str]:
-    """The subjects of an erratum: links to fields and examples."""
+    """Lists the subjects of an erratum: links to fields and examples."""
     model, subjects = page.model, []
     examples = {x.id: x for x in model.examples}
     for c in e.claims:

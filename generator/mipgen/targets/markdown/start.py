@@ -1,5 +1,5 @@
 """The page for new users: in each language, the installation and a complete first program. Also the complete programs
-into which the lines on the pages of fields fit."""
+to which the code on the pages of fields belongs."""
 
 from __future__ import annotations
 
@@ -62,7 +62,8 @@ STARTS = (
 
 
 def starts(model: m.Model) -> list[Start]:
-    """The languages with a first program; none if a partial specification lacks the fields that the programs use."""
+    """Returns the languages with a first program; none if a partial specification lacks a field that the programs
+    use."""
     used = ("base.ping", "base.get_device_info", "sensor.scaled_accel", "3dm.message_format", "3dm.data_stream_control")
     there = model.protocol.session is not None and all(map(model.field, used))
     return [x for x in STARTS if there and model.program(x.program)]
@@ -70,7 +71,7 @@ def starts(model: m.Model) -> list[Start]:
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """Complete programs into which the lines on the page of a field fit, one in each language."""
+    """The complete programs, one in each language, to which the code on a field's page belongs."""
 
     name: str  # the role of the field
     title: str

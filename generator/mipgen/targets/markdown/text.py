@@ -54,7 +54,7 @@ def code(text: object) -> str:
 
 
 def table(rows: Iterable[Sequence[str]], headings: Sequence[str]) -> str:
-    """Writes a table of finished cells; empty columns are left out."""
+    """Writes a table of finished cells; empty columns are omitted."""
     whole = [list(row) for row in rows]
     kept = [i for i in range(len(headings)) if i == 0 or any(row[i] for row in whole)]
     lines = [[headings[i] for i in kept], ["---"] * len(kept), *([row[i] for i in kept] for row in whole)]
@@ -90,7 +90,7 @@ def count(things: Sequence[object] | int, word: str, several: str = "") -> str:
 
 
 def decimal(bits: str) -> str:
-    """The shortest decimal with these bits.
+    """Writes the shortest decimal number with these bits.
 
     >>> decimal("0x3dcccccd"), decimal("0x3fb999999999999a"), decimal("0xbf800000"), decimal("0x7fe5bf7f")
     ('0.1', '0.1', '-1', 'NaN (0x7FE5BF7F)')

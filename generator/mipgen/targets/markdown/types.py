@@ -11,7 +11,7 @@ from .text import code, hexadecimal, table
 
 
 def nature(t: m.Type) -> str:
-    """The kind of a type, and its length."""
+    """Describes the kind of a type, and its length."""
     match t:
         case m.Enum():
             return f"Enumeration, {code(t.scalar.name)}"
@@ -24,7 +24,7 @@ def nature(t: m.Type) -> str:
 
 
 def values(page: Page, t: m.Enum, anchor: str = "") -> str:
-    """A table of the values; `anchor`, if given, is the prefix of the rows' anchors."""
+    """Writes a table of the values; `anchor`, if given, is the prefix of the rows' anchors."""
     rows = [
         [
             str(v.value),
@@ -38,7 +38,7 @@ def values(page: Page, t: m.Enum, anchor: str = "") -> str:
 
 
 def bits(page: Page, t: m.Bitfield, anchor: str = "") -> str:
-    """A table of the bits, including bits that overlap others."""
+    """Writes a table of the bits, including bits that overlap others."""
     rows = []
     others = (1 << 8 * t.size) - 1
     for b in t.bits:

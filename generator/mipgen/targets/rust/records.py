@@ -241,8 +241,7 @@ class Records:
         return Constructor("new", f"Creates {what}.", None, tuple(given), tuple(values))
 
     def tuple_of(self, record: m.Struct) -> list[Member]:
-        """Returns the members to which a tuple of two to four values converts; none if some are not passed by a
-        caller."""
+        """Returns the members to which a tuple of two to four values converts; none if it has other members, too."""
         (way,) = self.constructors(record)
         return list(way.given) if 2 <= len(way.given) <= 4 and not way.set else []
 
