@@ -93,7 +93,7 @@ def check(options: Namespace) -> int:
 
 
 def _given(options: Namespace) -> str:
-    """The options of this run, to be repeated in another command."""
+    """Returns the options of this run, to repeat them in another command."""
     given = [("--spec", options.spec or ()), ("--out", () if options.out == Path("generated") else (options.out,))]
     given += [(f"--{part[:-1]}", getattr(options, part)) for part in PARTS]
     given += [("--target", options.targets or ()), ("--target-path", options.target_path)]
@@ -113,7 +113,7 @@ def _asked(options: Namespace) -> tuple[list[Source], str | None]:
 
 
 def _part(options: Namespace) -> str:
-    """The selected part of the specification."""
+    """Returns the selected part of the specification as a text, for keys."""
     return repr([getattr(options, name, ()) for name in (*PARTS, "certain")])
 
 
@@ -161,7 +161,7 @@ def _reason(error: OSError) -> str:
 
 
 def _specs(options: Namespace) -> list[Path]:
-    """The folder of the specification, and the folders of its overlays."""
+    """Returns the folder of the specification, and the folders of its overlays."""
     specs: list[Path] = options.spec or [Path("spec")]
     if not (specs[0] / "protocol.yaml").is_file():
         raise Failure(
@@ -211,7 +211,7 @@ def _remember(options: Namespace, key: str | None, summary: str, outputs: list[O
 
 
 def diff(options: Namespace) -> int:
-    """Prints what changed; the exit status is the verdict."""
+    """Prints what changed; returns the verdict as the exit status."""
     from mipgen.compare import changes, ignored
 
     listed = ignored.entries(options.ignore) if options.ignore else []
@@ -425,7 +425,7 @@ def completion(options: Namespace) -> int:
 
 
 def _actions(parser: Any) -> Iterator[Any]:
-    """All arguments of a parser and of its commands."""
+    """Yields all arguments of a parser and of its commands."""
     for action in parser._actions:
         yield action
         if isinstance(action.choices, dict):

@@ -1,1 +1,1 @@
-"""The consequences of a change to a specification for its users."""
+"""Finds what a change to a specification means for its users."""

@@ -69,16 +69,16 @@ class Report:
         ))  # fmt: skip
 
     def whole(self, name: str) -> str:
-        """The verdict in one line; `name` is the name of the old specification."""
+        """Writes the verdict on one line; `name` is the name of the old specification."""
         return f"{name} (version {self.old}) -> version {self.new}: {self.verdict}"
 
     def text(self, name: str) -> str:
-        """One line for each change, and one for the whole."""
+        """Writes one line for each change, and one for the verdict."""
         ignored = (f"{'ignored':10} {c.kind:13} {c.subject}: {c.what} ({reason})" for c, reason in self.ignored)
         return "\n".join([*map(str, self.changes), *ignored, self.whole(name)])
 
     def plain(self) -> dict[str, Any]:
-        """The report for JSON."""
+        """Converts the report to values for JSON."""
         return {
             "old": self.old,
             "new": self.new,
@@ -88,7 +88,7 @@ class Report:
         }
 
     def github(self, name: str) -> str:
-        """Workflow commands that annotate the files of a pull request on GitHub."""
+        """Writes workflow commands that annotate the files of a pull request on GitHub."""
         return "\n".join([*map(_annotation, self.changes), self.whole(name)])
 
 
@@ -135,7 +135,7 @@ def worst(changes: Iterable[Change]) -> Verdict:
 
 
 def _places(model: m.Model) -> dict[str, m.Position | None]:
-    """Subject of a change -> the position of its definition."""
+    """Returns the position of the definition of each possible subject of a change."""
     places: dict[str, m.Position | None] = {s.name: s.position for s in model.sets}
     places |= {x.name: x.position for x in model.families} | {d.id: d.position for d in model.devices}
     for t in model.all_types:
@@ -152,7 +152,7 @@ def _places(model: m.Model) -> dict[str, m.Position | None]:
 
 
 def _nearest(subject: str, places: dict[str, m.Position | None]) -> m.Position | None:
-    """The position of a subject, else of the definition that contains it."""
+    """Returns the position of a subject, or else of the definition that contains it."""
     subject, _, device = subject.partition(" on ")
     name = device or subject.partition(" with ")[0]
     while name and places.get(name) is None:
@@ -161,7 +161,8 @@ def _nearest(subject: str, places: dict[str, m.Position | None]) -> m.Position |
 
 
 def unreadable(version: str, new: m.Model) -> Report:
-    """The report for an old specification in a format that is no longer supported: anything may have changed."""
+    """Returns the report for an old specification in a format that is no longer supported: anything may have
+    changed."""
     change = Change(
         "wire", "language", "the specification", "the old one is in a language that this mipgen cannot read"
     )
@@ -263,7 +264,7 @@ def _texts(f: m.Field) -> tuple[object, ...]:
 
 
 def _wire(record: m.Field | m.Struct) -> tuple[object, ...]:
-    """The layout on the wire, without names."""
+    """Returns the layout on the wire, without names."""
     order = {p.name: i for i, p in enumerate(record.parameters)}
     forms: list[object] = [_shape(p, order) for p in record.parameters]
     if isinstance(record, m.Field):
@@ -343,7 +344,7 @@ def _parameters(
 
 
 def _variants(subject: str, old: m.Parameter, new: m.Parameter, devices: frozenset[str]) -> Iterator[Change]:
-    """Compares the differences on a device, or with a value of a sibling. For a new or a removed device, the
+    """Compares the differences on a device, or with a value of another parameter. For a new or a removed device, the
     device itself counts as the change."""
 
     def by_key(p: m.Parameter) -> dict[tuple[str, str, str], m.Variant]:
@@ -559,7 +560,7 @@ def _documentation(old: m.Model, new: m.Model) -> Iterator[Change]:
 
 
 def _plain(x: Any) -> object:
-    """The attributes of a thing; references are replaced by names."""
+    """Returns the attributes of a thing; references are replaced by names."""
     match x:
         case m.Field():
             return x.full_name

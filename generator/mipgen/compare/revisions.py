@@ -18,7 +18,7 @@ RELEASES = "v[0-9]*"
 
 @contextmanager
 def folder(name: str, spec: Path) -> Iterator[Path]:
-    """A context with the folder of that name, or else with the folder `spec` as in the revision of that name."""
+    """Provides the folder of that name, or else the folder `spec` from the Git revision of that name."""
     if name and Path(name).is_dir():
         yield Path(name)
         return
@@ -40,13 +40,13 @@ def folder(name: str, spec: Path) -> Iterator[Path]:
         with tarfile.open(fileobj=io.BytesIO(archive)) as files:
             if hasattr(tarfile, "data_filter"):
                 files.extractall(there, filter="data")
-            else:  # as in Python 3.11.2; Git has just made the archive
+            else:  # no filter, as in Python 3.11.2; the archive is trusted, because Git has just made it
                 files.extractall(there)
         yield Path(there)
 
 
 def last_release(spec: Path) -> str | None:
-    """The newest release tag that is an ancestor of the current revision."""
+    """Returns the newest release tag that is an ancestor of the current revision; None if there is none."""
     try:
         return _git(spec, "describe", "--tags", "--abbrev=0", f"--match={RELEASES}", fails="no release").strip()
     except Failure:

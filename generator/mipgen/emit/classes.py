@@ -23,7 +23,7 @@ class Classes:
         return name if self.home(thing) == "protocol" else self.legal(name)
 
     def home(self, thing: m.Type | m.Field) -> str:
-        """The module that defines a thing."""
+        """Returns the module that defines a thing."""
         if isinstance(thing, m.Field):
             return self.module(thing.family) if thing.set else "protocol"
         if thing.name == "function_selector":  # a specification cannot define this type
@@ -31,15 +31,15 @@ class Classes:
         return self.module(thing.owner) if thing.owner else "types"
 
     def qualified(self, thing: m.Type | m.Field) -> str:
-        """The name of a thing in a module that imports its module: `types.AckCode`."""
+        """Returns the name of a thing in a module that imports its module: `types.AckCode`."""
         return f"{self.home(thing)}.{self.name(thing)}"
 
     def reference(self, thing: m.Type | m.Field, where: str) -> str:
-        """The name of a thing in the module `where`. All modules import the names of `protocol`."""
+        """Returns the name of a thing in the module `where`. All modules import the names of `protocol`."""
         return self.name(thing) if self.home(thing) in (where, "protocol") else self.qualified(thing)
 
     def identifiers(self, model: m.Model, attributes: Attributes) -> Iterator[Identifier]:
-        """The classes of all modules, and the names inside them."""
+        """Yields the classes of all modules, and the names inside them."""
         modules = [("types", model.types), *((x.name, (*x.types, *x.fields)) for x in model.families)]
         for scope, things in modules:
             for t in things:

@@ -72,12 +72,12 @@ class Source:
 
 
 def names() -> list[str]:
-    """The built-in targets, in order."""
+    """Returns the names of the built-in targets, in order."""
     return sorted(module.name for module in pkgutil.iter_modules(importlib.import_module(BUILT_IN).__path__))
 
 
 def sources(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str, Source]:
-    """All targets by name, in order; earlier folders take precedence."""
+    """Returns all targets by name, in order; earlier folders take precedence."""
     known = {name: built_in(name) for name in names()}
     for path in reversed(paths):
         for folder in _folders(path):
@@ -108,7 +108,7 @@ def built_in(name: str) -> Source:
 
 
 def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> list[Source]:
-    """The selected targets, or all; plugins always."""
+    """Returns the selected targets, or all; plugins are always included."""
     known = sources(paths, plugins)
     for name in wanted or ():
         if name not in known:

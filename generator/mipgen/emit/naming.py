@@ -67,7 +67,7 @@ class Grammar:
     longest: int | None = None  # the number of significant characters, if that is limited; longer names are allowed
 
     def fault(self, name: str) -> str:
-        """The fault of a name; empty if it has none."""
+        """Explains why a name is not allowed; empty if it is."""
         if not re.fullmatch(self.pattern, name, re.ASCII):
             return "is not an identifier"
         return "is a keyword" if name in self.keywords else ""

@@ -69,7 +69,7 @@ def digest(made: Made) -> bytes:
 
 
 def finished(made: Mapping[str, Made], place: str) -> dict[str, Made]:
-    """All files of a target, with the manifest."""
+    """Returns all files of a target, with the manifest."""
     both = sorted(made.keys() & _parents(made))
     if both:
         raise Failure(f"{both[0]} is a file and a folder", place)
@@ -101,9 +101,8 @@ def compare(made: Mapping[str, Made], folder: Path) -> list[Difference]:
 
 
 def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Difference] | None = None) -> list[Difference]:
-    """Writes these files to the folder, also over foreign files; untracked files are kept.
-
-    `differences`: those of the folder, if they are known.
+    """Writes these files to the folder, also over foreign files; untracked files are kept. `differences` are those of
+    the folder, if they are known.
     """
     differences = [d for d in (compare(made, folder) if differences is None else differences) if d.what != "untracked"]
     ours = _ours(folder)
@@ -111,7 +110,7 @@ def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Differen
         _put(folder / MANIFEST, manifest((ours | made.keys()) - {MANIFEST}))
     for d in differences:
         if d.what == "stale":
-            (folder / d.path).unlink(missing_ok=True)  # removes a partial file of an earlier process with our number
+            (folder / d.path).unlink(missing_ok=True)  # removes a partial file of an earlier process with the same id
     for parent in sorted(_parents(ours) - _parents(made), reverse=True):
         with contextlib.suppress(OSError):  # it is not empty, or does not exist
             (folder / parent).rmdir()
@@ -139,14 +138,14 @@ def _plain(path: Path) -> bool:
 
 
 def _ours(folder: Path) -> set[str]:
-    """The files that mipgen wrote, even if they no longer exist."""
+    """Returns the files that mipgen wrote, even if they no longer exist."""
     path = folder / MANIFEST
     lines = path.read_text("utf-8", "replace").splitlines() if path.is_file() else []
     return {MANIFEST, *lines[1:]} if lines[:1] == [HEADER] else set()
 
 
 def _parents(paths: Iterable[str]) -> set[str]:
-    """The folders above these paths; "" is the outermost one."""
+    """Returns the folders above these paths; "" is the outermost one."""
     folders: set[str] = set()
     for p in paths:
         while (p := os.path.dirname(p)) not in folders:
@@ -155,7 +154,7 @@ def _parents(paths: Iterable[str]) -> set[str]:
 
 
 def _present(folder: Path, known: Iterable[str]) -> set[str]:
-    """The files of a folder, except in build folders that contain no known file."""
+    """Returns the files of a folder, except in build folders that contain no known file."""
     paths: set[str] = set()
     wanted = _parents(known)
     for place, folders, files in os.walk(folder):

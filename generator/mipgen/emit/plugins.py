@@ -29,7 +29,7 @@ _FORM = 'write {"files": {"PATH": "TEXT", ...}}'
 
 
 def parse(text: str) -> tuple[str, str]:
-    """The name of a plugin and the path of its program, from `PROGRAM` or `NAME=PROGRAM`."""
+    """Returns the name of a plugin and the path of its program, given as `PROGRAM` or `NAME=PROGRAM`."""
     name, equals, program = text.partition("=")
     if not equals or not _NAME.fullmatch(name):
         name, program = Path(text).stem, text

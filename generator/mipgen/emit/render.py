@@ -25,17 +25,17 @@ if TYPE_CHECKING:
 
 
 def names() -> list[str]:
-    """All built-in targets, in order."""
+    """Returns the names of all built-in targets, in order."""
     return discovery.names()
 
 
 def target(name: str) -> Target:
-    """A built-in target."""
+    """Loads a built-in target."""
     return discovery.sources()[name].load()
 
 
 def language(name: str) -> dict[str, Any]:
-    """The data of a language: templates/<name>/language.yaml."""
+    """Reads the data of a language: templates/<name>/language.yaml."""
     text = (resources.root() / "templates" / name / "language.yaml").read_text("utf-8")
     data: dict[str, Any] = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
     return data
@@ -48,7 +48,7 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
 
 
 def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
-    """The same, but does not make files again that are still up to date since the last run."""
+    """Makes the files of a target, except those that are still up to date since the last run."""
     right = past.all_right()
     if right is not None:
         past.keep(right)

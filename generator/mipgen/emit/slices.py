@@ -147,7 +147,7 @@ class Slices:
         return Slice(self, target)
 
     def noted(self, read: Iterable[Read]) -> set[Address]:
-        """The addresses of the parts of the model that were read."""
+        """Returns the addresses of the parts of the model that were read."""
         earlier = [r.read for r in read if isinstance(r, reads.Earlier)]
         now = set(map(self.addresses.__getitem__, (r for r in read if r.__class__ is tuple)))
         return {a for a in now if a is not None}.union(*earlier)
@@ -170,11 +170,11 @@ class Anew:
         return False
 
     def right(self, path: str) -> Same | None:
-        """A file of the last run, if it would be the same now."""
+        """Returns a file of the last run, if it would be the same now."""
         return None
 
     def all_right(self) -> dict[str, Made] | None:
-        """All files of the last run, if all would be the same now."""
+        """Returns all files of the last run, if all would be the same now."""
         return None
 
     def make(self, what: str, how: Callable[..., Value], *arguments: Any) -> Value:
@@ -291,7 +291,7 @@ class Slice(Anew):
         return cache.key(self.slices.key, self.folder.name, "pieces", what)
 
     def _stored(self, what: str) -> bytes | None:
-        """The stored pieces of a file, if they are still those of the file."""
+        """Returns the stored pieces of a file, if they are still those of the file."""
         if what not in self.pieces or not self.unchanged(PLAN):
             return None
         data = cache.get("slices", self._place(what))

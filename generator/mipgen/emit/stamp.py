@@ -66,7 +66,7 @@ def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
 
 
 def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
-    """All files below a folder, in order, except hidden ones."""
+    """Yields all files below a folder, in order, except hidden ones."""
     for place, folders, files in os.walk(folder):
         folders[:] = sorted(f for f in folders if f[0] != ".")
         for file in sorted(f for f in files if f[0] != "."):

@@ -18,7 +18,7 @@ class Symbols:
 
 
 def things(model: m.Model) -> Iterator[m.Type | m.Field]:
-    """Types and fields, first those of the protocol, then set by set."""
+    """Yields types and fields, first those of the protocol, then set by set."""
     protocol = (model.protocol.function_selector, *model.types, model.protocol.acknowledge)
     for group in (protocol, *((*x.types, *x.fields) for x in model.families)):
         yield from sorted(group, key=lambda x: x.name)
@@ -34,18 +34,18 @@ def records(model: m.Model) -> list[Record]:
 
 
 def parameters(model: m.Model) -> list[str]:
-    """The names of all parameters, including those in unions."""
+    """Returns the names of all parameters, including those in unions."""
     every = (q for r in records(model) for p in r.parameters for q in (p, *(c.parameter for c in p.cases)) if q)
     return sorted({q.name for q in every})
 
 
 def constants(model: m.Model) -> list[str]:
-    """The names of all values and bits."""
+    """Returns the names of all values and bits."""
     return sorted({x.name for t in (model.protocol.function_selector, *model.all_types) for x in parts(t)})
 
 
 def tags(model: m.Model) -> list[str]:
-    """The names of the values that select an alternative of a union."""
+    """Returns the names of the values that select an alternative of a union."""
     return sorted({c.tag.name for r in records(model) for p in r.parameters for c in p.cases})
 
 
@@ -54,5 +54,5 @@ def parts(t: m.Type) -> Iterable[m.EnumValue | m.Bits]:
 
 
 def others(names: Iterable[str], of: Callable[[str], str], usual: Callable[[str], str] = str) -> dict[str, str]:
-    """The names whose spelling in a language differs from the usual one."""
+    """Returns the names whose spelling in a language differs from the usual one."""
     return {name: of(name) for name in names if of(name) != usual(name)}

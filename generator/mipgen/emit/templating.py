@@ -58,7 +58,7 @@ class Templates:
         return None
 
     def _place(self, error: BaseException) -> str:
-        """The line of a template where an error occurred."""
+        """Returns the line of a template where an error occurred."""
         folders = tuple(map(str, self.source.folders))
         frames = reversed(traceback.extract_tb(error.__traceback__))
         lines = (f"{f.filename}:{f.lineno}" for f in frames if f.filename.startswith(folders))

@@ -77,7 +77,7 @@ class Comments:
         return [f"On the wire only: {p.name}. {text}" if p.derived else text, _items(choices)]
 
     def _case(self, c: m.Case, union: m.Parameter, record: m.Record, model: m.Model) -> str:
-        """The content of a union for one value of its tag."""
+        """Describes the content of a union for one value of its tag."""
         where, p = self.names.home(record), c.parameter
         held = f"If {self.say(describe.case(c, union, record).value, where)}: `{self.alternative(p, record)}`."
         facts = describe.parameter(p, record, model) if p else []
@@ -98,7 +98,7 @@ class Comments:
         return describe.say(text, lambda ref: self._named(ref, where))
 
     def _named(self, ref: Ref, where: str) -> str:
-        """The name that the module `where` uses for a reference in a text."""
+        """Returns the name that the module `where` uses for a reference in a text."""
         names = self.names
         match ref.thing:
             case m.Field() | m.Enum() | m.Bitfield() | m.Struct():
@@ -115,12 +115,12 @@ class Comments:
 
 
 def descriptors(f: m.Field) -> str:
-    """Set and descriptor, "0x80,0x04"; for a field of several sets, only the descriptor."""
+    """Writes set and descriptor, "0x80,0x04"; for a field of several sets, only the descriptor."""
     return f"0x{f.descriptor:02X}" if len(f.occurrences) > 1 else f"0x{f.set:02X},0x{f.descriptor:02X}"
 
 
 def _sources(thing: m.Field | m.Family | m.Enum | m.Bitfield | m.Struct | m.Device) -> str:
-    """Manuals and sections, as a list."""
+    """Lists manuals and sections."""
     return _items(describe.sources(thing))
 
 

@@ -9,7 +9,7 @@ from mipgen import model as m
 
 
 def set_of(p: m.Parameter, values: Mapping[str, Any], model: m.Model) -> int | None:
-    """The number of the set to which a parameter's field descriptors belong, given the values beside it."""
+    """Returns the number of the set to which a parameter's field descriptors belong, given the record's values."""
     if p.fields_of in values:
         number = values[p.fields_of]
         return number if isinstance(number, int) else None
@@ -17,7 +17,7 @@ def set_of(p: m.Parameter, values: Mapping[str, Any], model: m.Model) -> int | N
 
 
 def meant(p: m.Parameter, value: int, set_number: int | None, model: m.Model) -> m.Set | m.Field | None:
-    """The data set or the field whose number is the value of a parameter, if that is known."""
+    """Returns the data set or the field whose number is the value of a parameter, if that is known."""
     if p.shown == "set":
         data_set = model.set(value)
         return data_set if data_set is not None and data_set.kind == "data" else None

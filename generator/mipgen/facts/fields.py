@@ -25,7 +25,7 @@ from .texts import (
 
 
 def facts(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The facts about a field besides its description."""
+    """Yields the facts about a field besides its description."""
     yield from _status(f, model)
     yield from _exchange(f, model)
     yield from _conditions(f, model)
@@ -49,7 +49,7 @@ def _status(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _exchange(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The response that the field requests, and the command that it answers."""
+    """States the response that the field requests, and the command that it answers."""
     if f.functions:
         yield fact("functions", functions(f.functions), "Functions: {}.")
     if f.responses:
@@ -63,7 +63,7 @@ def _exchange(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The conditions under which a field is sent, and those under which a command is not acknowledged."""
+    """States the conditions under which a field is sent, and those under which a command is not acknowledged."""
     if f.when:
         command = next(c for c in model.commands(f) if c.name == f.command)
         yield fact("when", conditions(f.when, command), "Sent if {}.")
@@ -76,7 +76,7 @@ def _conditions(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _relations(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The fields that a field changes, the fields that change it, and the flags that concern it."""
+    """States the fields that a field changes, the fields that change it, and the flags that concern it."""
     for certain, topic, word in ((True, "affects", "Changes"), (False, "may_affect", "Probably changes")):
         things = model.affected(f, certain)
         if things:
@@ -93,7 +93,7 @@ def _relations(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def changed(thing: m.Field | m.Set, model: m.Model) -> Iterator[Fact]:
-    """The commands that change a data field, or all fields of a set."""
+    """States the commands that change a data field, or all fields of a set."""
     for certain, word in ((True, "Changed by"), (False, "Probably changed by")):
         commands = model.changed_by(thing, certain)
         if commands:
@@ -108,7 +108,7 @@ def _limits(f: m.Field) -> Iterator[Fact]:
 
 
 def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The devices that support a field, and their differences."""
+    """States the devices that support a field, and their differences."""
     certain, perhaps = model.devices_of(f), model.devices_of(f, certain=False)
     if certain:
         yield fact("devices", joined([(device_ref(d),) for d in certain]), "Supported by {}.")
@@ -125,7 +125,7 @@ def _devices(f: m.Field, model: m.Model) -> Iterator[Fact]:
 
 
 def _evidence(f: m.Field, model: m.Model) -> Iterator[Fact]:
-    """The sources of a field that no manual describes."""
+    """States the sources of a field that no manual describes."""
     names = {s.manual for s in f.sources}
     cited = [x for x in model.protocol.manuals if x.id in names]
     if cited and all(x.kind == "sdk" for x in cited):
@@ -159,7 +159,7 @@ def condition(c: m.Condition, command: m.Field) -> Text:
 
 
 def _setting(c: m.Condition, model: m.Model) -> Text:
-    """A setting of another command, which a partial specification may lack."""
+    """Words a setting of another command, which a partial specification may lack."""
     command = model.field(c.command or "")
     if command is None:
         return (f"{c.parameter} of {c.command} is {c.label}",)

@@ -150,7 +150,7 @@ def flags(t: m.Bitfield, value: int) -> tuple[m.Bits, ...]:
 
 
 def decimal(bits: str) -> str:
-    """The shortest decimal with the bits of a finite number; it has a point or an exponent.
+    """Writes the shortest decimal with the bits of a finite number; it has a point or an exponent.
 
     >>> decimal("0x3dcccccd"), decimal("0x42480000"), decimal("0x3ff0000000000000"), decimal("0x7149f2ca")
     ('0.1', '50.0', '1.0', '1e+30')

@@ -11,7 +11,7 @@ from .texts import Fact, Ref, Text, fact, interleaved, joined, number, prose
 
 
 def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
-    """Elements, unit, frame, range and default of a parameter, or of a variant of it."""
+    """Yields elements, unit, frame, range and default of a parameter, or of a variant of it."""
     elements = of.elements if isinstance(of, m.Variant) else p.elements
     if elements:
         yield fact("elements", (", ".join(elements),), "Elements: {}.")
@@ -35,7 +35,7 @@ def measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Ite
 
 
 def rest(p: m.Parameter) -> str:
-    """The values of a level device at rest: "x 0, y 0, z -1"."""
+    """Writes the values of a level device at rest: "x 0, y 0, z -1"."""
     if not p.elements:
         return number(p.at_rest[0])
     pairs = zip(p.elements, p.at_rest, strict=True)
@@ -63,12 +63,12 @@ def limits(
 
 
 def numeral(p: m.Parameter, value: float | int) -> str:
-    """A number of a parameter, in its usual notation."""
+    """Writes a number of a parameter in its usual notation."""
     return descriptors.hexadecimal(p, int(value)) if p.shown else number(value)
 
 
 def default(value: object, p: m.Parameter) -> Text:
-    """A factory default, with the names of values and bits."""
+    """Writes a factory default, with the names of values and bits."""
     if isinstance(value, bool):
         return (str(value).lower(),)
     if isinstance(value, str):
@@ -83,7 +83,7 @@ def default(value: object, p: m.Parameter) -> Text:
 
 
 def validity(paths: tuple[str, ...], p: m.Parameter, record: m.Record, device: str | None = None) -> Fact:
-    """The bit that marks a value as valid, or a bit for each element."""
+    """Words the bit that marks a value as valid, or a bit for each element."""
     refs = [_bit(path, record, device) for path in dict.fromkeys(paths)]
     if len(refs) == 1:
         return fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
@@ -93,7 +93,7 @@ def validity(paths: tuple[str, ...], p: m.Parameter, record: m.Record, device: s
 
 
 def _bit(path: str, record: m.Record, device: str | None) -> Ref:
-    """A bit of a sibling parameter, by the parameter's type on a device."""
+    """Refers to a bit of another parameter, by that parameter's type on a device."""
     name, _, bit = path.partition(".")
     flags = next(q for q in record.parameters if q.name == name)
     own = (v.type for v in flags.readings if v.by_device and v.key == device)

@@ -39,7 +39,7 @@ def facts(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
 
 
 def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: m.Record, model: m.Model) -> str | Ref:
-    """The set to which a parameter's field descriptors belong; a partial specification may lack it."""
+    """Refers to the set to which a parameter's field descriptors belong; a partial specification may lack it."""
     if p.fields_of in beside:
         return Ref(beside[p.fields_of], p.fields_of, record)
     data_set = next((s for s in model.sets if s.name == p.fields_of), None)
@@ -47,7 +47,7 @@ def _owner(p: m.Parameter, beside: dict[str, m.Parameter], record: m.Record, mod
 
 
 def _presence(p: m.Parameter, record: m.Record) -> Iterator[Fact]:
-    """The conditions under which a parameter may be omitted."""
+    """States the conditions under which a parameter may be omitted."""
     if p.optional:
         yield fact("optional", (), "Optional.")
     elif isinstance(record, m.Field) and p in record.counted and len(p.required_for) < len(record.functions):
@@ -55,7 +55,7 @@ def _presence(p: m.Parameter, record: m.Record) -> Iterator[Fact]:
 
 
 def case(c: m.Case, union: m.Parameter, record: m.Record) -> Fact:
-    """The condition for an alternative of a union."""
+    """States the condition for an alternative of a union."""
     tag = next(q for q in record.parameters if q.name == union.tag)
     assert isinstance(tag.element, m.Enum)
     value = (Ref(tag, tag.name, record), " is ", Ref(c.tag, c.tag.name, tag.element))

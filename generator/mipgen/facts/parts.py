@@ -17,7 +17,7 @@ def bits_place(b: m.Bits) -> str:
 
 
 def type(t: m.Type, model: m.Model) -> list[Fact]:
-    """The facts about a type besides its description."""
+    """Returns the facts about a type besides its description."""
     return uncertain(t, model)
 
 

@@ -100,7 +100,7 @@ def _scalar(p: m.Parameter) -> Any:
 
 
 def _element(p: m.Parameter, i: int, count: int) -> Any:
-    """An element of a vector of length 1, or of the identity matrix."""
+    """Returns an element of a vector of length 1, or of the identity matrix."""
     side = math.isqrt(count)
     one = i % (side + 1) == 0 if count > 4 and side * side == count else i == 0
     return _number(p.scalar, _within(p, 1 if one else 0))

@@ -34,7 +34,7 @@ _BARE = re.compile(r"(?<![\w.`])[a-z0-9]+(?:_[a-z0-9]+)+(?![\w])|(?<![\w.])\w+\.
 
 
 def check(roots: Iterable[Node], model: m.Model, problems: Problems) -> None:
-    """Reports names in a wrong form, and names of things that do not exist."""
+    """Reports malformed names, and names of things that do not exist."""
     names = _Names(model, problems.add)
     for root in roots:
         names.inside(root)
@@ -81,7 +81,7 @@ class _Names:
             self.problem(node.position, f"'{title}' is the title of a command; write {names}")
 
     def titled(self, text: str) -> Iterator[str]:
-        """Titles by which a text names commands: "the device reset command" or "the reply to device reset"."""
+        """Yields titles by which a text names commands: "the device reset command" or "the reply to device reset"."""
         lower = text.lower()
         for match in _COMMAND.finditer(text) if "command" in lower else ():  # most have none; searching is slow
             words = match[1].split()
@@ -121,7 +121,7 @@ class _Names:
 
     @kept
     def titles(self) -> dict[str, list[str]]:
-        """Title of a command, or its name in words -> full names of such commands."""
+        """Maps the title of a command, or its name in words, to the full names of such commands."""
         names: dict[str, list[str]] = {}
         for f in self.model.fields:
             if f.role == m.COMMAND:
@@ -137,7 +137,7 @@ class _Names:
 
     @kept
     def words(self) -> set[str]:
-        """Names that need no set: parameters, values, bits, sets, families, types, frames and devices."""
+        """Returns the names that need no set: parameters, values, bits, sets, families, types, frames and devices."""
         protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)
         records: list[m.Field | m.Struct] = [*self.model.fields, protocol.acknowledge]
         records += m.structs(types)

@@ -10,7 +10,7 @@ from .texts import Fact, fact, prose
 
 
 def remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
-    """Facts in the author's words: notes and uncertainties."""
+    """Yields facts in the author's words: notes and uncertainties."""
     yield from (fact("note", prose(note, model), "{}") for note in of.notes)
     yield from uncertain(of, model)
 

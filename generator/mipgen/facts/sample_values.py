@@ -1,8 +1,8 @@
 """Typical values of fields, for the packets and programs in documentation.
 
-A value is, in this order: that of an example in a manual, the `typical` one of the specification, that of a simulated
-device, the factory default, the setting of a new device. Where there is none of these, it is simple and within its
-range; `made_up` lists those.
+A value comes from the first of these sources that states one: an example in a manual, `typical` in the specification, a
+simulated device, the factory default, the setting of a new device. If none does, the value is simple and within its
+range; `made_up` lists such parameters.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ class SampleValues:
     model: m.Model
 
     def values(self, f: m.Field, call: m.Call) -> codec.Values:
-        """The values that a field requires in this form, in the form of the codec. They are computed only once,
-        so do not change them."""
+        """Returns the values that a field requires in this form, as the codec represents them. They are computed only
+        once, so do not change them."""
         key = (f.full_name, call.function.value if call.function else None)
         return self._values.get(key, self._made, f, call, [])
 
     def whole(self, f: m.Field, call: m.Call) -> codec.Values:
-        """The same without the function, and with the optional values."""
+        """Returns the same without the function, and with the optional values."""
         sample = self.values(f, call)
         if call.optional:
             asked = tuple(p for p in (*call.required, *call.optional) if p.constant is None)
@@ -40,7 +40,7 @@ class SampleValues:
         return {name: value for name, value in sample.items() if name != "function" or not f.selector}
 
     def made_up(self, f: m.Field, call: m.Call) -> list[str]:
-        """The parameters, and members of structures, whose values no source states."""
+        """Returns the parameters, and members of structures, whose values no source states."""
         paths: list[str] = []
         self._made(f, call, paths)
         return paths
@@ -57,7 +57,7 @@ class SampleValues:
         return chosen | Filled(tuple(needed), self._stated(f), made_up).values()
 
     def _stated(self, f: m.Field) -> codec.Values:
-        """The known values of a field, in the form of the codec; structures may lack members."""
+        """Returns the known values of a field, as the codec represents them; structures may lack members."""
         by_name = {p.name: p for p in f.parameters}
         stated: codec.Values = {}
         for name, value in self._initial.get(f.full_name, ()):
@@ -74,7 +74,7 @@ class SampleValues:
         return stated | {p.name: p.typical for p in f.parameters if p.typical is not None}
 
     def _asked(self, f: m.Field) -> codec.Values:
-        """The values of a response that repeat those of its command."""
+        """Returns the values of a response that repeat those of its command."""
         command = self.model.field(f"{f.family}.{f.command}") if f.command else None
         if command is None:
             return {}
@@ -84,7 +84,7 @@ class SampleValues:
         return asked | {c.parameter: c.value for c in f.when if c.parameter in {p.name for p in f.parameters}}
 
     def _simulated(self, f: m.Field) -> codec.Values:
-        """The values of a simulated device, with the flags that mark them as valid."""
+        """Returns the values of a simulated device, with the flags that mark them as valid."""
         source = self._sources.get(f.full_name)
         if source is None:
             return {}
@@ -109,17 +109,17 @@ class SampleValues:
         return shown(p, given, v.factor)
 
     def shown(self, f: m.Field) -> list[m.Call]:
-        """The forms of a command that show its use: the first one, and the first one that requests values."""
+        """Returns the forms of a command that show its use: the first one, and the first one that requests values."""
         calls = self.sent(f)
         asking = next((c for c in calls if self.replies(f, c)), calls[0])
         return [calls[0]] if asking is calls[0] else [calls[0], asking]
 
     def sent(self, f: m.Field) -> list[m.Call]:
-        """The forms of a field that some device accepts."""
+        """Returns the forms of a field that some device accepts."""
         return [c for c in f.calls if c.function is None or c.function in self.model.taken(f)]
 
     def replies(self, f: m.Field, call: m.Call) -> list[m.Reply]:
-        """The responses to a command in this form."""
+        """Returns the responses to a command in this form."""
         values = self.values(f, call)
         return [
             r
@@ -132,7 +132,7 @@ class SampleValues:
         return codec.encode(f, self.values(f, call or f.calls[0]))
 
     def packet(self, f: m.Field, call: m.Call | None = None) -> bytes:
-        """A packet with only this field; a field of all data sets is sent in the first of them."""
+        """Builds a packet with only this field; a field of all data sets is sent in the first of them."""
         sets = [s.number for s in self.model.sets if s.number in f.sets]
         number = sets[0] if f.everywhere and sets else f.set
         return codec.build(self.model, number, [(f.descriptor, self.data(f, call))])
@@ -151,7 +151,7 @@ class SampleValues:
 
     @kept
     def _initial(self) -> dict[str, list[tuple[str, Any]]]:
-        """Command -> its settings on a new device."""
+        """Returns the settings of each command on a new device."""
         initial: dict[str, list[tuple[str, Any]]] = {}
         for b in self.model.simulation.behaviors:
             initial.setdefault(b.command.full_name, []).extend(b.initial)
@@ -159,7 +159,7 @@ class SampleValues:
 
     @kept
     def _printed(self) -> dict[str, dict[int | None, codec.Values]]:
-        """Field -> function -> the values of the first example that can serve as typical."""
+        """Returns, by field and function, the values of the first example that can serve as typical."""
         printed: dict[str, dict[int | None, codec.Values]] = {}
         for x in self.model.examples:
             for part in x.fields:
@@ -187,7 +187,7 @@ class GivenValues(SampleValues):
 
 
 def title_of(f: m.Field, given: GivenValues) -> str:
-    """The comment beside a line of a program that sends a command."""
+    """Writes the comment beside a line of a program that sends a command."""
     return f"{f.title}, {given.call.function.name}" if given.call.function else f.title
 
 

@@ -37,7 +37,8 @@ def _scaled(p: m.Parameter, given: Any, factor: float) -> Any:
 
 
 def named(p: m.Parameter, v: Value) -> Any:
-    """The first of the names that a type of the parameter has; or all bits."""
+    """Returns the number of the first name that a type of the parameter defines, or of all bits that the names
+    select."""
     types = [p.element, *(x.type for x in p.readings)]
     if v.names:
         enums = [t for t in types if isinstance(t, m.Enum)]
@@ -51,7 +52,7 @@ def named(p: m.Parameter, v: Value) -> Any:
 
 
 def mask(t: m.Bitfield, name: str) -> int | None:
-    """A bit, or a value of a number inside the bitfield: bits.value."""
+    """Returns the mask of a bit, or of a value `bits.value` of a number inside the bitfield."""
     bits, _, value = name.partition(".")
     b = next((b for b in t.bits if b.name == bits), None)
     if b is None or not value:
@@ -75,7 +76,7 @@ def place(values: codec.Values, path: str, value: Any) -> None:
 
 
 def valid_flags(parameters: tuple[m.Parameter, ...]) -> codec.Values:
-    """The flags for valid values: all flags to which the values refer."""
+    """Returns the flags for valid values: all flags to which the values refer."""
     values: codec.Values = {}
     by_name = {p.name: p for p in parameters}
     for p in parameters:

@@ -152,7 +152,7 @@ def field_ref(f: m.Field) -> Ref:
 
 
 def thing_ref(x: m.Field | m.Set) -> Ref:
-    """A reference to a field or a set."""
+    """Refers to a field or a set."""
     return field_ref(x) if isinstance(x, m.Field) else Ref(x, f"{x.name} (0x{x.number:02X})")
 
 

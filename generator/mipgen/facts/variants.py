@@ -12,7 +12,8 @@ from .texts import Fact, Ref, Text, device_ref, interleaved, joined, prose
 
 
 def variants(p: m.Parameter, record: m.Record, model: m.Model) -> list[tuple[tuple[m.Variant, ...], Fact]]:
-    """Returns the differences on devices, or with values of a sibling: one fact for all devices that share it."""
+    """Returns the differences on devices, or with values of another parameter: one fact for all devices that share
+    it."""
     groups: list[list[m.Variant]] = []
     for v in p.variants:
         same = next((g for g in groups if v.by_device and replace(g[0], key=v.key) == v), None)
@@ -85,7 +86,7 @@ def usual(v: m.Variant, p: m.Parameter, record: m.Record, model: m.Model) -> Tex
 
 
 def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record: m.Record) -> Text:
-    """The flag that marks the value as valid, on one device or in general."""
+    """Words the flag that marks the value as valid, on one device or in general."""
     if not valid:
         return ("no flag marks it as valid",)
     vouching = validity(valid, p, record, device)
@@ -95,7 +96,7 @@ def _validity(valid: tuple[str, ...], device: str | None, p: m.Parameter, record
 
 
 def _condition(group: Sequence[m.Variant], record: m.Record, model: m.Model) -> Text:
-    """The condition of variants: "On the 3DM-GX5-15", "If mode is fast"."""
+    """Words the condition of variants: "On the 3DM-GX5-15", "If mode is fast"."""
     v = group[0]
     if v.by_device:
         devices = [(x.key, model.device(x.key)) for x in group]

@@ -170,7 +170,7 @@ def _record(parameters: Iterable[m.Parameter], reader: _Reader) -> Values:
 
 
 def _chosen(union: m.Union, values: Values) -> tuple[m.Parameter, ...]:
-    """The content of the alternative that the tag selects: one parameter or none."""
+    """Returns the content of the alternative that the tag selects: one parameter or none."""
     return tuple(c.parameter for c in union.cases if c.parameter and c.tag.value == values[union.tag])
 
 
@@ -256,7 +256,7 @@ def _put(p: m.Parameter, value: Any, values: Values, out: bytearray) -> None:
 
 
 def _octets(p: m.Parameter, value: Any, values: Values) -> bytes:
-    """The bytes of a number, of a text, or of a bitfield in bytes."""
+    """Encodes a number, a text, or a bitfield in bytes."""
     if p.kind == "bits":
         if not isinstance(value, list) or len(value) != p.size:
             raise CodecError("count", f"{p.name} needs {p.size} bytes")

@@ -56,7 +56,7 @@ class Extent:
 
 
 def extents(p: m.Parameter, prefix: str = "", unknown: bool = False) -> list[Extent]:
-    """The possible sizes of a parameter: one for each alternative of a union, the shortest first.
+    """Returns the possible sizes of a parameter: one for each alternative of a union, the shortest first.
 
     `prefix` is the path to the parameter's record. `unknown`: a tag may have an undefined value.
     """
@@ -75,7 +75,7 @@ def extents(p: m.Parameter, prefix: str = "", unknown: bool = False) -> list[Ext
 
 
 def totals(parameters: Iterable[m.Parameter], start: Extent, prefix: str = "", unknown: bool = False) -> list[Extent]:
-    """The possible total sizes of parameters, added to `start`."""
+    """Returns the possible total sizes of parameters, added to `start`."""
     sums = [start]
     for p in parameters:
         sums = [a + b for a in sums for b in extents(p, prefix, unknown)]
@@ -90,18 +90,18 @@ def _distinct(several: Iterable[Extent]) -> list[Extent]:
 
 
 def exact(p: m.Parameter, prefix: str = "") -> Extent | None:
-    """The size of a parameter, if the parameters before it determine it."""
+    """Returns the size of a parameter; None unless the parameters before it determine the size."""
     several = extents(p, prefix)
     return several[0] if len(several) == 1 and not several[0].filling else None
 
 
 def shortest(parameters: Iterable[m.Parameter], prefix: str = "") -> Extent:
-    """The minimum size of parameters, given their counters."""
+    """Returns the minimum size of parameters, given their counters."""
     return totals(parameters, Extent(), prefix, unknown=True)[0]
 
 
 def size(p: m.Parameter) -> tuple[int, int]:
-    """The minimum and maximum size of a parameter in bytes."""
+    """Returns the minimum and maximum size of a parameter in bytes."""
     if p.struct:
         return p.struct.min_size, p.struct.max_size
     if not p.union and not p.several:
@@ -115,10 +115,10 @@ def fewest(parameters: Iterable[m.Parameter]) -> int:
 
 
 def most(parameters: Iterable[m.Parameter]) -> int:
-    """The maximum size of parameters in bytes, limited to that of a field."""
+    """Returns the maximum size of parameters in bytes, limited to that of a field."""
     return min(m.MAX_FIELD_DATA, sum(size(p)[1] for p in parameters))
 
 
 def element(p: m.Parameter) -> int:
-    """The size of one item of an array or a text in bytes."""
+    """Returns the size of one item of an array or a text in bytes."""
     return size(p.item)[1]

@@ -10,7 +10,7 @@ from .extent import Extent, shortest
 
 
 def computed_length(f: m.Field, rule: str) -> str:
-    """The length of a whole field as a manual counts it: "14", or "4 + 3*count".
+    """Returns the length of a whole field as a manual counts it: "14", or "4 + 3*count".
 
     `wire` counts every byte. `scalars` counts scalars and arrays of them, and counted arrays in
     formulas, but neither vectors nor structures nor unions.

@@ -29,17 +29,17 @@ Gap = Callable[[int, int], int]
 
 
 def natural(place: int, alignment: int) -> int:
-    """The padding if each number is aligned to its own size; some machines have less."""
+    """Returns the padding if each number is aligned to its own size; some machines have less."""
     return -place % alignment
 
 
 def widest(_place: int, _alignment: int) -> int:
-    """The maximum padding of any compiler."""
+    """Returns the maximum padding of any compiler."""
     return MAX_ALIGNMENT - 1
 
 
 def packed(_place: int, _alignment: int) -> int:
-    """No padding."""
+    """Returns 0: no padding."""
     return 0
 
 
@@ -50,12 +50,12 @@ def has_gaps(of: m.Field) -> bool:
 
 
 def members(record: m.Record) -> list[m.Parameter]:
-    """The parameters with a member: all except constants and unions without alternatives."""
+    """Returns the parameters with a member: all except constants and unions without alternatives."""
     return [p for p in record.parameters if p.constant is None and (not p.union or p.alternatives)]
 
 
 def largest(model: m.Model) -> int:
-    """An upper bound of the size of any field's structure, a multiple of the largest alignment."""
+    """Returns an upper bound of the size of any field's structure, a multiple of the largest alignment."""
     sizes = [record(f).size for f in (model.protocol.acknowledge, *model.fields)]
     return max(size + natural(size, MAX_ALIGNMENT) for size in sizes)
 

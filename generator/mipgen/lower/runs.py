@@ -35,14 +35,14 @@ class Run:
 
 
 def run(p: m.Parameter, path: Path = (), offset: int = 0) -> Run | None:
-    """The run of a parameter that consists of a fixed number of numbers of one kind; else None."""
+    """Returns the run of a parameter that consists of a fixed number of numbers of one kind; else None."""
     if p.kind in ("struct", "switch") or p.open or (p.several and p.item.kind != "scalar"):
         return None
     return Run(path, p, p.size if p.kind == "bits" else p.count, offset)
 
 
 def runs(f: m.Field) -> list[Run]:
-    """The runs that make up a field; none if its layout varies or has constants, which need checks."""
+    """Returns the runs that make up a field; none if its layout varies or has constants, which need checks."""
     if f.min_size != f.max_size or f.optional or not all(map(_fixed, f.parameters)):
         return []
     return [*_all(f.parameters, (), 0)]

@@ -47,7 +47,7 @@ class Session:
 
 
 def session(model: m.Model) -> Session | None:
-    """Resolves the session; None if the specification, or the part of it, lacks one of the commands."""
+    """Resolves the session; None if the specification, or the selected part of it, lacks one of the commands."""
     given = model.protocol.session
     fields = [f for name in given.commands if (f := model.field(name))] if given else []
     if given is None or len(fields) < len(given.commands):

@@ -133,7 +133,7 @@ class Session:
 
 
 def session(model: m.Model) -> Session | None:
-    """Resolves the session; None if the specification, or the part of it, lacks one of the commands."""
+    """Resolves the session; None if the specification, or the selected part of it, lacks one of the commands."""
     start = lower.session(model)
     if start is None:
         return None
