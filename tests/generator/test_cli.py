@@ -99,7 +99,9 @@ def test_a_folder_with_something_in_it_is_left_alone(tmp_path: Path, capsys: pyt
     (tmp_path / "mine.txt").write_text("mine\n")
     for folder in (tmp_path, tmp_path / "mine.txt"):
         assert cli.main(["new", str(folder)]) == 1
-        assert capsys.readouterr().err == (f"{folder}: error: this folder is not empty; name a new or empty folder\n")
+        assert capsys.readouterr().err == (
+            f"{folder}: error: this folder is not empty; specify a new or empty folder\n"
+        )
     assert [p.name for p in tmp_path.iterdir()] == ["mine.txt"]
 
 
@@ -163,7 +165,7 @@ def test_files_of_the_user_are_kept(tmp_path: Path) -> None:
     done = mipgen("generate", *options, cwd=tmp_path)
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == (
-        "mine: error: these would be replaced, and no .manifest of mipgen lists them; "
+        "mine: error: mipgen would replace these files, but no .manifest lists them as its own; "
         "move or delete them, or choose another --out:\n  mine/c/README.md\n  mine/python/pyproject.toml\n"
     )
     assert tree(tmp_path) == before
@@ -224,7 +226,9 @@ def test_a_run_that_the_user_interrupts(monkeypatch: pytest.MonkeyPatch, capsys:
 def test_an_empty_name_is_not_the_current_folder(option: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         cli.main(["generate", option, ""])
-    assert capsys.readouterr().err.endswith(f"argument {option}: it is empty; name a folder ('.' is the current one)\n")
+    assert capsys.readouterr().err.endswith(
+        f"argument {option}: the path is empty; specify a folder ('.' is the current one)\n"
+    )
 
 
 def test_names_that_a_terminal_cannot_show(tmp_path: Path) -> None:
@@ -241,8 +245,8 @@ def test_the_folders_of_the_current_folder(tmp_path: Path) -> None:
     done = mipgen("generate", cwd=tmp_path)
     assert done.returncode == 1 and done.stdout == ""
     assert done.stderr == (
-        "spec: error: there is no specification here: protocol.yaml is missing; name its folder with --spec, "
-        "or write one to start from with 'mipgen new FOLDER'\n"
+        "spec: error: there is no specification here: protocol.yaml is missing; specify its folder with --spec, "
+        "or create one with 'mipgen new FOLDER'\n"
     )
     shutil.copytree(INVENTED, tmp_path / "spec")
     assert mipgen("generate", "--target", "json", cwd=tmp_path).returncode == 0

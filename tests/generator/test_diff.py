@@ -103,7 +103,7 @@ def test_a_release_in_an_older_language_counts_as_the_worst(
     change("sets/tools.yaml", "heading: Ping", "title: Ping")
     change("protocol.yaml", "version: 0.1.0", f"version: {version}")
     assert cli.main(["diff", "--release"]) == status
-    assert "a language that this mipgen cannot read" in capsys.readouterr().out
+    assert "a language version that this mipgen cannot read" in capsys.readouterr().out
 
 
 def test_before_the_first_release(
@@ -112,13 +112,13 @@ def test_before_the_first_release(
     shutil.copytree(BASE, tmp_path / "spec")
     monkeypatch.chdir(tmp_path)
     assert cli.main(["diff", "--release"]) == 0
-    assert "nothing is released yet" in capsys.readouterr().out
+    assert "there is no release to compare with yet" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["diff"], "mipgen: error: name what to compare with: a folder, a revision, or --release"),
+        (["diff"], "mipgen: error: specify what to compare with: a folder, a revision, or --release"),
         (["diff", "v9"], "mipgen: error: 'v9' is neither a folder nor a revision"),
         (["diff", "empty"], "the revision 'empty' has no folder spec"),
         (["diff", "v0.1.0", "broken"], "broken/sets/tools.yaml:30:1: error: unknown key 'colour'"),
@@ -144,8 +144,8 @@ def test_outside_of_a_repository(
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
     assert cli.main(["diff", "HEAD"]) == 1
     assert capsys.readouterr().err == (
-        "mipgen: error: there is no folder 'HEAD', and no revision, because spec is not in a Git repository; "
-        "name a folder\n"
+        "mipgen: error: there is no folder 'HEAD', and spec is not in a Git repository with revisions; "
+        "specify a folder\n"
     )
 
 

@@ -171,10 +171,10 @@ def test_a_change_of_a_target_is_seen(folder: Path) -> None:
         (lambda f: write(f / "csv/target.py", "\nTARGET = = 'x'\n"),
          "{f}/csv/target.py:2: error: not Python: invalid syntax"),
         (lambda f: write(f / "csv/target.py", "TITLE = 'x'\ndef files(model): return ()\n"),
-         "{f}/csv/target.py: error: TARGET is missing; write TARGET = Target(title=..., files=...)"),
-        (lambda f: replace(f, "title=", "titel="), "{f}/csv/target.py:12: error: a Target has no 'titel'; it may have "
-         "title, files, filters, runtime, identifiers, grammar, formatter, rename, slow, beside, conformance, needs, "
-         "program"),
+         "{f}/csv/target.py: error: TARGET is missing; add TARGET = Target(title=..., files=...)"),
+        (lambda f: replace(f, "title=", "titel="), "{f}/csv/target.py:12: error: a Target has no attribute 'titel'; "
+         "it may have title, files, filters, runtime, identifiers, grammar, formatter, rename, slow, beside, "
+         "conformance, needs, program"),
         (lambda f: replace(f, "files=files, ", ""),
          "{f}/csv/target.py:12: error: a Target needs title and files, by name: Target(title=..., files=..., ...)"),
         (lambda f: replace(f, "files=files", "files=[]"),
@@ -199,7 +199,7 @@ def test_a_folder_without_targets_is_named(tmp_path: Path, capsys: pytest.Captur
     assert generate(tmp_path / "none") == 1
     assert f"{tmp_path / 'none'}: error: there is no such folder" in capsys.readouterr().err
     assert generate(tmp_path) == 1
-    assert f"{tmp_path}: error: there is no target in it" in capsys.readouterr().err
+    assert f"{tmp_path}: error: this folder contains no target" in capsys.readouterr().err
 
 
 def test_a_fault_in_a_target_is_shown_with_its_place(folder: Path) -> None:

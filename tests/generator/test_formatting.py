@@ -103,10 +103,10 @@ def test_the_cache_does_not_grow_without_end(folder: Path, monkeypatch: pytest.M
 
 
 def test_what_cannot_be_formatted_is_reported() -> None:
-    with pytest.raises(FormatError, match=r"cannot format what was made:\np/a\.py: (.|\n)*Expected a parameter"):
+    with pytest.raises(FormatError, match=r"cannot format the generated files:\np/a\.py: (.|\n)*Expected a parameter"):
         formatted(RUFF, {**PYTHON, "p/a.py": b"def f(:\n"})
     with pytest.raises(
-        FormatError, match=r"cannot format what was made:\nb\.c: it cannot be read; is a bracket open\?$"
+        FormatError, match=r"cannot format the generated files:\nb\.c: it cannot be parsed; is a bracket missing\?$"
     ):
         formatted(CLANG_FORMAT, {**C, "b.c": b"int f( { ] )\n"})
     with pytest.raises(FormatError, match="unknown key 'Nonsense'"):

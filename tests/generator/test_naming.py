@@ -89,6 +89,6 @@ def test_names_that_begin_alike_for_too_long_are_reported_once_for_each_thing() 
 
     assert judged(names[2:3], 63) == judged(names, 66) == judged(names, None) == []
     assert judged(names[1:], 63) == [
-        f"a.yaml:5:3: error: 'set.field' becomes {'a' * 66}, and the target c looks at 63 characters, which are those "
-        f"of {'a' * 64} too; give it, or what it belongs to, a shorter name with 'short'"
+        f"a.yaml:5:3: error: 'set.field' becomes {'a' * 66}, and the target c distinguishes only the first 63 "
+        f"characters, which are also those of {'a' * 64}; use 'short' to define a shorter name for it or its parent"
     ]

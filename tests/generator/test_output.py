@@ -157,7 +157,7 @@ def test_what_is_in_the_way_is_named_and_nothing_is_written(
     assert cli.main(["generate", *options]) == 1
     shown = capsys.readouterr().err
     assert shown.startswith(
-        f"{out}: error: these would be replaced, and no .manifest of mipgen lists them; "
+        f"{out}: error: mipgen would replace these files, but no .manifest lists them as its own; "
         "move or delete them, or choose another --out:\n"
     )
     assert f"\n  {out / name}\n" in shown

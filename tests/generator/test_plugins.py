@@ -91,14 +91,14 @@ FILES = "answer = {{'files': {}}}"
         ("answer = {'files': {}, 'title': 1}", '"title" must be text'),
         (FILES.format("{'/tmp/a': ''}"), "/tmp/a is outside of its folder"),
         (FILES.format("{'a/../../b': ''}"), "a/../../b is outside of its folder"),
-        (FILES.format("{'': ''}"), "'' is not a path of a file; write names with / between them"),
-        (FILES.format("{'.': ''}"), "'.' is not a path of a file; write names with / between them"),
-        (FILES.format("{'a//b': ''}"), "'a//b' is not a path of a file; write names with / between them"),
-        (FILES.format("{'a\\\\b': ''}"), "'a\\\\b' is not a path of a file; write names with / between them"),
-        (FILES.format("{'a\\nb': ''}"), "'a\\nb' is not a path of a file; write names with / between them"),
+        (FILES.format("{'': ''}"), "'' is not a file path; separate names with /"),
+        (FILES.format("{'.': ''}"), "'.' is not a file path; separate names with /"),
+        (FILES.format("{'a//b': ''}"), "'a//b' is not a file path; separate names with /"),
+        (FILES.format("{'a\\\\b': ''}"), "'a\\\\b' is not a file path; separate names with /"),
+        (FILES.format("{'a\\nb': ''}"), "'a\\nb' is not a file path; separate names with /"),
         (FILES.format("{'.manifest': ''}"), ".manifest is made twice"),
         (FILES.format("{'LICENSE': ''}"), "LICENSE is made twice"),
-        (FILES.format("{'a': '', 'a/b': ''}"), "a is a file and a folder"),
+        (FILES.format("{'a': '', 'a/b': ''}"), "a is both a file and a folder"),
     ],
 )  # fmt: skip
 def test_a_mistake_is_named_and_nothing_is_written(
@@ -137,7 +137,10 @@ def test_content_that_cannot_be_written(
         ("{f}/plain", "plugin plain: error: {f}/plain is a file that cannot be run as a program; chmod +x {f}/plain"),
         ("plain", "plugin plain: error: plain is a file that cannot be run as a program; write ./plain"),
         ("{f}/broken", "plugin broken: error: {f}/broken cannot be run: Exec format error"),
-        ("c={f}/broken", "plugin c={f}/broken: error: there is a target 'c' already; write --plugin NAME=PROGRAM"),
+        (
+            "c={f}/broken",
+            "plugin c={f}/broken: error: a target 'c' already exists; choose another name: --plugin NAME=PROGRAM",
+        ),
         ("{f}/.hidden", "plugin {f}/.hidden: error: give its target a name: --plugin NAME=PROGRAM"),
     ],
 )

@@ -16,14 +16,14 @@ examples:
   mipgen new spec                           write a small specification to start from
   mipgen validate                           check it
   mipgen generate                           ./spec -> ./generated, all targets
-  mipgen generate --target c --target rust  these two only
+  mipgen generate --target c --target rust  only these two
   mipgen generate --device 3dm-gx5-15       what one device supports
-  mipgen generate --spec spec --spec mine   with fields of your own laid over it
-  mipgen generate --plugin ./csv.js         with a program of your own as a further target
+  mipgen generate --spec spec --spec mine   with your own fields as an overlay
+  mipgen generate --plugin ./csv.js         with your own program as a further target
   mipgen check                              is ./generated up to date?
 
-'mipgen COMMAND --help' says more about a command. Results that are slow to compute are cached in
-~/.cache/mipgen; MIPGEN_CACHE names another folder, or turns the cache off if it is empty.
+'mipgen COMMAND --help' describes a command. Results that are slow to compute are cached in
+~/.cache/mipgen. Set MIPGEN_CACHE to use another folder, or to an empty value to turn the cache off.
 """
 DIFF = """\
 verdicts:
@@ -39,8 +39,8 @@ classes (the second word of a line):
   reading     the meaning of a shared parameter on a device: wire if its type, unit, frame or
               valid flag changed, else compatible
 
-changes that do not count, for --ignore; * matches any text, and without 'class' all
-changes of the subject are meant:
+changes to ignore, in a file for --ignore; * matches any text, and without 'class', all
+changes of the subject are ignored:
   ignore:
     - {subject: 3dm.gyro_bias.bias, class: unit, reason: The old unit was a mistake.}
 """
@@ -138,7 +138,7 @@ def parser() -> argparse.ArgumentParser:
         "--format",
         choices=("text", "json", "github"),
         default="text",
-        help="print text, JSON, or annotations of files for a workflow on GitHub (default: text)",
+        help="print text, JSON, or file annotations for a GitHub workflow (default: text)",
     )
     diff.add_argument("--json", action="store_true", help="the same as --format json")
     diff.add_argument(
@@ -169,7 +169,7 @@ def parser() -> argparse.ArgumentParser:
         "--sdk",
         type=folder,
         metavar="FOLDER",
-        help="working copy of the vendor's SDK, or facts of it and of devices: witness, models, devices.yaml",
+        help="working copy of the vendor's SDK, or folder with witness.yaml, models.yaml or devices.yaml",
     )
     audit.add_argument(
         "--witness", type=folder, metavar="FOLDER", help="compare with facts extracted from other sources: spec/witness"
@@ -185,14 +185,14 @@ def parser() -> argparse.ArgumentParser:
     _target_path(targets)
 
     completion = command("completion", "completion", "print a script that completes commands in a shell", COMPLETION)
-    completion.add_argument("shell", choices=("bash", "zsh", "fish"), help="the shell that reads the script")
+    completion.add_argument("shell", choices=("bash", "zsh", "fish"), help="the shell that will read the script")
     return made
 
 
 def folder(text: str) -> Path:
     """Parses a path. Rejects an empty text, which comes from an unset shell variable and does not mean this folder."""
     if not text:
-        raise argparse.ArgumentTypeError("it is empty; name a folder ('.' is the current one)")
+        raise argparse.ArgumentTypeError("the path is empty; specify a folder ('.' is the current one)")
     return Path(text)
 
 
@@ -209,9 +209,9 @@ def _spec(command: argparse.ArgumentParser) -> None:
 def _part(command: argparse.ArgumentParser) -> None:
     group = command.add_argument_group("a part of the specification, with everything that it needs")
     for name, metavar, text in (
-        ("device", "ID", "what this device supports, for certain or probably"),
-        ("set", "SET", "this descriptor set, by its name or its number: sensor, 0x80"),
-        ("field", "NAME", "this field, such as 3dm.message_format"),
+        ("device", "ID", "only what this device supports, certainly or probably"),
+        ("set", "SET", "only this descriptor set, by name or number: sensor, 0x80"),
+        ("field", "NAME", "only this field, for example 3dm.message_format"),
     ):
         group.add_argument(f"--{name}", action="append", dest=f"{name}s", default=[], metavar=metavar, help=text)
     group.add_argument("--certain", action="store_true", help="only what the devices support for certain")
@@ -258,5 +258,5 @@ def _target_path(group: Any) -> None:
         type=folder,
         default=[],
         metavar="FOLDER",
-        help="folder of your own targets, or of templates that replace built-in ones; may be repeated",
+        help="folder with your own targets, or with templates that replace built-in ones; may be repeated",
     )

@@ -150,7 +150,7 @@ def _write(options: Namespace, outputs: list[Output]) -> list[int]:
         raise Failure(f"cannot be written: {_reason(error)}; choose another --out", str(options.out)) from None
     listed = "".join(f"\n  {path}" for path in foreign)
     raise Failure(
-        f"these would be replaced, and no {resources.MANIFEST} of mipgen lists them; "
+        f"mipgen would replace these files, but no {resources.MANIFEST} lists them as its own; "
         f"move or delete them, or choose another --out:{listed}",
         str(options.out),
     )
@@ -166,7 +166,7 @@ def _specs(options: Namespace) -> list[Path]:
     if not (specs[0] / "protocol.yaml").is_file():
         raise Failure(
             "there is no specification here: protocol.yaml is missing; "
-            "name its folder with --spec, or write one to start from with 'mipgen new FOLDER'",
+            "specify its folder with --spec, or create one with 'mipgen new FOLDER'",
             str(specs[0]),
         )
     return specs
@@ -218,7 +218,7 @@ def diff(options: Namespace) -> int:
     if options.release:
         return _since_release(options, listed)
     if options.old is None:
-        raise Failure("name what to compare with: a folder, a revision, or --release")
+        raise Failure("specify what to compare with: a folder, a revision, or --release")
     given = [name for name in (options.old, options.new) if name is not None]
     # To compare two folders, no specification is needed here.
     spec, *overlays = _specs(options) if options.spec or not all(map(_is_spec, given)) or len(given) < 2 else [Path()]
@@ -252,7 +252,7 @@ def _since_release(options: Namespace, listed: list[Entry]) -> int:
     spec, *overlays = _specs(options)
     tag = revisions.last_release(spec)
     if tag is None:
-        print("nothing is released yet, so there is nothing to compare with")
+        print("there is no release to compare with yet")
         return 0
     new = _of_this_time(spec, overlays)
     try:
@@ -310,7 +310,7 @@ def audit(options: Namespace) -> int:
     from mipgen.audit import witnesses
 
     if not options.manual and options.sdk is None and options.witness is None:
-        raise Failure("nothing to compare with; give --witness FOLDER, --manual ID=FILE or --sdk FOLDER")
+        raise Failure("nothing to compare with; specify --witness FOLDER, --manual ID=FILE or --sdk FOLDER")
     model, _ = _load(options)
     lines = _audit_manuals(options, model)
     compared = None
@@ -325,7 +325,7 @@ def audit(options: Namespace) -> int:
     lines += compared.lines() if compared else []
     print("".join(f"{line}\n" for line in lines), end="")
     if lines and options.witness is not None:
-        print("correct the specification, or list a difference on purpose, with its reason, in accepted.yaml")
+        print("correct the specification, or list an intended difference, with its reason, in accepted.yaml")
     print(f"{len(lines)} findings")
     return 1 if lines else 0
 
@@ -389,14 +389,14 @@ def new(options: Namespace) -> int:
     schemas = resources.root() / "spec/schema"
     try:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            raise Failure("this folder is not empty; name a new or empty folder", str(folder))
+            raise Failure("this folder is not empty; specify a new or empty folder", str(folder))
         for path, file in (*resources.files(resources.package() / "new"), *resources.files(schemas, "schema/")):
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_bytes(file.read_bytes())
     except OSError as error:
         raise Failure(f"cannot be written: {_reason(error)}; choose another folder", str(folder)) from None
     named = "" if folder == Path("spec") else f" --spec {shlex.quote(str(folder))}"
-    print(f"{folder} is a small specification; begin with {folder / 'protocol.yaml'}, then: mipgen generate{named}")
+    print(f"{folder} is a small specification; start with {folder / 'protocol.yaml'}, then run: mipgen generate{named}")
     return 0
 
 

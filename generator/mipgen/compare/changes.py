@@ -164,7 +164,10 @@ def unreadable(version: str, new: m.Model) -> Report:
     """Returns the report for an old specification in a format that is no longer supported: anything may have
     changed."""
     change = Change(
-        "wire", "language", "the specification", "the old one is in a language that this mipgen cannot read"
+        "wire",
+        "language",
+        "the specification",
+        "the old specification uses a language version that this mipgen cannot read",
     )
     return Report(version, new.protocol.version, change.verdict, (change,))
 
@@ -233,21 +236,19 @@ def _field(old: m.Field, new: m.Field, devices: frozenset[str]) -> Iterator[Chan
     a, b = m.letters(old.functions), m.letters(new.functions)
     if a != b:
         fewer = set(a) - set(b)
-        yield Change(
-            "source" if fewer else "compatible", "functions", name, f"takes the functions {_said(b)}, took {_said(a)}"
-        )
+        yield Change("source" if fewer else "compatible", "functions", name, f"functions {_said(b)}, were {_said(a)}")
     if old.responses != new.responses:
         lost = [r for r in old.responses if r not in new.responses]
         yield Change(
             "source" if lost else "compatible",
             "responses",
             name,
-            f"is answered by {', '.join(new.responses) or 'none'}",
+            f"responses: {', '.join(new.responses) or 'none'}",
         )
     if (old.silent_when, old.when) != (new.silent_when, new.when):
-        yield Change("wire", "condition", name, "answers under other conditions")
+        yield Change("wire", "condition", name, "sent or acknowledged under different conditions")
     if old.devices != new.devices:
-        yield Change("compatible", "devices", name, "a layout of other devices")
+        yield Change("compatible", "devices", name, "layout used by different devices")
     relations: dict[str, tuple[object, object]] = {
         "affects": (old.affects, new.affects),
         "may affect": (old.may_affect, new.may_affect),
@@ -296,10 +297,10 @@ def _element(e: m.Scalar | m.Type | None) -> object:
 def _first_difference(old: m.Field, new: m.Field) -> str:
     for a, b in zip(old.parameters, new.parameters, strict=False):
         if _shape(a, {}) != _shape(b, {}):
-            return f"another layout, from {b.name} on"
+            return f"layout differs from {b.name} on"
     more = len(new.parameters) - len(old.parameters)
     if more:
-        return f"another layout: {abs(more)} parameter{'s' if abs(more) > 1 else ''} {'more' if more > 0 else 'fewer'}"
+        return f"layout with {abs(more)} parameter{'s' if abs(more) > 1 else ''} {'more' if more > 0 else 'fewer'}"
     return "functions require other parameters"
 
 
@@ -491,7 +492,7 @@ def _devices(old: m.Model, new: m.Model) -> Iterator[Change]:
         if before is None:
             yield Change("compatible", "added", name, "added")
         elif _profiles(before, d):
-            yield Change("compatible", "profile", name, f"another profile: {', '.join(_profiles(before, d))}")
+            yield Change("compatible", "profile", name, f"profile differs: {', '.join(_profiles(before, d))}")
 
 
 def _profiles(old: m.Device, new: m.Device) -> list[str]:
@@ -513,7 +514,7 @@ def _profile(d: m.Device) -> dict[str, object]:
         "limits": d.limits,
         "notes": d.notes,
         "codes": d.ack_codes,
-        "what is not certain": (d.incomplete, d.uncertain),
+        "uncertainties": (d.incomplete, d.uncertain),
     }
 
 

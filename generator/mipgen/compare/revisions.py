@@ -22,7 +22,7 @@ def folder(name: str, spec: Path) -> Iterator[Path]:
     if name and Path(name).is_dir():
         yield Path(name)
         return
-    neither = f"there is no folder '{name}', and no revision, because {spec} is not in a Git repository; name a folder"
+    neither = f"there is no folder '{name}', and {spec} is not in a Git repository with revisions; specify a folder"
     top = Path(_git(spec, "rev-parse", "--show-toplevel", fails=neither).strip())
     commit = _git(
         top,
@@ -61,7 +61,7 @@ def _run(spec: Path, arguments: tuple[str, ...], fails: str) -> bytes:
     try:
         done = subprocess.run(["git", "-C", str(spec), *arguments], capture_output=True)
     except FileNotFoundError:
-        raise Failure("git is missing; name two folders instead") from None
+        raise Failure("git is missing; specify two folders instead") from None
     if done.returncode:
         raise Failure(fails)
     return done.stdout

@@ -67,7 +67,7 @@ class Source:
             raise Failure(str(error), f"{self.module}:{[f.lineno for f in ours][-1]}") from None
         target = getattr(module, "TARGET", None)
         if not isinstance(target, Target):
-            raise Failure("TARGET is missing; write TARGET = Target(title=..., files=...)", str(self.module))
+            raise Failure("TARGET is missing; add TARGET = Target(title=..., files=...)", str(self.module))
         return target
 
 
@@ -97,7 +97,9 @@ def sources(paths: Sequence[Path] = (), plugins: Sequence[str] = ()) -> dict[str
 
         name, program = parse(plugin)
         if name in known:
-            raise Failure(f"there is a target '{name}' already; write --plugin NAME=PROGRAM", f"plugin {plugin}")
+            raise Failure(
+                f"a target '{name}' already exists; choose another name: --plugin NAME=PROGRAM", f"plugin {plugin}"
+            )
         known[name] = Source(name, (), (), program=program)
     return dict(sorted(known.items()))
 
@@ -118,10 +120,10 @@ def chosen(wanted: Sequence[str] | None, paths: Sequence[Path] = (), plugins: Se
 
 def _folders(path: Path) -> Iterator[Path]:
     if not path.is_dir():
-        raise Failure("there is no such folder; --target-path names the one above those of the targets", str(path))
+        raise Failure("there is no such folder; --target-path must contain a folder for each target", str(path))
     folders = sorted(p for p in path.iterdir() if p.is_dir() and p.name[0] not in "._")
     if not folders:
-        raise Failure(f"there is no target in it; write one: {path}/<name>/{MODULE}", str(path))
+        raise Failure(f"this folder contains no target; add one: {path}/<name>/{MODULE}", str(path))
     yield from folders
 
 

@@ -73,7 +73,7 @@ RUFF = Formatter(
 def formatted(formatter: Formatter, made: Mapping[str, Made]) -> dict[str, Made]:
     """Returns the files of an output, formatted if they are in the formatter's language."""
     if formatter.style not in made:
-        raise FormatError(f"{formatter.package} needs {formatter.style} in the output, to know the style")
+        raise FormatError(f"{formatter.package} needs {formatter.style} in the output, which defines the style")
     how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), content(made[formatter.style]))
     files = [path for path in made if path.endswith(formatter.suffixes)]
     keys = {path: cache.key(how, path, data) for path in files if isinstance(data := made[path], bytes)}
@@ -99,7 +99,7 @@ def _run(formatter: Formatter, made: Mapping[str, Made], wanted: list[str]) -> d
             if _ran(formatter, step, wanted, folder).returncode != 0:
                 failed = {path: _ran(formatter, step, [path], folder) for path in wanted}
                 texts = [f"{path}: {_said(done)}" for path, done in failed.items() if done.returncode != 0]
-                raise FormatError("\n".join([f"{formatter.package} cannot format what was made:", *texts]))
+                raise FormatError("\n".join([f"{formatter.package} cannot format the generated files:", *texts]))
         return {path: (folder / path).read_bytes() for path in wanted}
 
 
@@ -112,4 +112,4 @@ def _ran(
 
 
 def _said(done: subprocess.CompletedProcess[str]) -> str:
-    return (done.stdout + done.stderr).strip() or "it cannot be read; is a bracket open?"
+    return (done.stdout + done.stderr).strip() or "it cannot be parsed; is a bracket missing?"

@@ -117,8 +117,9 @@ def lengths(target: str, identifiers: Iterable[Identifier], longest: int, proble
             reported.add((i.what, i.position))
             problems.add(
                 i.position,
-                f"'{i.what}' becomes {i.name}, and the target {target} looks at {longest} characters, which are those "
-                f"of {other.name} too; give it, or what it belongs to, a shorter name with 'short'",
+                f"'{i.what}' becomes {i.name}, and the target {target} distinguishes only the first {longest} "
+                f"characters, which are also those of {other.name}; use 'short' to define a shorter name "
+                "for it or its parent",
             )
 
 

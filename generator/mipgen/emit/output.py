@@ -55,7 +55,7 @@ def admit(path: str, made: Collection[str], place: str) -> None:
     if plain.is_absolute() or ".." in plain.parts:
         raise Failure(f"{path} is outside of its folder", place)
     if str(plain) != path or path == "." or "\\" in path or not path.isprintable():
-        raise Failure(f"{path!r} is not a path of a file; write names with / between them", place)
+        raise Failure(f"{path!r} is not a file path; separate names with /", place)
     if path in made or path == MANIFEST:
         raise Failure(f"{path} is made twice", place)
 
@@ -72,7 +72,7 @@ def finished(made: Mapping[str, Made], place: str) -> dict[str, Made]:
     """Returns all files of a target, with the manifest."""
     both = sorted(made.keys() & _parents(made))
     if both:
-        raise Failure(f"{both[0]} is a file and a folder", place)
+        raise Failure(f"{both[0]} is both a file and a folder", place)
     return {**made, MANIFEST: manifest(made)}
 
 

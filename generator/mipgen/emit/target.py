@@ -81,7 +81,7 @@ class Target:
         known = {f.name: f.default is MISSING for f in fields(cls)}
         for name in given:
             if name not in known:
-                raise WrongTarget(f"a Target has no '{name}'; it may have {', '.join(known)}")
+                raise WrongTarget(f"a Target has no attribute '{name}'; it may have {', '.join(known)}")
         missing = [name for name, needed in known.items() if needed and name not in given]
         if missing or positional:
             raise WrongTarget("a Target needs title and files, by name: Target(title=..., files=..., ...)")
@@ -128,6 +128,6 @@ _RIGHT: dict[str, tuple[Callable[[object], bool], str]] = {
     "slow": (lambda value: isinstance(value, bool), "True or False"),
     "beside": (_text, "text: the name of another target"),
     "conformance": (_operations, f"a tuple of {', '.join(map(repr, OPERATIONS))}"),
-    "needs": (_text, "text: the tools of the driver, in few words"),
+    "needs": (_text, "text: the tools of the driver, in a few words"),
     "program": (_text, "text: the name of a program that runs the driver"),
 }

@@ -78,7 +78,7 @@ class _Names:
 
         for title in self.titled(plain):
             names = " or ".join(f"`{name}`" for name in self.titles[title.lower()])
-            self.problem(node.position, f"'{title}' is the title of a command; write {names}")
+            self.problem(node.position, f"'{title}' is the title of a command; refer to it as {names}")
 
     def titled(self, text: str) -> Iterator[str]:
         """Yields titles by which a text names commands: "the device reset command" or "the reply to device reset"."""
@@ -98,7 +98,7 @@ class _Names:
         for match in DESCRIPTOR.finditer(node.value):
             subject = f"0x{match['set'].upper()},0x{match['descriptor'].upper()}"
             if subject not in claims and not self.fields(match):
-                self.problem(node.position, f'no field has {match[0]}; claim it: claims: [reference: "{subject}"]')
+                self.problem(node.position, f'no field has {match[0]}; add a claim: claims: [reference: "{subject}"]')
 
     def name(self, name: str, place: m.Position) -> None:
         if self.known(name):

@@ -47,10 +47,10 @@ def checksum(data: bytes) -> bytes:
 
 def build(model: m.Model, set_number: int, fields: list[tuple[int, bytes]]) -> bytes:
     if any(len(data) > m.MAX_FIELD_DATA for _, data in fields):
-        raise CodecError("length", f"a field holds at most {m.MAX_FIELD_DATA} bytes of data")
+        raise CodecError("length", f"a field contains at most {m.MAX_FIELD_DATA} bytes of data")
     payload = b"".join(bytes((len(data) + 2, descriptor)) + data for descriptor, data in fields)
     if len(payload) > model.protocol.max_payload:
-        raise CodecError("length", "the payload is longer than a packet holds")
+        raise CodecError("length", "the payload does not fit in a packet")
     head = bytes((*model.protocol.sync, set_number, len(payload))) + payload
     return head + checksum(head)
 
@@ -184,7 +184,7 @@ def _count(p: m.Parameter, reader: _Reader, values: Values) -> int:
     if count * size > left:
         raise CodecError("count", f"{p.counter} is {count}, but {left} bytes follow")
     if count > p.capacity:
-        raise CodecError("count", f"{p.counter} is {count}, but a field holds {p.capacity}")
+        raise CodecError("count", f"{p.counter} is {count}, but a field contains at most {p.capacity}")
     return count
 
 
@@ -244,7 +244,7 @@ def _put(p: m.Parameter, value: Any, values: Values, out: bytearray) -> None:
     elif p.union:
         chosen = _chosen(p.union, values)
         if list(value) != [q.name for q in chosen]:
-            raise CodecError("tag", f"{p.tag} is {values[p.union.tag]}, but {p.name} holds {list(value)}")
+            raise CodecError("tag", f"{p.tag} is {values[p.union.tag]}, but {p.name} contains {list(value)}")
         for q in chosen:
             _write(q, value, out)
     elif p.kind == "array":
