@@ -147,7 +147,7 @@ def test_output_beside_the_specification(tmp_path: Path) -> None:
 
 def test_a_specification_that_is_a_whole_project(tmp_path: Path) -> None:
     """The command that `mipgen new .` prints works, even twice: the output is not part of the specification."""
-    command = mipgen("new", ".", cwd=tmp_path).stdout.rpartition("then: mipgen ")[2].split()
+    command = mipgen("new", ".", cwd=tmp_path).stdout.rpartition("then run: mipgen ")[2].split()
     for _ in range(2):
         done = mipgen(*command, "--target", "markdown", cwd=tmp_path)
         assert done.returncode == 0, done.stderr
