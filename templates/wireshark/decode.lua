@@ -6,7 +6,7 @@ local function fail(kind, text)
   error({ kind = kind, text = text }, 0)
 end
 
--- An unsigned number, most significant byte first; nil if it has more than 53 bits.
+-- Reads an unsigned number, most significant byte first; nil if it has more than 53 bits.
 local function unsigned(raw, at, size)
   local value = 0
   for i = at + 1, at + size do
@@ -18,7 +18,7 @@ local function unsigned(raw, at, size)
   return value
 end
 
--- A whole number as text, without a decimal point in any version of Lua.
+-- Writes an integer as text, without a decimal point in any version of Lua.
 local function whole(value)
   return value and string.format("%.0f", value) or "?"
 end
@@ -33,7 +33,7 @@ local function take(reader, size)
   return at
 end
 
--- The number of items of `size` bytes that an array has.
+-- Returns the number of items of an array; each has `size` bytes.
 local function length(row, size, reader, record)
   local left = reader.stop - reader.at
   if row.count then
@@ -212,7 +212,7 @@ local function choose(candidates, raw)
   return held or short
 end
 
--- The layouts that a descriptor may have in a packet of a set.
+-- Returns the layouts that a descriptor may have in a packet of a set.
 local function layouts(number, descriptor)
   if number < 0x80 and descriptor == ACKNOWLEDGE then
     return { ACKNOWLEDGE_FIELD }

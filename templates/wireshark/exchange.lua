@@ -3,16 +3,16 @@
 -- it shows a packet again.
 
 local WAIT = 2.0 -- seconds; a reply after this time is matched to a later command, if there is one
-local WAITING_AT_MOST = 16 -- waiting commands of a descriptor in a conversation
+local WAITING_AT_MOST = 16 -- the maximum number of waiting commands with one descriptor in a conversation
 
-local exchanges -- conversation and descriptor -> commands that wait for an answer, in the order in which they were sent
-local known -- field of a packet -> the exchange of which it is a part
+local exchanges -- conversation and descriptor -> commands that wait for a reply, in the order in which they were sent
+local known -- field of a packet -> the exchange to which it belongs
 
 local function forget_exchanges()
   exchanges, known = {}, {}
 end
 
--- True if the device answers this command.
+-- True if the device replies to this command.
 local function answered(f, record)
   if f.silent and f.silent[record["function"]] then
     return false

@@ -1,14 +1,14 @@
 -- ------------------------------------------------------------------------------------------------------------ files
 -- Opens a log of raw bytes as a capture: one frame for each packet, and one for the bytes between two packets.
 
-local LONGEST = 255 + AROUND -- bytes of a packet
+local LONGEST = 255 + AROUND -- the maximum size of a packet in bytes
 local PROBE = 65536 -- bytes at the start of a log that must contain a packet
-local LUMP = 4096 -- the most bytes in a frame between packets
+local LUMP = 4096 -- the maximum size of a frame between packets in bytes
 
--- The tags in front of an exported PDU: the name of its dissector, and the end of the tags.
+-- The tags before an exported PDU: the name of its dissector, and the end of the tags.
 local EXPORTED = "\0\12\0" .. string.char(#NAME) .. NAME .. "\0\0\0\0"
 
--- The bytes of the next frame; nil at the end of the file. They depend only on what follows in the file.
+-- Returns the bytes of the next frame; nil at the end of the file. They depend only on the bytes that follow.
 local function next_bytes(file)
   local from = file:seek("cur")
   local raw = file:read(LONGEST)

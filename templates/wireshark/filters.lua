@@ -65,7 +65,7 @@ local experts = {
   unknown_descriptor = finding("unknown_descriptor", "Unknown descriptor", "UNDECODED", "NOTE"),
 }
 
--- A parameter that has the name of its field does not repeat it.
+-- Returns the filter name of a part. A parameter with the name of its field does not repeat it.
 local function inner(path, name)
   local set_field = path:match("^[^.]+%.[^.]+%.([^.]+)$")
   return set_field == name and path or path .. "." .. name

@@ -1,7 +1,7 @@
 -- ---------------------------------------------------------------------------------------------------------- packets
 -- Finds packets in bytes, and shows them.
 
-local HEADER, AROUND = 4, 6 -- bytes of the header; of the header and the checksum
+local HEADER, AROUND = 4, 6 -- bytes of the header, and of header and checksum
 
 local function checksum(raw, at, size)
   local bytes, a, b = { raw:byte(at + 1, at + size) }, 0, 0
@@ -12,7 +12,7 @@ local function checksum(raw, at, size)
   return a % 256 * 256 + b % 256
 end
 
--- The size of the packet whose sync is at `at`, with its checksum; nil if the header is incomplete.
+-- Returns the size of the packet whose sync is at `at`, with its checksum; nil if the header is incomplete.
 local function packet_size(raw, at)
   return #raw >= at + HEADER and raw:byte(at + 4) + AROUND or nil
 end
@@ -21,7 +21,7 @@ local function intact(raw, at, size)
   return checksum(raw, at, size - 2) == raw:byte(at + size - 1) * 256 + raw:byte(at + size)
 end
 
--- No packet has set 0 or 0xFF: they stand for the fields of every command set and of every data set.
+-- No packet has set 0 or 0xFF: they represent the fields of every command set and of every data set.
 local function is_set(number)
   return number ~= 0 and number ~= SHARED
 end
@@ -216,7 +216,7 @@ local function show_field(packet, at, size, index, tree)
   return said, f
 end
 
--- 1: the host sent it, 2: the device did.
+-- Returns the direction: 1 if the host sent it, 2 if the device did.
 local function direction_of(f)
   return f.role == "command" and not f.from_device and 1 or 2
 end

@@ -43,7 +43,7 @@ end
 local function show_columns(pinfo, texts)
   pinfo.cols.protocol = "MIP"
   local text = table.concat(texts, " | ")
-  if pinfo.private["mip"] then -- there was another chunk of this frame
+  if pinfo.private["mip"] then -- an earlier chunk of this frame was shown
     pinfo.cols.info:append(#texts > 0 and " | " .. text or "")
   else
     pinfo.cols.info = text
@@ -75,7 +75,7 @@ end
 local held -- line -> bytes held back after its latest chunk
 local before -- line -> chunk -> bytes held back before the chunk
 
--- The bytes held back before a chunk, and whether the chunk is new.
+-- Returns the bytes held back before a chunk, and whether the chunk is new.
 local function held_before(line, chunk)
   before[line] = before[line] or {}
   local known = before[line][chunk]
@@ -168,7 +168,7 @@ do
 end
 preferences.version = Pref.statictext("Version " .. VERSION, "")
 
--- The numbers of a range such as "147,150-152".
+-- Returns the numbers of a range such as "147,150-152".
 local function numbers_of(text)
   local found = {}
   for first, last in text:gmatch("(%d+)%-?(%d*)") do

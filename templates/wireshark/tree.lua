@@ -8,7 +8,7 @@ local function unit(row)
   return found ~= "" and " " .. found or ""
 end
 
--- The text of a number, for the line of its vector or field.
+-- Returns the text of a number, for the line of its vector or field.
 local function written(made, range)
   local row = made.row
   if row.type == "float" then
@@ -23,7 +23,7 @@ local function written(made, range)
   return tostring(range:uint64())
 end
 
--- The reading of a plain number, selected by a sibling parameter or by the device in the preferences.
+-- Returns the type that names the values of a plain number, by another parameter or the device in the preferences.
 local function reading(readings, record, member)
   for _, r in ipairs(readings or {}) do
     if r.member == member then
@@ -40,7 +40,7 @@ local function bits_number(bits, part)
   return number:rshift(bits.shift):band(UInt64(2 ^ bits.width - 1))
 end
 
--- Bits of a reading, which have no filters of their own.
+-- Adds the bits of a device-specific type, which have no filters of their own.
 local function bit_lines(flags, item, range)
   for _, bits in ipairs(flags) do
     if bits.at + bits.size <= range:len() then
@@ -52,7 +52,7 @@ local function bit_lines(flags, item, range)
   end
 end
 
--- Bits with filters.
+-- Adds bits with filters.
 local function bit_items(made, item, range)
   for i, bits in ipairs(made.row.flags) do
     local part, field = range:range(bits.at, bits.size), made.bound.bits[i]
@@ -64,8 +64,7 @@ local function bit_items(made, item, range)
   end
 end
 
--- The bytes of a node. They are a range of the packet, because an empty range of another range is an error in
--- Wireshark.
+-- Returns the bytes of a node as a range of the packet, because Wireshark rejects an empty range of another range.
 local function span(made, context)
   return context.data:range(context.base + made.at, made.size)
 end

@@ -18,7 +18,7 @@ _DIGEST = 32  # each entry begins with the SHA-256 of the rest
 
 
 def folder() -> Path | None:
-    """The folder of the cache, if it is enabled."""
+    """Returns the folder of the cache, if it is enabled."""
     chosen = os.environ.get("MIPGEN_CACHE")
     if chosen is not None:
         return Path(chosen) if chosen else None

@@ -11,7 +11,7 @@ from . import cache, resources
 
 @once
 def program() -> str:
-    """A key of everything except the input: this program, its templates and schemas, Python, the libraries."""
+    """Returns a key of everything except the input: this program, its templates and schemas, Python, the libraries."""
     parts: list[bytes | str] = [sys.version, *_libraries()]
     root = resources.root()
     for folder in (resources.package(), root / "templates", root / "runtime", root / "spec/schema"):

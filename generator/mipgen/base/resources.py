@@ -16,7 +16,7 @@ MANIFEST = ".manifest"  # the list of the files in an output folder
 
 @functools.cache
 def root() -> Traversable:
-    """The folder that contains `templates/`, `spec/schema/` and `LICENSE`.
+    """Returns the folder that contains `templates/`, `spec/schema/` and `LICENSE`.
 
     In a wheel they are in `mipgen/data`. In a checkout they are at the top, where people look for them.
     """
@@ -29,7 +29,7 @@ def package() -> Traversable:
 
 
 def files(folder: Traversable, under: str = "") -> Iterator[tuple[str, Traversable]]:
-    """All files below a folder with their paths, in order, without hidden files and Python's caches."""
+    """Yields all files below a folder with their paths, in order, without hidden files and Python's caches."""
     for entry in sorted(folder.iterdir(), key=lambda e: e.name):
         if entry.is_file():
             yield under + entry.name, entry

@@ -29,7 +29,7 @@ EVIDENCE: dict[str, Answer] = {
 
 
 def strength(kind: str) -> int:
-    """The rank of a kind of evidence: 0 is the strongest."""
+    """Returns the rank of a kind of evidence: 0 is the strongest."""
     return list(EVIDENCE).index(kind)
 
 

@@ -174,7 +174,7 @@ class Field:
         return self.occurrences[0].set
 
     def name_in(self, number: int) -> str:
-        """The field's full name in a set: "gnss_2.dop". A field that occurs everywhere has one name."""
+        """Returns the field's full name in a set: "gnss_2.dop". A field that occurs everywhere has one name."""
         occurrence = next((o for o in self.occurrences if o.set == number), None)
         return f"{occurrence.set_name}.{self.name}" if occurrence else self.full_name
 
@@ -195,7 +195,7 @@ class Field:
         )
 
     def required(self, function: int | None = None) -> int:
-        """The number of required parameters, without the selector; an unknown function requires none."""
+        """Returns the number of required parameters, without the selector; an unknown function requires none."""
         return self.requires.get(function if self.selector else None, 0)
 
     @cached_property

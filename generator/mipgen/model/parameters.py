@@ -278,7 +278,7 @@ class Group:
 
 
 def groups(parameters: Sequence[Parameter], before: int) -> Iterator[Group]:
-    """The groups of parameters that may be absent, after `before` others; a counter stays with its array."""
+    """Yields the groups of parameters that may be absent, after `before` others; a counter stays with its array."""
     group, arrays, names = list[Parameter](), set[str](), {p.name for p in parameters}
     for number, p in enumerate(parameters, before + 1):
         group.append(p)

@@ -35,12 +35,12 @@ class Model:
     programs: tuple[tuple[str, str], ...] = ()  # programs that show the bindings with fields of this specification
 
     def derived(self, make: Callable[[Model], Item]) -> Item:
-        """The result of a class or a function for this model: made once, and kept with it."""
+        """Returns the result of a class or a function for this model, which is made once and kept with the model."""
         derived: Item = self._derived.get(make, make, self)
         return derived
 
     def program(self, name: str) -> str:
-        """The text of a program; empty if the specification has none of that name."""
+        """Returns the text of a program; empty if the specification contains none of that name."""
         return dict(self.programs).get(name, "")
 
     @kept
@@ -65,7 +65,7 @@ class Model:
         return self._families.get(name)
 
     def field(self, full_name: str) -> Field | None:
-        """A field by its full name, or by its name in one of its sets: "gnss_2.dop"."""
+        """Finds a field by its full name, or by its name in one of its sets: "gnss_2.dop"."""
         return self._fields.get(full_name)
 
     @kept
@@ -74,32 +74,33 @@ class Model:
         return tuple(dict.fromkeys(name for f in self.fields for name in f.names))
 
     def set_of(self, full_name: str) -> int:
-        """The number of the set that the name of a field begins with."""
+        """Returns the number of the set with which the name of a field begins."""
         first = full_name.partition(".")[0]
         known = next((s.number for s in self.sets if s.name == first), None)
         return known if known is not None else self._fields[full_name].set
 
     def fields_in(self, s: Set) -> tuple[Field, ...]:
-        """The fields that occur in a set, without those that occur everywhere."""
+        """Returns the fields that occur in a set, without those that occur everywhere."""
         family = self._families[s.family]
         return tuple(f for f in family.fields if any(o.set == s.number for o in f.occurrences))
 
     def type(self, name: str) -> Type | None:
-        """A type by its full name: "set.type", or the name alone for one of spec/types."""
+        """Finds a type by its full name: "set.type", or the name alone for one of spec/types."""
         return self._types.get(name)
 
     def candidates(self, set_number: int, descriptor: int) -> tuple[Field, ...]:
-        """The layouts that a descriptor may have inside a packet of that set."""
+        """Returns the layouts that a descriptor may have inside a packet of that set."""
         own = self._descriptors.get((set_number, descriptor), ())
         return own or tuple(f for f in self._everywhere.get(descriptor, ()) if set_number in f.sets)
 
     def layouts(self, f: Field) -> tuple[Field, ...]:
-        """The layouts of the descriptor of a field: itself, and those that it must be distinguished from."""
+        """Returns the layouts of a field's descriptor: the field itself, and those from which it must be
+        distinguished."""
         alike = (g for o in f.occurrences for g in self._descriptors.get((o.set, f.descriptor), ()))
         return tuple({g.full_name: g for g in alike}.values()) or (f,)
 
     def sizes(self, f: Field) -> range:
-        """The sizes of data with which the descriptor has this layout, given its constants.
+        """Returns the sizes of data with which the descriptor has this layout, given its constants.
 
         Of several layouts whose constants fit, it is the longest that fits into the data, else the shortest; of equal
         ones, the first.
@@ -109,18 +110,19 @@ class Model:
         return range(first, min((n for n in others if n > f.min_size), default=MAX_FIELD_DATA + 1))
 
     def responses(self, command: Field) -> tuple[Field, ...]:
-        """The possible responses to a command."""
+        """Returns the possible responses to a command."""
         return tuple(self._fields[f"{command.family}.{name}"] for name in command.responses)
 
     def replies(self, command: Field) -> tuple[Reply, ...]:
-        """The responses to a command, and their conditions on the parameters of the command that owns a response;
-        another command that has the same response is always answered with it."""
+        """Returns the responses to a command, and their conditions on the parameters of the command that owns a
+        response; another command that has the same response is always answered with it."""
         functions = tuple(f for f in command.functions if f.responds)
         layouts = _grouped((r.when if r.command == command.name else (), r) for r in self.responses(command))
         return tuple(Reply(fields, functions, when) for when, fields in layouts.items())
 
     def answers(self, command: Field, device: str) -> tuple[Field, ...]:
-        """The same for one device: of the layouts of a response its own, else those that name no devices."""
+        """Returns the responses that one device sends: of a response with several layouts, the device's own, or else
+        those for any device."""
         fields: list[Field] = []
         for reply in self.replies(command):
             own = [f for f in reply.layouts if device in f.devices]
@@ -128,22 +130,22 @@ class Model:
         return tuple(fields)
 
     def commands(self, response: Field) -> tuple[Field, ...]:
-        """The commands that a response answers."""
+        """Returns the commands that a response answers."""
         return self._commands.get(response.full_name, ())
 
     def supports(self, f: Field, number: int | None = None) -> tuple[tuple[Device, Support], ...]:
-        """The devices that support a command or data field, in one set or in any; those that may are included."""
+        """Returns the devices that support, or may support, a command or data field, in one set or in any."""
         supporting = self._supports.get(f.full_name, ())
         return supporting if number is None else tuple((d, s) for d, s in supporting if s.set == number)
 
     def refusing(self, f: Field) -> tuple[Device, ...]:
-        """The devices that are known not to have a command or data field, in some set."""
+        """Returns the devices that are known not to support a command or data field, in some set."""
         ids = self._refusing.get(f.full_name, ())
         return tuple(d for d in self.devices if d.id in ids)
 
     def devices_of(self, f: Field, certain: bool = True, number: int | None = None) -> tuple[Device, ...]:
-        """The devices that support a field, or may support it, in one set or in any; a response if they answer a
-        command with it."""
+        """Returns the devices that support a field, or those that only may support it, in one set or in any; a device
+        supports a response if it sends it."""
         if f.role == RESPONSE:
             asked = [(c, d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
             supporting = [(d, s) for c, d, s in asked if f.full_name in {r.full_name for r in self.answers(c, d.id)}]
@@ -154,8 +156,8 @@ class Model:
         return tuple(d for d in self.devices if d.id in names)
 
     def affected(self, command: Field, certain: bool = True) -> tuple[Field | Set, ...]:
-        """The effects of a command: data fields, and sets all of whose fields may change. A part of a specification
-        may lack some of them."""
+        """Returns the effects of a command: data fields, and sets all of whose fields may change. A part of a
+        specification may lack some of them."""
         named = command.affects if certain else command.may_affect
         things: list[Field | Set] = []
         for name in named:
@@ -164,15 +166,15 @@ class Model:
         return tuple(things)
 
     def changed_by(self, thing: Field | Set, certain: bool = True) -> tuple[Field, ...]:
-        """The commands that change a data field, or all fields of a set."""
+        """Returns the commands that change a data field, or all fields of a set."""
         return (self._changes if certain else self._may_change).get(_name(thing), ())
 
     def flagged_by(self, f: Field) -> tuple[tuple[Bitfield, Bits], ...]:
-        """The bits that are about a field."""
+        """Returns the bits that concern a field."""
         return self._flags.get(f.full_name, ())
 
     def taken(self, command: Field) -> tuple[Function, ...]:
-        """The functions that at least one device accepts; all of them where no device is known."""
+        """Returns the functions that at least one device accepts; all of them if no device is known."""
         functions = [x for _, s in self.supports(command) for x in s.functions]
         return tuple(x for x in command.functions if x in functions) or command.functions
 

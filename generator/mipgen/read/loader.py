@@ -131,7 +131,7 @@ def _schema(kind: str, root: Node, over: bool) -> str:
 
 
 def shown(path: Path) -> str:
-    """A path as a user would write it on the command line."""
+    """Returns a path as a user would write it on the command line."""
     here = Path.cwd()
     absolute = path.absolute()
     return absolute.relative_to(here).as_posix() if absolute.is_relative_to(here) else str(path)
@@ -254,13 +254,13 @@ def _fault_of_value(error: Any) -> str:
 
 
 def _inside(path: list[str | int], root: str) -> str:
-    """The subject of an error: a key, or an item of a list."""
+    """Returns the subject of an error: a key, or an item of a list."""
     key = next((f"'{p}'" for p in reversed(path) if isinstance(p, str)), root)
     return f"item {path[-1] + 1} of {key}" if path and isinstance(path[-1], int) else key
 
 
 def _instead(value: Any, kinds: list[str]) -> str:
-    """The remedy for a value of the wrong kind, if it is obvious.
+    """Returns the remedy for a value of the wrong kind, if it is obvious.
 
     >>> _instead("yes", ["boolean"]), _instead(7, ["string"]), _instead("8C", ["integer"]), _instead("−3", ["integer"])
     ('; write true', '; put it in quotes', '; write 0x8C', "; '−' is a minus sign (U+2212), write '-'")
@@ -283,8 +283,8 @@ def _instead(value: Any, kinds: list[str]) -> str:
 
 
 def _form(schema: Any) -> str | None:
-    """The form of a value: the description of its definition. A description that ends with a full stop belongs to a
-    property, and states its purpose instead."""
+    """Returns the form of a value: the description of its definition. A description that ends with a full stop belongs
+    to a property, and states its purpose instead."""
     words = str(schema.get("description", "."))
     return None if words.endswith(".") else words
 

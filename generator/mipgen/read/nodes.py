@@ -125,7 +125,7 @@ def _position(name: str, mark: Any) -> Position:
 
 
 def _place(name: str, before: str) -> Position:
-    """The position after this text."""
+    """Returns the position after this text."""
     return Position(name, before.count("\n") + 1, len(before) - before.rfind("\n"))
 
 
@@ -253,7 +253,7 @@ def _scalar(text: str) -> Any:
 
 
 def _rewritten(text: str) -> str | None:
-    """The right form of a number that programs read differently, or not as a number; None if it is unambiguous.
+    """Returns the right form of a number that programs read differently, or not as a number; None if it is unambiguous.
 
     >>> [_rewritten(t) for t in ("0211", "0o17", "1_000", ".5", "1.", "+7", "-007.50", "0X1F", "0b11")]
     ['211 or 0x211', '15', '1000', '0.5', '1', '7', '-7.50', '0x1F', '3']

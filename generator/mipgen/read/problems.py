@@ -80,7 +80,7 @@ def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:
 
 
 def close(word: str, choices: Iterable[str], guess: bool = True) -> str:
-    """The word that was probably meant; empty if there is none."""
+    """Returns the word that was probably meant; empty if there is none."""
     known = _ordered(choices)
     if usual := spelling.usual(word, known):
         return f", did you mean '{usual}'?"
@@ -90,7 +90,7 @@ def close(word: str, choices: Iterable[str], guess: bool = True) -> str:
 
 
 def _ordered(choices: Iterable[str]) -> list[str]:
-    """The words without duplicates, in their order; sets are sorted."""
+    """Returns the words without duplicates, in their order; sets are sorted."""
     return sorted(choices) if isinstance(choices, (set, frozenset)) else list(dict.fromkeys(choices))
 
 

@@ -80,7 +80,7 @@ _USUAL = {spelling.casefold(): word for word, spellings in SYNONYMS.items() for 
 
 
 def usual(word: str, known: Collection[str]) -> str | None:
-    """The known word with the same meaning, if there is one.
+    """Returns the known word with the same meaning, if there is one.
 
     >>> usual("uint32_t", ["u16", "u32"]), usual("deg/sec", ["deg/s"]), usual("HZ", ["Hz"])
     ('u32', 'deg/s', 'Hz')

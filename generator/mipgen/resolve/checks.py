@@ -246,7 +246,7 @@ def session(model: m.Model, problems: Problems) -> None:
 
 
 def _unfit(role: str, name: str, types: tuple[str, ...], words: str, model: m.Model, session: m.Session) -> str | None:
-    """The reason why a command cannot have a role in a session; None if it can."""
+    """Returns the reason why a command cannot have a role in a session; None if it can."""
     f = model.field(name)
     if f is None or f.role != m.COMMAND:
         names = {x.full_name for x in model.fields if x.role == m.COMMAND}
@@ -270,7 +270,7 @@ def _answers(role: str, responses: tuple[m.Field, ...], session: m.Session) -> b
 
 
 def _type(p: m.Parameter) -> str:
-    """The type of a parameter; for an array of structures, the types of their members."""
+    """Returns the type of a parameter; for an array of structures, the types of their members."""
     if p.kind == "array" and p.item.struct:
         return f"[{' '.join(_type(q) for q in p.item.struct.parameters)}]"
     return p.scalar.name if p.kind in ("scalar", "counter") else p.kind
@@ -286,7 +286,7 @@ def _inside(f: m.Field, path: str) -> m.Parameter | None:
 
 
 def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:
-    """Every name that an author has chosen."""
+    """Yields every name that an author has chosen."""
     for t in _all_types(model):
         yield t.name, getattr(t, "position", None)
         match t:
@@ -370,7 +370,7 @@ def replies(model: m.Model, problems: Problems) -> None:
 
 
 def _parameters(model: m.Model) -> Iterator[m.Parameter]:
-    """The parameters of all fields and structures, except reserved ones."""
+    """Yields the parameters of all fields and structures, except reserved ones."""
     for parameters in (
         model.protocol.acknowledge.parameters,
         *(f.parameters for f in model.fields),
@@ -438,7 +438,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
 
 
 def _printed(model: m.Model) -> Iterator[tuple[str, m.Field, m.Source]]:
-    """The lengths that manuals print, each with the field's name in the set for which it is printed."""
+    """Yields the lengths that manuals print, each with the field's name in the set for which it is printed."""
     for f in (*model.fields, model.protocol.acknowledge):
         for o in f.occurrences:
             for source in o.sources:

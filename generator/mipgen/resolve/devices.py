@@ -47,13 +47,13 @@ def _check_layouts(model: m.Model, problems: Problems) -> None:
 
 
 def _by_strength(evidence: Iterable[m.Evidence]) -> tuple[m.Evidence, ...]:
-    """Evidence without duplicates, the strongest first."""
+    """Returns the evidence without duplicates, the strongest first."""
     return tuple(dict.fromkeys(sorted(evidence, key=lambda e: m.strength(e.kind))))
 
 
 def _twice(name: str, a: m.Evidence, b: m.Evidence) -> str | None:
-    """The problem with two statements about a field, if there is one. A device may list what others state, and list it
-    again with another firmware."""
+    """Returns the problem with two statements about a field, if there is one. A device may list what others state, and
+    list it again with another firmware."""
     listed = [e.kind for e in (a, b)].count("listed")
     if listed == 1 and "refused" in (a.kind, b.kind) and a.firmware == b.firmware and a.firmware is not None:
         return f"'{name}' is listed and refused by the firmware {a.firmware}; remove one"
@@ -125,7 +125,7 @@ def _with_variants(model: m.Model, variants: list[tuple[str, m.Variant]]) -> m.M
 
 
 def _by_device(model: m.Model) -> dict[str, list[m.DeviceVariant]]:
-    """Device -> its variants of parameters."""
+    """Returns the variants of parameters by device."""
     by_device: dict[str, list[m.DeviceVariant]] = {}
     for f in (model.protocol.acknowledge, *model.fields):
         for p in f.parameters:
@@ -136,7 +136,7 @@ def _by_device(model: m.Model) -> dict[str, list[m.DeviceVariant]]:
 
 
 def _asked(model: m.Model) -> dict[int, dict[str, m.Field]]:
-    """Set -> name -> command or data field, for everything that a device may support."""
+    """Returns the command or data field by set and name, for everything that a device may support."""
     return {s.number: {f.name: f for f in model.fields_in(s) if f.role != m.RESPONSE} for s in model.sets}
 
 
@@ -155,7 +155,7 @@ class _Device:
         return str(self.node["device"].value)
 
     def place(self, key: str) -> m.Position:
-        """The position for an omission: the key that lacks the entry, else the device."""
+        """Returns the position for an omission: the key that lacks the entry, else the device."""
         return self.node.keys.get(key, self.node.position)
 
     def resolve(self) -> m.Device:
@@ -216,7 +216,7 @@ class _Device:
     # ----------------------------------------------------------------------- support
 
     def listed(self) -> Iterator[tuple[Node, m.Evidence]]:
-        """The lists of fields by set, each with its evidence."""
+        """Returns the lists of fields by set, each with its evidence."""
         if "supports" in self.node:
             yield self.node["supports"], m.Evidence("documented")
         for group in self.node.get("evidence") or ():
@@ -244,7 +244,7 @@ class _Device:
         )
 
     def undefined(self, node: Node) -> Iterator[tuple[int, int]]:
-        """The fields of the device that the specification does not define."""
+        """Yields the fields of the device that the specification does not define."""
         known = {s.name: s for s in self.model.sets}
         for name, entries in node.items():
             number = known[name].number if name in known else _number(name)
@@ -327,7 +327,7 @@ class _Device:
             self.problems.add(place, f"the device does not support '{field}'; add it to supports")
 
     def functions(self) -> dict[str, Node]:
-        """Full name -> the letters of the functions, if they differ from the definition."""
+        """Returns the letters of the functions by full name, if they differ from the definition."""
         node = self.node.get("functions")
         stated = {}
         for name, letters in node.items() if node else ():
@@ -402,7 +402,7 @@ class _Device:
                 self.problems.add(self.place("varies"), f"'{name}' has no bit '{bit}' on the device; {remedy}")
 
     def bits(self, flags: m.Parameter) -> set[str] | None:
-        """The bits of flags on this device, if they differ from the definition."""
+        """Returns the bits of flags on this device, if they differ from the definition."""
         own = self.own(flags)
         if own is not None and own.only:
             return {x.name for x in own.only}
@@ -411,7 +411,7 @@ class _Device:
     # ----------------------------------------------------------------------- the rest
 
     def rates(self, supports: tuple[m.Support, ...]) -> tuple[m.Rate, ...]:
-        """The known base rates."""
+        """Returns the known base rates."""
         node = self.node.get("base_rates")
         known = {s.name: s for s in self.model.sets if s.kind == "data"}
         given = dict(node.items()) if node else {}

@@ -82,7 +82,7 @@ class _Example:
         )
 
     def device(self, manual: str) -> m.Device | None:
-        """The device that the example names, else the manual's only device."""
+        """Returns the device that the example names, else the manual's only device."""
         named = self.node.get("device")
         if named is None:
             devices = [d for d in self.model.devices if d.manual == manual]
@@ -96,7 +96,7 @@ class _Example:
     # ----------------------------------------------------------------------- bytes
 
     def octets(self, key: str) -> Octets | None:
-        """The bytes at a key; None for an unspecified byte."""
+        """Returns the bytes at a key; None for an unspecified byte."""
         text = self.node.scalar(key)
         if text is None:
             return None
@@ -108,7 +108,7 @@ class _Example:
         return tuple(None if "?" in p else int(p, 16) for p in pairs)
 
     def packet(self, table: Octets | None) -> bytes:
-        """The correct bytes: given, from the manual, or computed from the fields."""
+        """Returns the correct bytes: given, from the manual, or computed from the fields."""
         keys = [k for k in ("packet", "bytes", "string", "table") if k in self.node]
         # A string with half a byte cannot be right; `checks.printed_bytes` requires an erratum for it.
         keys = [k for k in keys if k != "string" or _digits(self.node[k].value) % 2 == 0]
@@ -135,7 +135,7 @@ class _Example:
         return packet
 
     def number(self, what: str) -> int:
-        """The descriptor set that an example without a packet must name."""
+        """Returns the descriptor set that an example without a packet must name."""
         if "set" not in self.node:
             raise Wrong(self.node["id"].position, f"{what} needs 'set', the number of its descriptor set")
         number: int = self.node["set"].value
@@ -169,7 +169,7 @@ class _Example:
     # ----------------------------------------------------------------------- fields
 
     def entry(self, node: Node) -> tuple[str | None, Node]:
-        """The name of a field of the example and its stated values; the name is None for raw bytes."""
+        """Returns the name of a field of the example and its stated values; the name is None for raw bytes."""
         if isinstance(node.value, str):
             return node.value, Node({}, node.position)
         if not node.value:

@@ -189,7 +189,7 @@ class _Guide:
         )
 
     def shown(self, f: m.Field, stated: Node | None, example: Node | None = None) -> Shown:
-        """A field with all its values: stated values, else those of an example, else typical ones."""
+        """Returns a field with all its values: stated values, else those of an example, else typical ones."""
         sure, seen = (
             evidence.stated_values(f, n) if n is not None and n.value is not None else {} for n in (stated, example)
         )
@@ -253,7 +253,7 @@ class _Guide:
         return Migration(before, after, changes)
 
     def those(self, node: Node, key: str, device: m.Device) -> tuple[m.Field, ...]:
-        """The fields at a key, which the device must support."""
+        """Returns the fields at a key, which the device must support."""
         fields = []
         for entry in node.get(key) or ():
             try:

@@ -120,7 +120,7 @@ class _Heir:
     # ----------------------------------------------------------------------- fields
 
     def lacked(self) -> set[str]:
-        """The fields that the other device supports but this one does not."""
+        """Returns the fields that the other device supports but this one does not."""
         names = set()
         known = {*_fields(self.parent.get("supports")), *self.kinds}
         for full, entry in _fields(self.own.get("lacks")).items():
@@ -131,7 +131,7 @@ class _Heir:
         return names
 
     def supports(self, lacked: set[str]) -> Node:
-        """The fields of the other device without those that are lacked, then those that are added."""
+        """Returns the fields of the other device without those that are lacked, then those that are added."""
         by_set: dict[str, list[Node]] = {}
         inherited = _fields(self.parent.get("supports"))
         added = _listed(self.own.get("supports"))
@@ -147,7 +147,7 @@ class _Heir:
         return self.mapped("supports", {name: self.listed(name, entries) for name, entries in by_set.items()}, keys)
 
     def evidence(self, lacked: set[str]) -> Node:
-        """The same for other evidence: the device's own evidence replaces inherited evidence."""
+        """Returns the same for other evidence: the device's own evidence replaces inherited evidence."""
         for kind, full, entry in _evident(self.own):
             self.check_new(full, entry, lacked, kind)
         kinds = _kinds(self.own)
@@ -159,7 +159,7 @@ class _Heir:
         return self.listed("evidence", [*left, *(self.own.get("evidence") or ())])
 
     def inherited(self) -> Iterator[Node]:
-        """The evidence of the other device. A field that only that device itself lists is probable here."""
+        """Yields the evidence of the other device. A field that only that device itself lists is probable here."""
         if "family" in self.parent:
             yield from self.parent.get("evidence") or ()
             return
@@ -190,7 +190,7 @@ class _Heir:
             self.problems.add(entry.position, f"'{self.like}' already has '{full}' ({inherited}); remove it")
 
     def names(self, supports: Node | None, evidence: Node | None) -> set[str]:
-        """The fields that are certainly or probably supported, their responses, and their sets."""
+        """Returns the fields that are certainly or probably supported, their responses, and their sets."""
         names = set()
         groups = [group for group in evidence or () if group["kind"].value != "refused"]
         for full in (*_fields(supports), *(full for group in groups for full in _fields(group["fields"]))):
@@ -201,7 +201,7 @@ class _Heir:
     # ----------------------------------------------------------------------- the rest
 
     def keyed(self, key: str, has: set[str]) -> Node:
-        """Inherited statements about fields and sets that the device supports, then its own."""
+        """Returns inherited statements about fields and sets that the device supports, then its own."""
         inherited, own = self.parent.get(key), self.own.get(key)
         without = self.without(key, list(inherited.value) if inherited else [])
         nodes: dict[str, Node] = {}
@@ -222,7 +222,7 @@ class _Heir:
         return "family" in self.own or f is self.model.protocol.acknowledge or not has.isdisjoint(f.names)
 
     def named(self, key: str) -> Node:
-        """The entries of both; an own entry replaces an inherited one with the same name."""
+        """Returns the entries of both; an own entry replaces an inherited one with the same name."""
         entries = {entry["name"].value: entry for entry in self.parent.get(key) or ()}
         for name in self.without(key, list(entries)):
             entries.pop(name, None)
@@ -243,7 +243,7 @@ class _Heir:
 
 
 def _listed(node: Node | None) -> list[tuple[str, Node]]:
-    """Full name and entry of each field in a list by set."""
+    """Yields full name and entry of each field in a list by set."""
     return [(f"{name}.{entry.value}", entry) for name, entries in (node.items() if node else ()) for entry in entries]
 
 
@@ -252,13 +252,13 @@ def _fields(node: Node | None) -> dict[str, Node]:
 
 
 def _evident(node: Node) -> list[tuple[str, str, Node]]:
-    """The same for the fields that other evidence names, each with the kind of evidence."""
+    """Yields the same for the fields that other evidence names, each with the kind of evidence."""
     groups = node.get("evidence") or ()
     return [(group["kind"].value, full, x) for group in groups for full, x in _listed(group["fields"])]
 
 
 def _kinds(node: Node) -> dict[str, str]:
-    """Full name of each field in a profile -> kind of the strongest evidence."""
+    """Returns the kind of the strongest evidence for each field in a profile, by full name."""
     weakest_first = sorted(_evident(node), key=lambda said: m.strength(said[0]), reverse=True)
     return {
         **{full: kind for kind, full, _ in weakest_first},
@@ -267,7 +267,7 @@ def _kinds(node: Node) -> dict[str, str]:
 
 
 def _left(group: Node, out: Set[str]) -> list[Node]:
-    """An entry of the evidence without some fields; an empty list if nothing is left."""
+    """Returns an entry of the evidence without some fields; an empty list if nothing is left."""
     fields = {}
     for name, entries in group["fields"].items():
         kept = [x for x in entries if f"{name}.{x.value}" not in out]

@@ -55,7 +55,7 @@ class Layout:
         return self.taken(self.done)
 
     def taken(self, parameters: Sequence[m.Parameter]) -> int:
-        """The minimum size of a field with these parameters."""
+        """Returns the minimum size of a field with these parameters."""
         return self.before + (1 if self.functions else 0) + extent.fewest(parameters)
 
     def earlier(self, name: str) -> m.Parameter | None:
@@ -223,7 +223,7 @@ class Layout:
         )
 
     def presence(self, node: Node, p: m.Parameter) -> tuple[m.Function, ...]:
-        """The functions that require a parameter: those that it names, and those that are `like` them."""
+        """Returns the functions that require a parameter: those that it names, and those that are `like` them."""
         if self.plain:
             return ()
         letters, optional = node.scalar("for"), node.scalar("optional", False)
@@ -379,7 +379,8 @@ class Layout:
                 return
 
     def capacities(self) -> dict[str, int]:
-        """Array of open length -> its maximum number of items, if no optional parameter is present."""
+        """Returns the maximum number of items of each array without a fixed length, if no optional parameter is
+        present."""
         capacities = {}
         for i, p in enumerate(self.done):
             if isinstance(p.length, str):

@@ -214,7 +214,8 @@ def _session(node: Node | None) -> m.Session | None:
 
 
 def _barrier(node: Node, model: m.Model, problems: Problems) -> tuple[int, int]:
-    """Set and descriptor of the barrier's command, which a partial specification keeps even if it lacks the command."""
+    """Returns set and descriptor of the barrier's command, which a partial specification keeps even if it lacks the
+    command."""
     f = model.field(node.value)
     if f is None or f.role != m.COMMAND:
         names = {x.full_name for x in model.fields if x.role == m.COMMAND}

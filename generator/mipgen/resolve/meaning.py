@@ -55,7 +55,7 @@ def citation(
 
 @cache
 def _headings(sections: tuple[str, ...]) -> dict[str, str]:
-    """Plain form of a heading -> the first heading with that form."""
+    """Returns the first heading with each plain form."""
     return {_plain(s): s for s in reversed(sections)}
 
 
@@ -96,7 +96,8 @@ def frame(node: Node, known: Collection[str], problem: Problem) -> str | None:
 
 
 def elements(p: m.Parameter, frame: str | None, frames: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
-    """The elements of a vector in a frame with its own names; those of matrices and quaternions are always the same."""
+    """Returns the elements of a vector in a frame with its own names; those of matrices and quaternions are always the
+    same."""
     own = p.element.elements if isinstance(p.element, m.Vector) else ()
     wanted = frames.get(frame or "", ())
     return wanted if len(wanted) == len(own) and wanted != own else ()
@@ -160,7 +161,7 @@ def magnitude(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | No
 
 
 def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
-    """The smallest and the largest number that a scalar holds.
+    """Returns the smallest and the largest number that a scalar can represent.
 
     >>> bounds(m.SCALARS["s8"]), bounds(m.SCALARS["u16"]), bounds(m.SCALARS["bool"])
     ((-128, 127), (0, 65535), (0, 1))
@@ -356,7 +357,7 @@ class _Default:
 
 
 def _end(bound: Number | None) -> str:
-    """A bound of a range, as an author writes it."""
+    """Returns a bound of a range, as an author writes it."""
     return "~" if bound is None else str(bound)
 
 
@@ -404,7 +405,7 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
 
 
 def bits(flags: m.Parameter) -> set[str]:
-    """The names of the bits of flags, in any reading."""
+    """Returns the names of the bits of flags, in any reading."""
     return {
         b.name for t in (flags.element, *(v.type for v in flags.readings)) if isinstance(t, m.Bitfield) for b in t.bits
     }

@@ -86,7 +86,7 @@ class Families:
         return kind
 
     def sets(self, node: Node) -> tuple[m.Set, ...]:
-        """The descriptor sets of a family: the one with its name, or those in `sets`."""
+        """Returns the descriptor sets of a family: the one with its name, or those in `sets`."""
         family = node["name"].value
         if "sets" in node and "set" in node:
             self.problems.add(node.keys["set"], "a family has 'sets', not 'set'; remove 'set'")
@@ -212,7 +212,7 @@ class Families:
         )  # fmt: skip
 
     def described(self, node: Node, nodes: list[Node], command: m.Field, plain: bool) -> list[Node]:
-        """The parameters of a response; it may describe those that it repeats from its command."""
+        """Returns the parameters of a response; it may describe those that it repeats from its command."""
         own = node.get("descriptions")
         if own is None:
             return nodes
@@ -338,18 +338,18 @@ class Families:
 
 
 def _title(node: Node) -> str:
-    """The title of a field in headings; by default its name in words."""
+    """Returns the title of a field in headings; by default its name in words."""
     return str(node.scalar("title", node["name"].value.replace("_", " ").capitalize()))
 
 
 def _heading(node: Node, number: int) -> str:
-    """The heading under which most sources have a field: "Ping (0x01,0x01)"."""
+    """Returns the heading that most sources use for a field: "Ping (0x01,0x01)"."""
     descriptor = next((node[role].value for role in ROLES if role in node), 0)
     return f"{_title(node)} (0x{number:02X},0x{descriptor:02X})"
 
 
 def _first(node: Node) -> int:
-    """The lowest number of the sets of a file."""
+    """Returns the lowest number of the sets of a file."""
     entries = [entry for _, entry in node["sets"].items()] if "sets" in node else [node]
     return min(int(entry["set"].value) for entry in entries)
 
@@ -366,7 +366,7 @@ class _Places:
     problems: Problems
 
     def of(self, node: Node) -> tuple[m.Occurrence, ...]:
-        """The sets of a field, with the facts about it in each."""
+        """Returns the sets of a field, with the facts about it in each."""
         title, cited = _title(node), self.sources(node, node)
         own = node.get("in")
         if not self.several:
@@ -395,12 +395,12 @@ class _Places:
         return occurrences
 
     def sources(self, node: Node, field: Node, s: m.Set | None = None) -> tuple[m.Source, ...]:
-        """The sources of a field, or of its facts in one set."""
+        """Returns the sources of a field, or of its facts in one set."""
         heading = _heading(field, (s or self.sets[0]).number)
         return sources(node, self.types.vocabulary, self.problems, heading=heading)
 
     def first(self, title: str, cited: tuple[m.Source, ...], node: Node) -> tuple[m.Occurrence, ...]:
-        """The only set, or the first of several as a substitute, to find further problems."""
+        """Returns the only set, or the first of several as a substitute, to find further problems."""
         s = self.sets[0]
         return (m.Occurrence(s.number, s.name, title, cited, position=node.position),)
 
@@ -415,7 +415,7 @@ class _Places:
         return m.Occurrence(s.number, s.name, title, stated, sentences(own, "uncertain"), own.position)
 
     def cited(self, node: Node, occurrences: tuple[m.Occurrence, ...]) -> tuple[m.Source, ...]:
-        """The sources of the field itself; if there are none, the sources for all fields of its sets."""
+        """Returns the sources of the field itself; if there are none, the sources for all fields of its sets."""
         own = node.get("in")
         cited = list(self.sources(node, node))
         cited += [s for o in occurrences if own and o.set_name in own for s in o.sources]

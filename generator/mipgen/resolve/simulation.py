@@ -47,7 +47,7 @@ def _equal(node: Node, units: Node, problems: Problems) -> tuple[str, float]:
 
 
 def _layouts(f: m.Field, model: m.Model) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """The responses of a command that only some devices send, with these devices."""
+    """Returns the responses of a command that only some devices send, with these devices."""
     return tuple((r.name, r.devices) for r in model.responses(f) if r.devices)
 
 
@@ -184,7 +184,8 @@ class _Values:
             self.problems.add(node.position, f"'{p.name}' cannot show the typical value of '{q.name}': {error}")
 
     def factor(self, q: Quantity, p: m.Parameter, node: Node) -> float:
-        """The factor from the unit of a quantity to the unit of a parameter, whose elements may have several."""
+        """Returns the factor from the unit of a quantity to the unit of a parameter, whose elements may have
+        several."""
         units = set(p.units)
         if q.unit is None or not units or units == {q.unit}:
             return 1.0
@@ -205,7 +206,7 @@ class _Values:
 
 
 def _names(t: m.Enum | m.Bitfield) -> Iterator[str]:
-    """The names of values or bits; for a number inside a bitfield, also the names of its values: bits.value."""
+    """Yields the names of values or bits; for a number inside a bitfield, also the names of its values: bits.value."""
     for x in t.values if isinstance(t, m.Enum) else t.bits:
         yield x.name
         if isinstance(x, m.Bits) and x.enum is not None:
@@ -290,7 +291,7 @@ class _Commands:
             known = tuple(inner for p in same for inner in _members(p))
 
     def number(self, node: Node, others: Sequence[str] = ()) -> int:
-        """A number, or the number of a set given by name."""
+        """Returns a number, or the number of a set given by name."""
         if isinstance(node.value, int):
             return node.value
         numbers = {s.name: s.number for s in self.model.sets}
@@ -316,7 +317,7 @@ class _Commands:
         return str(node.value)
 
     def affected(self, f: m.Field, node: Node) -> tuple[tuple[int, int], ...]:
-        """The data fields that the command certainly affects, if they select the instances of its setting."""
+        """Returns the data fields that the command certainly affects, if they select the instances of its setting."""
         given = [n for _, n in _pairs(node, "instances") if n.value == AFFECTED]
         if not given:
             return ()
@@ -347,7 +348,7 @@ class _Commands:
 
 
 def _members(p: m.Parameter) -> Iterator[m.Parameter]:
-    """The parameters inside a structure, or inside the cases of a union."""
+    """Yields the parameters inside a structure, or inside the cases of a union."""
     inside = [c.parameter.element for c in p.cases if c.parameter is not None] if p.cases else [p.element]
     for element in inside if p.length is None else ():
         if isinstance(element, m.Struct):

@@ -94,7 +94,7 @@ def _check(model: m.Model, selection: Selection) -> None:
 
 
 def _places(model: m.Model, what: str, name: str) -> Iterator[tuple[m.Field, int]]:
-    """The fields of a set, or with a name, each with the number of its set."""
+    """Yields the fields of a set, or with a name, each with the number of its set."""
     for f in model.fields:
         for o in f.occurrences:
             if name in ((o.set_name,) if what == "set" else (f.full_name, f.name_in(o.set))):
@@ -102,7 +102,7 @@ def _places(model: m.Model, what: str, name: str) -> Iterator[tuple[m.Field, int
 
 
 def _meant(model: m.Model, word: str) -> list[str]:
-    """The devices that a user may mean by another name, a part of a name, or the model number."""
+    """Returns the devices that a user may mean by another name, a part of a name, or the model number."""
 
     def plain(name: str) -> str:
         return "".join(c for c in name.casefold() if c.isalnum())
@@ -118,7 +118,7 @@ def _meant(model: m.Model, word: str) -> list[str]:
 
 
 def _asked(model: m.Model, selection: Selection) -> dict[str, m.Field]:
-    """The fields selected by name, by set or by device, in the sets in which they are; responses follow their
+    """Returns the fields selected by name, by set or by device, in the sets in which they are; responses follow their
     commands. Shared fields belong to every data set, so any data field selects them.
     """
     every = not (selection.sets or selection.fields)
@@ -192,7 +192,7 @@ def _only(model: m.Model, needed: dict[str, m.Field], devices: tuple[m.Device, .
 
 
 def _guides(guides: tuple[Guide, ...], fields: dict[str, m.Field], devices: tuple[m.Device, ...]) -> tuple[Guide, ...]:
-    """The remaining guides, without references to the others."""
+    """Returns the remaining guides, without references to the others."""
     kept = [g for guide in guides if (g := guide.only(fields, {d.id: d for d in devices})) is not None]
     names = {g.name for g in kept}
     return tuple(replace(g, see=tuple(x for x in g.see if "." in x or x in names)) for g in kept)
@@ -214,7 +214,7 @@ def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> 
 
 
 def _narrowed(f: m.Field, devices: set[str], names: Container[str]) -> m.Field:
-    """The field without the differences on other devices, and without responses that are left out."""
+    """Returns the field without the differences on other devices, and without responses that are left out."""
     parameters = tuple(
         replace(p, variants=tuple(v for v in p.variants if not v.by_device or v.key in devices)) for p in f.parameters
     )
@@ -239,7 +239,7 @@ def _key(t: m.Type) -> Key:
 
 
 def _types(fields: Iterable[m.Field]) -> set[Key]:
-    """The types that fields need, directly or inside other types."""
+    """Returns the types that fields need, directly or inside other types."""
     needed: set[Key] = set()
     waiting = [t for f in fields for p in f.parameters for t in p.types]
     while waiting:

@@ -45,11 +45,11 @@ class Types:
                 known[name] = Node(node.value, place, node.keys)
 
     def scope(self, owner: str | None) -> Scope:
-        """The names to which a parameter of that owner may refer."""
+        """Returns the names to which a parameter of that owner may refer."""
         return Scope(self.vocabulary, partial(self.find, owner=owner), self.problems.add)
 
     def of(self, owner: str | None) -> tuple[m.Type, ...]:
-        """All types of one owner, each after the types that it uses."""
+        """Returns all types of one owner, each after the types that it uses."""
         known = self.shared if owner is None else self.local.get(owner, {})
         for name in known:
             self.find(name, None, owner)
@@ -78,7 +78,7 @@ class Types:
         return self._done[where, name]
 
     def _kind(self, name: str, node: Node) -> str | None:
-        """The key that determines the kind of a type; None if there is none, or if other keys contradict it."""
+        """Returns the key that determines the kind of a type; None if there is none, or if other keys contradict it."""
         kinds = [k for k in ("enum", "bitfield", "bytes", "struct", "vector") if k in node]
         if len(kinds) != 1:
             wanted = "exactly one of enum, bitfield, bytes, struct, vector"
@@ -190,7 +190,7 @@ class Types:
         return low, high
 
     def _included_bits(self, node: Node, owner: str | None, width: int) -> tuple[m.Bits, ...]:
-        """The bits of other bitfields that lie in the ranges of `include`."""
+        """Returns the bits of other bitfields that lie in the ranges of `include`."""
         several: list[m.Bits] = []
         own = node.get("bits")
         for name, ranges in node["include"].items() if "include" in node else ():
@@ -216,7 +216,7 @@ class Types:
         return tuple(several)
 
     def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:
-        """The enumeration of a number inside a bitfield."""
+        """Returns the enumeration of a number inside a bitfield."""
         entry = bits.get("enum")
         if entry is None:
             return None
@@ -272,5 +272,5 @@ class Types:
 
 
 def _nowhere(name: str) -> m.Bits:
-    """A substitute for a bit whose number is wrong, so that references to it are not reported as well."""
+    """Returns a substitute for a bit whose number is wrong, so that references to it are not reported as well."""
     return m.Bits(name, 0, 0, "", alias=True)

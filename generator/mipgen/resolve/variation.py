@@ -35,7 +35,7 @@ class Scope:
 
 
 def differs_by_device(node: Node, p: m.Parameter, problem: Problem) -> bool:
-    """`varies: {by: device}`: every device that supports the field states the values in its own file."""
+    """True for `varies: {by: device}`: every device that supports the field states the values in its own file."""
     spec = node.get("varies")
     if spec is None or spec["by"].value != m.DEVICE:
         return False
@@ -46,7 +46,7 @@ def differs_by_device(node: Node, p: m.Parameter, problem: Problem) -> bool:
 
 
 def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope: Scope) -> tuple[m.Variant, ...]:
-    """`varies: {by: mode, cases: ...}`: differences by an enumeration of the same record."""
+    """Returns the variants for `varies: {by: mode, cases: ...}`: differences by an enumeration of the same record."""
     spec = node.get("varies")
     if spec is None or spec["by"].value == m.DEVICE:
         return ()
@@ -76,7 +76,7 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
 
 
 def _concerned(spec: Node, p: m.Parameter, scope: Scope) -> m.Parameter | None:
-    """The parameter that differs: `p` itself, or a member of its structure."""
+    """Returns the parameter that differs: `p` itself, or a member of its structure."""
     member = spec.get("member")
     if member is None:
         return p

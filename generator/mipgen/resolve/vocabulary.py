@@ -24,17 +24,17 @@ class Vocabulary:
     selector: m.Enum
 
     def letters(self, text: str) -> tuple[m.Function, ...]:
-        """The functions with these letters, by value."""
+        """Returns the functions with these letters, by value."""
         return tuple(f for f in self.functions if f.letter in text)
 
 
 def sentences(node: Node, key: str) -> tuple[str, ...]:
-    """A list of sentences, such as `notes` or `uncertain`."""
+    """Returns a list of sentences, such as `notes` or `uncertain`."""
     return tuple(node[key].plain()) if key in node else ()
 
 
 def short_name(node: Node, name: str, problems: Problems) -> str | None:
-    """The `short` of a node: its name in languages that limit identifiers."""
+    """Returns the `short` of a node: its name in languages that limit identifiers."""
     entry = node.get("short")
     if entry is None:
         return None
@@ -46,7 +46,7 @@ def short_name(node: Node, name: str, problems: Problems) -> str | None:
 def sources(
     node: Node, vocabulary: Vocabulary, problems: Problems, key: str = "sources", heading: str | None = None
 ) -> tuple[m.Source, ...]:
-    """The `sources` of a node; those of a field may leave out the section if it is this heading."""
+    """Returns the `sources` of a node; those of a field may leave out the section if it is this heading."""
     cited = []
     for entry in node.get(key) or ():
         manual, section = meaning.citation(entry, vocabulary.manuals, problems.add, heading)
