@@ -6,7 +6,7 @@ import * as types from "./types.mjs";
 
 export { AckCode } from "./types.mjs";
 
-/** Set and descriptor of the command of which a barrier of `Client` consists; zeros if the specification names none. */
+/** Set and descriptor of the command that `Client` uses as a barrier; zeros if the specification names none. */
 export const BARRIER = [0x01, 0x01];
 
 export const FunctionSelector = /* @__PURE__ */ codec.enumeration(codec.u8, {

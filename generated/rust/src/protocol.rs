@@ -8,7 +8,7 @@ pub use crate::types::FunctionSelector;
 pub const VERSION: &str = "0.1.0";
 /// The two bytes with which every packet begins.
 pub const SYNC: [u8; 2] = [0x75, 0x65];
-/// Descriptor set and descriptor of the command of which a barrier consists; zeros if the specification names none.
+/// Descriptor set and descriptor of the barrier command; zeros if the specification names none.
 pub const BARRIER: [u8; 2] = [0x01, 0x01];
 
 /// A command that has the function [`WRITE`](FunctionSelector::WRITE).

@@ -1,8 +1,8 @@
 /* Finds a device and starts its data. */
 #include "mip/connect.h"
 
-/** The time in milliseconds in which a ping must be answered. Two are sent at each rate, because
- * bytes of another rate may damage the first. */
+/** The time-out of a ping in milliseconds. Two pings are sent at each rate, because bytes at
+ * another rate may damage the first one. */
 #define LISTEN 150
 #define PINGS 2
 
@@ -53,10 +53,10 @@ static bool find(struct mip_device *device, bool (*set_baud)(void *user, uint32_
     return heard;
 }
 
-/** One step of several; `shared` is the data of all. */
+/** One of several steps; `shared` is their common data. */
 typedef struct mip_result step(struct mip_device *device, void *shared);
 
-/** Runs steps, and repeats each that is not answered, until one fails. */
+/** Runs steps until one fails. A step without a reply is repeated. */
 static struct mip_result run(struct mip_device *device, step *const *steps, size_t count,
                              void *shared) {
     struct mip_result result = {MIP_ACKNOWLEDGED, 0, MIP_OK, false};
@@ -134,7 +134,7 @@ static struct mip_result base_rate(struct mip_device *device, void *shared) {
         mip_call_3dm_get_base_rate(device, plan->descriptor_set, &plan->base);
     if (result.outcome == MIP_REFUSED) {
         const struct mip_result older = older_base_rate(device, plan, result);
-        plan->older = older.outcome != MIP_REFUSED; /* else the device does not have this set */
+        plan->older = older.outcome != MIP_REFUSED; /* otherwise, it lacks this set */
         result = plan->older ? older : result;
     }
     return result;

@@ -28,11 +28,11 @@ extern "C" {
 
 /**
  * Finds a device: tries each baud rate until anything answers a ping, or sends data; then sets the
- * device to idle, and reads its device information. Commands that are not answered are repeated.
+ * device to idle, and reads its device information. Commands without a reply are repeated.
  *
  * `set_baud` changes the baud rate of the port, and returns false if the port does not support it.
- * Its argument `user` is `port.user`. Pass NULL if the port has no baud rate, or already the right
- * one. The rates are
+ * Its argument `user` is `port.user`. Pass NULL if the port has no baud rate, or is already set to
+ * that of the device. The rates are
  * 115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800.
  * A rate at which no device answers takes about a third of a second.
  *
@@ -68,14 +68,14 @@ struct mip_rate {
 
 /**
  * Starts the data of a set: reads the base rate of the set, writes which fields are sent and how
- * often, in this order, switches the stream on, and ends the idle state. Fields that all sets
- * share, such as time stamps, come first. If the device rejects the first command, the older
- * commands of the set take its place.
+ * often, in this order, enables the stream, and ends the idle state. Fields that all sets share,
+ * such as time stamps, come first. If the device rejects the first command, the older commands for
+ * the set are used instead.
  *
  * A device divides its base rate by whole numbers. If it does not support a wanted rate, nothing is
  * changed, and the outcome is MIP_NO_SUCH_RATE: look for the rates whose `wanted` and `nearest`
  * differ. At most 83 fields fit; with more, the error is MIP_ERROR_COUNT.
- * Commands that are not answered are repeated.
+ * Commands without a reply are repeated.
  */
 MIP_API struct mip_result mip_device_stream(struct mip_device *device, uint8_t descriptor_set,
                                             uint8_t count, struct mip_rate *rates);

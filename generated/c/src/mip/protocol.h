@@ -35,8 +35,8 @@ enum mip_function_selector MIP_ENUM_8 {
 MIP_API const char *mip_function_selector_name(uint8_t value);
 
 #ifndef MIP_BARRIER_SET
-/** The descriptor set of the command of which a barrier consists; 0 if the specification names
- * none. If you define it as 0 for the whole library, late answers cannot be recognized. */
+/** The descriptor set of the barrier command; 0 if the specification names none.
+ * If you define it as 0 for the whole library, late replies cannot be recognized. */
 #define MIP_BARRIER_SET 0x01
 #endif
 /** Its descriptor. */

@@ -17,11 +17,11 @@ pub const BAUD_RATES: [u32; 10] = [
     115200, 3000000, 921600, 460800, 230400, 57600, 38400, 19200, 9600, 4800,
 ];
 
-/// The time in milliseconds in which a ping must be answered.
+/// The time-out of a ping in milliseconds.
 const LISTEN: u32 = 150;
 /// The time in milliseconds that a device takes to change its baud rate after the acknowledge.
 const CHANGE: u32 = 250;
-/// The number of attempts for a command that is not answered, or answered incorrectly.
+/// The number of attempts for a command without a reply, or with an incorrect one.
 const ATTEMPTS: u8 = 3;
 
 /// Opens a port, finds the device there, and sets it to idle: its streams are then off until
@@ -90,7 +90,7 @@ impl Rate {
         Self { descriptor: T::DESCRIPTOR, hz, sets: T::SETS, name: T::NAME }
     }
 
-    /// The same for a field of which only the descriptor is known.
+    /// The same for a field of unknown type, by its descriptor.
     #[must_use]
     pub const fn of_descriptor(descriptor: u8, hz: f32) -> Self {
         Self { descriptor, hz, sets: &[], name: "" }
@@ -116,7 +116,7 @@ impl Rate {
     }
 }
 
-/// Why a stream was not started.
+/// The reason why a stream was not started.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -215,7 +215,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     /// answers a ping or sends data; then sets the device to idle. Data that arrived is discarded.
     ///
     /// Returns the rate; `None` if the port supports none of them ([`Port::set_baud`]), for example
-    /// a TCP connection. Commands that are not answered are repeated. A rate at which no device
+    /// a TCP connection. Commands without a reply are repeated. A rate at which no device
     /// answers takes about a third of a second.
     ///
     /// # Errors
@@ -243,12 +243,12 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
     }
 
     /// Starts the data of a descriptor set: reads its base rate, writes which fields are sent and
-    /// how often, in this order, switches the stream on, and ends the idle state. Returns the base
-    /// rate in Hz: fields with a rate of 0 are sent at it. A base rate of 0 means that data is sent
+    /// how often, in this order, enables the stream, and ends the idle state. Returns the base rate
+    /// in Hz, at which fields with a rate of 0 are sent. A base rate of 0 means that data is sent
     /// as it arrives.
     ///
     /// Fields that all sets share, such as time stamps, come first. If the device rejects the first
-    /// command, the older commands of the set take its place. Commands that are not answered are
+    /// command, the older commands for the set are used instead. Commands without a reply are
     /// repeated.
     ///
     /// # Errors

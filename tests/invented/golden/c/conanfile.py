@@ -1,4 +1,4 @@
-"""Recipe of Conan 2 for the library mip: conan create, in this folder."""
+"""Conan 2 recipe for the library mip: run `conan create` in this folder."""
 
 from conan import ConanFile
 from conan.tools.cmake import CMake, CMakeToolchain, cmake_layout

@@ -5,7 +5,7 @@ import type * as types from "./types.mjs";
 
 export { AckCode } from "./types.mjs";
 
-/** Set and descriptor of the command of which a barrier of `Client` consists; zeros if the specification names none. */
+/** Set and descriptor of the command that `Client` uses as a barrier; zeros if the specification names none. */
 export declare const BARRIER: readonly [set: number, descriptor: number];
 
 export type FunctionSelector = Flavor<number, "function_selector">;

@@ -538,7 +538,7 @@ local experts = {
   unknown_descriptor = finding("unknown_descriptor", "Unknown descriptor", "UNDECODED", "NOTE"),
 }
 
--- A parameter that has the name of its field does not repeat it.
+-- Returns the filter name of a part. A parameter with the name of its field does not repeat it.
 local function inner(path, name)
   local set_field = path:match("^[^.]+%.[^.]+%.([^.]+)$")
   return set_field == name and path or path .. "." .. name
@@ -678,7 +678,7 @@ local function fail(kind, text)
   error({ kind = kind, text = text }, 0)
 end
 
--- An unsigned number, most significant byte first; nil if it has more than 53 bits.
+-- Reads an unsigned number, most significant byte first; nil if it has more than 53 bits.
 local function unsigned(raw, at, size)
   local value = 0
   for i = at + 1, at + size do
@@ -690,7 +690,7 @@ local function unsigned(raw, at, size)
   return value
 end
 
--- A whole number as text, without a decimal point in any version of Lua.
+-- Writes an integer as text, without a decimal point in any version of Lua.
 local function whole(value)
   return value and string.format("%.0f", value) or "?"
 end
@@ -705,7 +705,7 @@ local function take(reader, size)
   return at
 end
 
--- The number of items of `size` bytes that an array has.
+-- Returns the number of items of an array; each has `size` bytes.
 local function length(row, size, reader, record)
   local left = reader.stop - reader.at
   if row.count then
@@ -884,7 +884,7 @@ local function choose(candidates, raw)
   return held or short
 end
 
--- The layouts that a descriptor may have in a packet of a set.
+-- Returns the layouts that a descriptor may have in a packet of a set.
 local function layouts(number, descriptor)
   if number < 0x80 and descriptor == ACKNOWLEDGE then
     return { ACKNOWLEDGE_FIELD }
@@ -907,7 +907,7 @@ local function unit(row)
   return found ~= "" and " " .. found or ""
 end
 
--- The text of a number, for the line of its vector or field.
+-- Returns the text of a number, for the line of its vector or field.
 local function written(made, range)
   local row = made.row
   if row.type == "float" then
@@ -922,7 +922,7 @@ local function written(made, range)
   return tostring(range:uint64())
 end
 
--- The reading of a plain number, selected by a sibling parameter or by the device in the preferences.
+-- Returns the type that names the values of a plain number, by another parameter or the device in the preferences.
 local function reading(readings, record, member)
   for _, r in ipairs(readings or {}) do
     if r.member == member then
@@ -939,7 +939,7 @@ local function bits_number(bits, part)
   return number:rshift(bits.shift):band(UInt64(2 ^ bits.width - 1))
 end
 
--- Bits of a reading, which have no filters of their own.
+-- Adds the bits of a device-specific type, which have no filters of their own.
 local function bit_lines(flags, item, range)
   for _, bits in ipairs(flags) do
     if bits.at + bits.size <= range:len() then
@@ -951,7 +951,7 @@ local function bit_lines(flags, item, range)
   end
 end
 
--- Bits with filters.
+-- Adds bits with filters.
 local function bit_items(made, item, range)
   for i, bits in ipairs(made.row.flags) do
     local part, field = range:range(bits.at, bits.size), made.bound.bits[i]
@@ -963,8 +963,7 @@ local function bit_items(made, item, range)
   end
 end
 
--- The bytes of a node. They are a range of the packet, because an empty range of another range is an error in
--- Wireshark.
+-- Returns the bytes of a node as a range of the packet, because Wireshark rejects an empty range of another range.
 local function span(made, context)
   return context.data:range(context.base + made.at, made.size)
 end
@@ -1094,16 +1093,16 @@ end
 -- it shows a packet again.
 
 local WAIT = 2.0 -- seconds; a reply after this time is matched to a later command, if there is one
-local WAITING_AT_MOST = 16 -- waiting commands of a descriptor in a conversation
+local WAITING_AT_MOST = 16 -- the maximum number of waiting commands with one descriptor in a conversation
 
-local exchanges -- conversation and descriptor -> commands that wait for an answer, in the order in which they were sent
-local known -- field of a packet -> the exchange of which it is a part
+local exchanges -- conversation and descriptor -> commands that wait for a reply, in the order in which they were sent
+local known -- field of a packet -> the exchange to which it belongs
 
 local function forget_exchanges()
   exchanges, known = {}, {}
 end
 
--- True if the device answers this command.
+-- True if the device replies to this command.
 local function answered(f, record)
   if f.silent and f.silent[record["function"]] then
     return false
@@ -1176,7 +1175,7 @@ end
 -- ---------------------------------------------------------------------------------------------------------- packets
 -- Finds packets in bytes, and shows them.
 
-local HEADER, AROUND = 4, 6 -- bytes of the header; of the header and the checksum
+local HEADER, AROUND = 4, 6 -- bytes of the header, and of header and checksum
 
 local function checksum(raw, at, size)
   local bytes, a, b = { raw:byte(at + 1, at + size) }, 0, 0
@@ -1187,7 +1186,7 @@ local function checksum(raw, at, size)
   return a % 256 * 256 + b % 256
 end
 
--- The size of the packet whose sync is at `at`, with its checksum; nil if the header is incomplete.
+-- Returns the size of the packet whose sync is at `at`, with its checksum; nil if the header is incomplete.
 local function packet_size(raw, at)
   return #raw >= at + HEADER and raw:byte(at + 4) + AROUND or nil
 end
@@ -1196,7 +1195,7 @@ local function intact(raw, at, size)
   return checksum(raw, at, size - 2) == raw:byte(at + size - 1) * 256 + raw:byte(at + size)
 end
 
--- No packet has set 0 or 0xFF: they stand for the fields of every command set and of every data set.
+-- No packet has set 0 or 0xFF: they represent the fields of every command set and of every data set.
 local function is_set(number)
   return number ~= 0 and number ~= SHARED
 end
@@ -1391,7 +1390,7 @@ local function show_field(packet, at, size, index, tree)
   return said, f
 end
 
--- 1: the host sent it, 2: the device did.
+-- Returns the direction: 1 if the host sent it, 2 if the device did.
 local function direction_of(f)
   return f.role == "command" and not f.from_device and 1 or 2
 end
@@ -1497,7 +1496,7 @@ end
 local function show_columns(pinfo, texts)
   pinfo.cols.protocol = "MIP"
   local text = table.concat(texts, " | ")
-  if pinfo.private["mip"] then -- there was another chunk of this frame
+  if pinfo.private["mip"] then -- an earlier chunk of this frame was shown
     pinfo.cols.info:append(#texts > 0 and " | " .. text or "")
   else
     pinfo.cols.info = text
@@ -1529,7 +1528,7 @@ end
 local held -- line -> bytes held back after its latest chunk
 local before -- line -> chunk -> bytes held back before the chunk
 
--- The bytes held back before a chunk, and whether the chunk is new.
+-- Returns the bytes held back before a chunk, and whether the chunk is new.
 local function held_before(line, chunk)
   before[line] = before[line] or {}
   local known = before[line][chunk]
@@ -1622,7 +1621,7 @@ do
 end
 preferences.version = Pref.statictext("Version " .. VERSION, "")
 
--- The numbers of a range such as "147,150-152".
+-- Returns the numbers of a range such as "147,150-152".
 local function numbers_of(text)
   local found = {}
   for first, last in text:gmatch("(%d+)%-?(%d*)") do
@@ -1693,14 +1692,14 @@ apply_preferences()
 -- ------------------------------------------------------------------------------------------------------------ files
 -- Opens a log of raw bytes as a capture: one frame for each packet, and one for the bytes between two packets.
 
-local LONGEST = 255 + AROUND -- bytes of a packet
+local LONGEST = 255 + AROUND -- the maximum size of a packet in bytes
 local PROBE = 65536 -- bytes at the start of a log that must contain a packet
-local LUMP = 4096 -- the most bytes in a frame between packets
+local LUMP = 4096 -- the maximum size of a frame between packets in bytes
 
--- The tags in front of an exported PDU: the name of its dissector, and the end of the tags.
+-- The tags before an exported PDU: the name of its dissector, and the end of the tags.
 local EXPORTED = "\0\12\0" .. string.char(#NAME) .. NAME .. "\0\0\0\0"
 
--- The bytes of the next frame; nil at the end of the file. They depend only on what follows in the file.
+-- Returns the bytes of the next frame; nil at the end of the file. They depend only on the bytes that follow.
 local function next_bytes(file)
   local from = file:seek("cur")
   local raw = file:read(LONGEST)

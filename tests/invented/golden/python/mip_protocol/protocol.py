@@ -9,8 +9,8 @@ from .types import AckCode
 #: The version of the specification that this package was generated from.
 VERSION = "0.1.0"
 
-#: Set and descriptor of the command of which a barrier of `Client` consists; 0, 0 if the
-#: specification names none.
+#: Set and descriptor of the command that `Client` uses as a barrier; 0, 0 if the specification
+#: names none.
 BARRIER = (0x01, 0x01)
 
 
