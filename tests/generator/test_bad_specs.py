@@ -38,7 +38,7 @@ UNREACHABLE = {
         "test_overlay.py::test_messages",
     "loader: problems.add(Position(shown(folder), 1, 1), 'this folder contains no witnesses, that is, no .yaml files')":
         "test_witness.py::test_command_line",
-    "checks: problems.add(model.protocol.acknowledge.position, 'no set has a field; write one, in a file of sets/')":
+    "checks: problems.add(model.protocol.acknowledge.position, 'no set contains a field; add one to a file in sets/')":
         "test_no_field_at_all",
     "loader: return f': {error.message}'": "test_a_rule_without_words",
     "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')":
@@ -100,7 +100,7 @@ def test_no_field_at_all(tmp_path: Path) -> None:
         path.write_text(path.read_text("utf-8").partition("fields:\n")[0], "utf-8")
     for _ in range(2):
         with pytest.raises(
-            mipgen.read.problems.SpecError, match=r"protocol.yaml:12:3: error: no set has a field; write one"
+            mipgen.read.problems.SpecError, match=r"protocol.yaml:12:3: error: no set contains a field; add one"
         ):
             load_model(tmp_path / "spec")
         shutil.rmtree(tmp_path / "spec/sets", ignore_errors=True)

@@ -1,7 +1,7 @@
 """A cache in the user's folder for results that are slow to compute and depend only on their input.
 
 The cache is optional: an entry that is missing, damaged or cannot be written costs only time.
-`MIPGEN_CACHE` names another folder; if it is empty, there is no cache.
+`MIPGEN_CACHE` selects another folder; an empty value turns the cache off.
 """
 
 from __future__ import annotations

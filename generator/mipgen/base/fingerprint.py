@@ -21,6 +21,7 @@ def program() -> str:
 
 
 def _libraries() -> list[str]:
-    """Names and versions of installed packages, from the names of folders, because reading their contents is slow."""
+    """Returns names and versions of installed packages, taken from folder names, because reading the contents is
+    slow."""
     places = [entry for entry in sys.path if os.path.isdir(entry)]
     return sorted(name for place in places for name in os.listdir(place) if name.endswith((".dist-info", ".egg-info")))

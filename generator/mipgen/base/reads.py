@@ -14,7 +14,7 @@ Value = TypeVar("Value")
 
 
 class Earlier:
-    """The reads of a result of an earlier run, as numbers; only the users of such results know their meaning."""
+    """The reads noted for a result of an earlier run, as numbers that only the users of such results can interpret."""
 
     __slots__ = ("read",)
 
@@ -41,7 +41,7 @@ def during(make: Callable[..., Value], *arguments: Any) -> tuple[Value, frozense
 
 
 def note(read: frozenset[int]) -> None:
-    """Notes the use of a result of an earlier run, for which this was read."""
+    """Notes that a result of an earlier run is used, for which `read` was read."""
     _log.add(Earlier(read))
 
 
@@ -52,7 +52,7 @@ def watch(cls: type, names: Iterable[str]) -> None:
 
 
 def unnoticed(cls: type, names: list[str]) -> Callable[[Any], tuple[Any, ...]]:
-    """Returns a function that reads attributes of an object of a watched class without a note."""
+    """Returns a function that reads attributes of an object of a watched class without noting the reads."""
     if not hasattr(cls, "__slots__"):
         return lambda owner: tuple([owner.__dict__[name] for name in names])
     slots = [cls.__dict__[name].get for name in names]

@@ -27,7 +27,7 @@ def meant(p: m.Parameter, value: int, set_number: int | None, model: m.Model) ->
 
 
 def hexadecimal(p: m.Parameter, value: int) -> str:
-    """A number in its usual notation, hexadecimal.
+    """Writes a number in its usual notation, hexadecimal.
 
     >>> p = m.Parameter("a", m.SCALARS["u16"], None)
     >>> hexadecimal(p, 0x1F)

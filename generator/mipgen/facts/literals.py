@@ -139,7 +139,7 @@ def _number(p: m.Parameter, value: Any) -> Literal:
 
 
 def flags(t: m.Bitfield, value: int) -> tuple[m.Bits, ...]:
-    """The flags that make up a value; none if it also has other bits, or numbers.
+    """Returns the flags that make up a value; none if it also has other bits, or numbers.
 
     >>> t = m.Bitfield("b", m.SCALARS["u8"], 1, (m.Bits("a", 0, 0, "", False), m.Bits("n", 1, 2, "", False)), "", None)
     >>> [b.name for b in flags(t, 1)], flags(t, 3), flags(t, 128)

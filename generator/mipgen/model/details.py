@@ -1,6 +1,6 @@
 """Details: attributes that may change without changing the shape of a model, such as texts, units, limits and sources.
 
-Reads of them are noted (`base.reads`), so that a changed description affects only the files that show it.
+Reads of them are noted by `base.reads`, so that a changed description affects only the files that show it.
 """
 
 from __future__ import annotations

@@ -110,7 +110,7 @@ class Support:
 
     @property
     def differs(self) -> bool:
-        """True if the device accepts other functions than the definition states."""
+        """True if the device accepts different functions than the definition states."""
         return self.functions != self.field.functions
 
     @property
@@ -178,5 +178,5 @@ class Device:
 
     @property
     def absent(self) -> Answer:
-        """The answer for a field that no evidence names: with a complete profile, the device does not have it."""
+        """The answer for a field that no evidence names: with a complete profile, the device does not support it."""
         return "unknown" if self.incomplete else "no"

@@ -28,7 +28,7 @@ DATA_SETS: Final = range(0x80, 0xFF)
 #: The number under which shared fields of all data sets are listed; no packet has it.
 SHARED_SET: Final = 0xFF
 
-#: The numbers that no packet has: they stand for every command set, and for every data set.
+#: The numbers that no packet contains: they represent every command set, and every data set.
 NO_SETS: Final = (0, SHARED_SET)
 
 #: The descriptors of shared fields; descriptors in other data sets are lower.
@@ -226,7 +226,7 @@ class Field:
 
     @cached_property
     def groups(self) -> tuple[Group, ...]:
-        """The other parameters."""
+        """The parameters that may be absent."""
         return tuple(groups(self.parameters[len(self.always) :], 0 if self.selector else len(self.always)))
 
     @property

@@ -102,8 +102,8 @@ class Model:
     def sizes(self, f: Field) -> range:
         """Returns the sizes of data with which the descriptor has this layout, given its constants.
 
-        Of several layouts whose constants fit, it is the longest that fits into the data, else the shortest; of equal
-        ones, the first.
+        Of several layouts whose constants match, the longest that fits into the data applies, else the shortest; of
+        equal ones, the first.
         """
         others = [g.min_size for g in self.layouts(f) if set(g.signature) <= set(f.signature)]
         first = f.min_size if min(others) < f.min_size else 0

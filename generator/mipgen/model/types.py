@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """The place in a manual that states a fact, and the field length printed there."""
+    """The section of a manual that states a fact, and the field length printed there."""
 
     manual: str
     section: Prose
@@ -69,7 +69,7 @@ class _Type:
 
     @property
     def full_name(self: _Owned) -> str:
-        """The name after that of the set or family that defines it, if one does: "sensor.status"."""
+        """The name, prefixed with the set or family that defines it, if one does: "sensor.status"."""
         return f"{self.owner}.{self.name}" if self.owner else self.name
 
 
@@ -153,7 +153,7 @@ class Vector(_Type):
 
     @property
     def owner(self) -> None:
-        """No set: vectors belong to all. Nor do they have sources, or a place in a file."""
+        """None: vectors belong to no set. They also have no sources and no position in a file."""
 
     @property
     def position(self) -> None: ...
@@ -186,7 +186,7 @@ class Struct(_Type):
 
     @property
     def groups(self) -> tuple[Group, ...]:
-        """None: see those of a field."""
+        """Empty: in a structure, no parameters may be absent."""
         return ()
 
     @property
@@ -228,5 +228,5 @@ class Function:
 
 
 def letters(functions: Iterable[Function]) -> str:
-    """Functions as the specification writes them: "WRSLD"."""
+    """Writes functions as letters, as the specification does: "WRSLD"."""
     return "".join(f.letter for f in functions)

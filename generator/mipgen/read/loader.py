@@ -240,7 +240,7 @@ def _fault_of_value(error: Any) -> str:
             known = [str(x) for x in rule]
             return f" must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
         case "const":
-            return f" must be {_shown(rule)}, or be left out, not {_shown(instance)}"
+            return f" must be {_shown(rule)}, or be omitted, not {_shown(instance)}"
         case "pattern":
             return f" must be {_form(schema) or rule}, not {_shown(instance)}{strange(instance)}"
         case "minimum" | "exclusiveMinimum" | "maximum":

@@ -193,7 +193,7 @@ class _Reader:
         return node
 
     def check(self, text: str) -> None:
-        """Reports what some language rejects even in comments: all control characters except line breaks."""
+        """Reports control characters except line breaks, which some languages reject even in comments."""
         if not text.isprintable():
             for sign in sorted({c for c in text if c != "\n" and unicodedata.category(c) in _CONTROLS}):
                 name = unicodedata.name(sign, "a control character").lower()
@@ -253,7 +253,7 @@ def _scalar(text: str) -> Any:
 
 
 def _rewritten(text: str) -> str | None:
-    """Returns the right form of a number that programs read differently, or not as a number; None if it is unambiguous.
+    """Returns an unambiguous form of a number that programs read in different ways; None if it already has one.
 
     >>> [_rewritten(t) for t in ("0211", "0o17", "1_000", ".5", "1.", "+7", "-007.50", "0X1F", "0b11")]
     ['211 or 0x211', '15', '1000', '0.5', '1', '7', '-7.50', '0x1F', '3']

@@ -62,9 +62,9 @@ class SpecError(Failure):
 
 
 def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:
-    """The remedy for an unknown word: the word that was probably meant, else all known words.
+    """Writes the remedy for an unknown word: the word that was probably meant, else all known words.
 
-    `guess`: suggest a similar word.
+    With `guess`, a similar word is suggested.
 
     >>> nearest("discription", ["description", "title"])
     ", did you mean 'description'?"

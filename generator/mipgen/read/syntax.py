@@ -17,7 +17,7 @@ LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 class Fault(NamedTuple):
-    """Line and column, from 0, and the fault there."""
+    """A fault, with its line and column, which count from 0."""
 
     line: int
     column: int

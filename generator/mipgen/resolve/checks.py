@@ -68,7 +68,7 @@ def check_evidence(model: m.Model, problems: Problems) -> None:
 def fields(model: m.Model, problems: Problems) -> None:
     """Requires at least one field: pages and packages begin with one."""
     if not model.fields:
-        problems.add(model.protocol.acknowledge.position, "no set has a field; write one, in a file of sets/")
+        problems.add(model.protocol.acknowledge.position, "no set contains a field; add one to a file in sets/")
 
 
 def fields_of(model: m.Model, problems: Problems) -> None:
@@ -110,7 +110,7 @@ def descriptors(model: m.Model, problems: Problems) -> None:
             if other is None:
                 layouts.append(f)
                 continue
-            apart = ", or a const or a fixed size that tells the layouts apart" if f.role != m.COMMAND else ""
+            apart = ", or a const or a fixed size that distinguishes the layouts" if f.role != m.COMMAND else ""
             problems.add(
                 f.position,
                 f"'{f.name}' has the descriptor 0x{f.descriptor:02X} of '{other.name}'; give it another{apart}",
@@ -132,8 +132,8 @@ def _descriptor_range(s: m.Family, f: m.Field | m.Named, problems: Problems) -> 
 
 
 def _told_apart(a: m.Field, b: m.Field) -> bool:
-    """True if layouts are distinguished: by a constant that differs, or that only the first has, which is tried first;
-    or, with the same constants, by their sizes. A command has one layout."""
+    """True if layouts can be distinguished: by a constant that differs, or that only the first one contains, which is
+    tried first; or, with the same constants, by their sizes. A command has one layout."""
     if m.COMMAND in (a.role, b.role):
         return False
     mine = {(at, len(constant)): constant for at, constant in a.signature}
@@ -196,7 +196,7 @@ def words(model: m.Model, problems: Problems) -> None:
             if place is not None and not any(PurePath(place.file).is_relative_to(folder) for folder in folders):
                 continue
             right = usual[match[1]]
-            problems.add(place, f"the name '{name}': the vocabulary has '{right}' for '{match[1]}'; write '{right}'")
+            problems.add(place, f"the name '{name}': the vocabulary uses '{right}' for '{match[1]}'; write '{right}'")
 
 
 def package(model: m.Model, problems: Problems) -> None:
@@ -252,7 +252,7 @@ def _unfit(role: str, name: str, types: tuple[str, ...], words: str, model: m.Mo
         names = {x.full_name for x in model.fields if x.role == m.COMMAND}
         return f"`{role}`: no command '{name}'{nearest(name, names)}"
     if tuple(_type(p) for p in f.calls[0].required) != types:
-        return f"`{role}`: '{name}' must take {words}"
+        return f"`{role}`: '{name}' must accept {words}"
     if role in ANSWERS and not _answers(role, model.responses(f), session):
         return f"`{role}`: '{name}' must have one response, with {ANSWERS[role]}"
     return None
@@ -347,7 +347,7 @@ def bitfields(model: m.Model, problems: Problems) -> None:
                     problems.add(
                         b.position,
                         f"'{t.name}': {v.name} = {v.value} of '{b.enum.name if b.enum else ''}' "
-                        f"does not fit in {b.name}, which holds 0 to {b.mask >> b.first}",
+                        f"does not fit in {b.name}, whose range is 0 to {b.mask >> b.first}",
                     )
                     break
 
@@ -366,7 +366,7 @@ def replies(model: m.Model, problems: Problems) -> None:
                 f.position, f"'{f.name}' can be read, but has no response; add one, or remove R from functions"
             )
         if f.responses and not reads:
-            problems.add(f.position, f"'{f.name}' has a response, but no function asks for it; add R to functions")
+            problems.add(f.position, f"'{f.name}' has a response, but no function requests it; add R to functions")
 
 
 def _parameters(model: m.Model) -> Iterator[m.Parameter]:

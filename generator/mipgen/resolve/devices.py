@@ -349,7 +349,7 @@ class _Device:
     # ----------------------------------------------------------------------- what differs
 
     def check_varies(self, supports: tuple[m.Support, ...]) -> None:
-        """Requires that variations are of supported fields, and that parameters which vary by device have one."""
+        """Requires that variations are for supported fields, and that parameters which vary by device have one."""
         fields = [f for s in supports for f in (s.field, *self.model.responses(s.field))]
         told = {s.field.full_name for s in supports if s.evidence.kind != "listed"}  # a list has no readings
         untold = {

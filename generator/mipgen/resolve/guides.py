@@ -240,7 +240,7 @@ class _Guide:
         if before is None or after is None:
             return None
         if before is after:
-            self.problems.add(node["to"].position, f"'{after.id}' is also the device in 'from'; name a different one")
+            self.problems.add(node["to"].position, f"'{after.id}' is also the device in 'from'; choose a different one")
         changes = tuple(
             Change(self.those(n, "fields", before), self.those(n, "by", after), n.scalar("note", ""))
             for n in node["changes"]

@@ -17,7 +17,7 @@ from mipgen.read.problems import Problems, nearest
 TAKEN = ("generation", "description", "ack_codes", "incomplete", "uncertain")
 #: Keys that are inherited entry by entry: by the name of a field, a parameter or a set.
 KEYED = ("functions", "deprecated", "firmware", "varies", "base_rates")
-#: The same for lists, by the name of each entry.
+#: Keys of lists that are inherited entry by entry: by the name of each entry.
 NAMED = ("ports", "limits", "notes")
 
 
@@ -182,7 +182,8 @@ class _Heir:
         return replace(group, value={**kept, "kind": kind, "of": replace(name, value=[name])})
 
     def check_new(self, full: str, entry: Node, lacked: set[str], kind: str) -> None:
-        """Requires a statement stronger than the inherited one, or contrary. A device's own list may repeat it."""
+        """Requires a statement that is stronger than the inherited one, or contradicts it. A device's own list may
+        repeat it."""
         inherited = self.kinds.get(full)
         if inherited is None or full in lacked or (inherited == "refused") != (kind == "refused") or kind == "listed":
             return
@@ -232,7 +233,7 @@ class _Heir:
         return self.listed(key, [*kept, *(x for x in own if x not in kept)])
 
     def without(self, key: str, known: list[str]) -> set[str]:
-        """Names of the entries that are not inherited."""
+        """Returns the names of the entries that are not inherited."""
         lists = self.own.get("without")
         entries = list(lists[key]) if lists is not None and key in lists else []
         for entry in entries:

@@ -362,7 +362,9 @@ class Layout:
             for p in group.parameters:
                 if p.required_for != first.required_for or p.optional != first.optional:
                     what = f"all from '{first.name}' to '{last.name}'"
-                    self.problem(p.position, f"a counter and its array come together; give {what} the same 'for'")
+                    self.problem(
+                        p.position, f"a counter and its array must be present together; give {what} the same 'for'"
+                    )
                     break
 
     def check_size(self) -> None:

@@ -221,7 +221,7 @@ def _barrier(node: Node, model: m.Model, problems: Problems) -> tuple[int, int]:
         names = {x.full_name for x in model.fields if x.role == m.COMMAND}
         problems.add(node.position, f"no command '{node.value}'{nearest(node.value, names)}")
     elif f.parameters or f.responses:
-        problems.add(node.position, f"'{f.full_name}' has parameters or a response; name a command that has neither")
+        problems.add(node.position, f"'{f.full_name}' has parameters or a response; choose a command with neither")
     else:
         return f.set, f.descriptor
     return 0, 0

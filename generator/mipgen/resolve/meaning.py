@@ -302,7 +302,7 @@ class _Default:
                 if not isinstance(value, str) or not re.fullmatch(f"[0-9A-Fa-f]{{{2 * element.size}}}", value):
                     self.wrong(node, f"{2 * element.size} hexadecimal digits in quotes")
             case _:
-                self.wrong(node, "left out: a structure, a union or a wide bitfield has none")
+                self.wrong(node, "omitted: a structure, a union or a wide bitfield has none")
 
     def vector(self, node: Node, vector: m.Vector) -> None:
         if isinstance(node.value, list) and len(node.value) == len(vector.elements):
@@ -394,7 +394,7 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
         if other.element is not m.SCALARS["bool"] or other.length is not None:
             problem(
                 node.position,
-                f"'{flags}' is not a bool, so it cannot mark '{p.name}' as valid; name a bool, or a bit: a.b",
+                f"'{flags}' is not a bool, so it cannot mark '{p.name}' as valid; use a bool, or a bit: a.b",
             )
         return
     known = bits(other)

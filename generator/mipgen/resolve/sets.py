@@ -356,8 +356,8 @@ def _first(node: Node) -> int:
 
 @dataclass(frozen=True, slots=True)
 class _Places:
-    """The sets in which the fields of a family occur: its only set; or of several sets those with `every_field`, and
-    those that a field lists."""
+    """The sets in which the fields of a family occur: its only set, or those with `every_field` and those that a field
+    lists."""
 
     several: bool
     sets: tuple[m.Set, ...]

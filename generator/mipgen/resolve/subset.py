@@ -54,7 +54,7 @@ def _set_name(model: m.Model, word: str) -> str:
 
 
 def left_out(whole: m.Model, part: m.Model) -> str:
-    """Lists what was left out, in one line."""
+    """Lists what was omitted, on one line."""
     counts = [
         (len(whole.fields) - len(part.fields), "fields"),
         (len(whole.sets) - len(part.sets), "sets"),
@@ -118,7 +118,7 @@ def _meant(model: m.Model, word: str) -> list[str]:
 
 
 def _asked(model: m.Model, selection: Selection) -> dict[str, m.Field]:
-    """Returns the fields selected by name, by set or by device, in the sets in which they are; responses follow their
+    """Returns the fields selected by name, by set or by device, in the sets in which they occur; responses follow their
     commands. Shared fields belong to every data set, so any data field selects them.
     """
     every = not (selection.sets or selection.fields)
@@ -214,7 +214,7 @@ def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> 
 
 
 def _narrowed(f: m.Field, devices: set[str], names: Container[str]) -> m.Field:
-    """Returns the field without the differences on other devices, and without responses that are left out."""
+    """Returns the field without the differences on other devices, and without omitted responses."""
     parameters = tuple(
         replace(p, variants=tuple(v for v in p.variants if not v.by_device or v.key in devices)) for p in f.parameters
     )

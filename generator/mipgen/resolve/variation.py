@@ -21,7 +21,7 @@ from . import meaning
 from .meaning import Problem
 from .vocabulary import Vocabulary
 
-#: Instead of a difference: the values are unknown.
+#: The keyword for a variant whose values are unknown.
 UNKNOWN = "unknown"
 
 

@@ -46,7 +46,7 @@ def short_name(node: Node, name: str, problems: Problems) -> str | None:
 def sources(
     node: Node, vocabulary: Vocabulary, problems: Problems, key: str = "sources", heading: str | None = None
 ) -> tuple[m.Source, ...]:
-    """Returns the `sources` of a node; those of a field may leave out the section if it is this heading."""
+    """Returns the `sources` of a node; those of a field may omit the section if it is this heading."""
     cited = []
     for entry in node.get(key) or ():
         manual, section = meaning.citation(entry, vocabulary.manuals, problems.add, heading)
