@@ -143,7 +143,8 @@ def _valid(p: m.Parameter, record: Sequence[m.Parameter], index: int) -> frozens
 
 
 class Reader:
-    """Converts a witness to leaves. Manuals use structures that only another witness defines, so it searches all."""
+    """Converts layouts of witnesses to leaves. It knows the types of all, as manuals use types that only others
+    define."""
 
     def __init__(self, witnesses: Iterable[dict[str, Any]]) -> None:
         self.vectors: dict[str, Any] = {}

@@ -100,7 +100,7 @@ def revision(folder: Path) -> dict[str, str]:
 
 _SOURCE = {"name": "MicroStrain MIP SDK", "repository": "github.com/HBK-MicroStrain/mip_sdk", "licence": "MIT"}
 
-#: Matches the constants of the descriptor sets of further receivers.
+#: Matches the descriptor set constants of further receivers.
 _GNSS = re.compile(r"MIP_GNSS\d_DATA_DESC_SET").match
 
 #: The only structure outside of the definitions.

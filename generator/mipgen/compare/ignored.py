@@ -71,7 +71,7 @@ def _entry(node: Node, problems: Problems) -> Entry | None:
 
 
 def without(report: Report, listed: list[Entry]) -> Report:
-    """Separates these changes in the report; raises SpecError if an entry matches no change."""
+    """Moves these changes to the ignored ones of the report; raises SpecError if an entry matches no change."""
     problems = Problems()
     for entry in listed:
         if not any(map(entry.ignores, report.changes)):

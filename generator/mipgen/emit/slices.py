@@ -74,7 +74,7 @@ class Part:
 
 
 def _plain(value: Any) -> Any:
-    """Reduces positions to files, because no output contains lines; writes numbers as text, because 1 == 1.0."""
+    """Reduces positions to files, because no output contains line numbers; writes numbers as text, because 1 == 1.0."""
     return value.file if value.__class__ is m.Position else (repr(value),)
 
 

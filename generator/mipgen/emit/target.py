@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = ["OPERATIONS", "File", "Grammar", "Identifier", "Target", "WrongTarget"]
 
-#: Abilities that the driver of a target may have.
+#: Operations that the driver of a target may offer.
 OPERATIONS = ("parse", "decode", "encode", "client", "live")
 
 

@@ -83,7 +83,7 @@ class _Compiled(jinja2.BytecodeCache):
 
 def _piece(macro: Any, thing: object, *texts: str) -> str:
     """Renders an object of the model, and texts, with a macro, and keeps the result for the next run. Templates call
-    other macros themselves: `slices.piece` states what may be kept."""
+    macros whose results cannot be kept directly: see `slices.piece`."""
     return slices.piece(" ".join([macro.name, *texts]), macro, thing, *texts)
 
 

@@ -61,7 +61,7 @@ def why(e: m.Evidence, model: m.Model) -> str:
 
 
 def known(d: m.Device) -> str:
-    """Summarizes the knowledge about a device in one line: "3dm-gq7: 69 certain, 101 probable; there may be more"."""
+    """Summarizes the knowledge about a device on one line: "3dm-gq7: 69 certain, 101 probable; there may be more"."""
     counts = [(len(d.certain), "certain"), (len(d.probable), "probable"), (len(d.refuses), "refused")]
     said = ", ".join(f"{n} {what}" for n, what in counts if n) or "nothing is known"
     return f"{d.id}: {said}{'; there may be more' if d.incomplete else ''}"

@@ -28,7 +28,7 @@ class Program(Protocol):
 class Statements(ABC):
     samples: SampleValues
 
-    #: The beginning of a comment.
+    #: The characters that begin a comment.
     remark: ClassVar[str] = "//"
 
     @abstractmethod

@@ -9,7 +9,7 @@ from mipgen import model as m
 
 @dataclass(frozen=True, slots=True)
 class Rate:
-    """A command that reads a base rate, its response, and the parameter of the response in Hz."""
+    """A command that reads a base rate, its response, and the response's parameter that contains the rate in Hz."""
 
     command: m.Field
     response: m.Field

@@ -12,7 +12,7 @@ from .fields import Field, Set
 from .parameters import Parameter, Variant
 from .types import Function, Source
 
-#: Whether a device supports a field; without a source, that is unknown.
+#: Answers to whether a device supports a field; without a source, that is unknown.
 Answer = Literal["yes", "probable", "no", "unknown"]
 
 #: The kinds of evidence, strongest first, and what each states about the fields that it names.

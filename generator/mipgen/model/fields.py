@@ -69,7 +69,7 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A condition: a parameter of the command has this value, or another command last set its parameter to it."""
+    """A condition: a parameter of this command, or the setting of another command, has this value."""
 
     parameter: str
     value: int
@@ -215,7 +215,7 @@ class Field:
 
     @property
     def counted(self) -> tuple[Parameter, ...]:
-        """The parameters that a number of present parameters counts: all except the selector."""
+        """The parameters that are counted in a number of present parameters: all except the selector."""
         return tuple(p for p in self.parameters if not p.selector)
 
     @cached_property

@@ -73,7 +73,7 @@ class Sequence:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """The replacement on another device for fields of one device."""
+    """Fields of one device, and their replacement on another."""
 
     fields: tuple[Field, ...]
     by: tuple[Field, ...]

@@ -50,8 +50,7 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """The source of the values of a data field or a response: in all its sets without a source of their own, or
-    in one."""
+    """The source of the values of a data field or a response, in one set or in all sets without their own source."""
 
     field: Field
     set: int | None

@@ -1,4 +1,4 @@
-"""Types: numbers, enumerations, bitfields, vectors and structures; and where a fact comes from."""
+"""Types: numbers, enumerations, bitfields, vectors and structures; and the source of a fact."""
 
 from __future__ import annotations
 

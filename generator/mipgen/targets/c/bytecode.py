@@ -161,7 +161,7 @@ def _source(steps: Sequence[Step | Numbers | Part], far: bool) -> tuple[list[str
 
 
 def _joined(steps: Sequence[Step | Numbers | Part]) -> list[Step | Numbers | Part]:
-    """Joins adjacent numbers of the same kind to one step."""
+    """Joins adjacent numbers of the same kind into one step."""
     joined: list[Step | Numbers | Part] = []
     for s in steps:
         last = joined[-1] if joined else None

@@ -176,7 +176,7 @@ def _values(p: m.Parameter) -> list[str]:
 
 
 def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:
-    """Joins texts and facts to one paragraph; each note is a paragraph of its own."""
+    """Joins texts and facts into one paragraph; each note is a paragraph of its own."""
     notes = describe.topics(facts, "note")
     first = " ".join([*texts, *said(f for f in facts if f not in notes)])
     return [*([first] if first else []), *said(notes)]

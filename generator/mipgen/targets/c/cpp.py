@@ -43,7 +43,7 @@ def in_bytes(t: m.Type) -> bool:
 
 
 def named(e: m.Scalar | m.Type | None) -> bool:
-    """True for an `enum class`."""
+    """True for a type that is an `enum class` in C++."""
     return isinstance(e, m.Enum) or (isinstance(e, m.Bitfield) and e.scalar is not None)
 
 

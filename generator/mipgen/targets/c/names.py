@@ -87,5 +87,5 @@ def c_type(e: m.Scalar | m.Type) -> str:
 
 
 def is_struct(e: m.Scalar | m.Type) -> bool:
-    """Is one item a structure in C, which is passed by its address?"""
+    """Is one item a C structure, which is passed by address?"""
     return c_type(e).startswith("struct ")

@@ -65,8 +65,7 @@ def kinds(model: m.Model) -> list[tuple[int, str, tuple[m.Field, ...]]]:
 
 
 def first(fields: Sequence[m.Field]) -> m.Field:
-    """Returns the layout that names a descriptor: the first in the specification; `fields` are in the order of
-    choice."""
+    """Returns the layout that names a descriptor: the first in the specification; `fields` are in another order."""
     return min(fields, key=lambda f: f.position or ())
 
 

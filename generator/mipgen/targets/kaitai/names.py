@@ -1,4 +1,4 @@
-"""Identifiers: the words of the specification, with those escaped that Kaitai or a language it compiles to reserves."""
+"""Identifiers: the words of the specification, escaped if Kaitai or one of its target languages reserves them."""
 
 from __future__ import annotations
 

@@ -122,7 +122,7 @@ def contents(page: Page, s: m.Set, listed: bool = True) -> str:
 
 
 def _listed_in(model: m.Model, f: m.Field, s: m.Set) -> bool:
-    """True if a device supports the field in this set, at least probably. A model without devices counts as support."""
+    """True if a device certainly or probably supports the field in this set, or if the model has no devices."""
     has = any(model.devices_of(f, certain, s.number) for certain in (True, False))
     return has or not model.devices
 

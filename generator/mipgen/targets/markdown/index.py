@@ -85,8 +85,8 @@ class Index:
         return list({x.id: x for x in self._examples.get(f.full_name, ())}.values())
 
     def shown(self, x: m.Example, part: m.ExampleField) -> list[str]:
-        """Returns the names of the fields that a part of an example shows: itself, or what an acknowledge replies
-        to."""
+        """Returns the names of the fields that a part of an example shows: its own, or the commands that it
+        acknowledges."""
         if part.field != self.model.protocol.acknowledge.full_name or not part.data:
             f = self.model.field(part.field) if part.field else None
             return [f.full_name] if f else []

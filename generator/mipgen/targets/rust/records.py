@@ -119,7 +119,7 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """A conversion from one named type to another that it is read as."""
+    """A conversion from one named type to another, as which its values can be read."""
 
     of: m.Enum | m.Bitfield
     to: m.Enum | m.Bitfield
@@ -315,18 +315,18 @@ def _parts(parameters: Iterable[m.Parameter]) -> Iterator[m.Parameter]:
 
 
 def is_sequence(record: m.Record) -> bool:
-    """Does its wire format consist of its members only, one after another?"""
+    """Does its wire format consist only of its members, in order?"""
     return not is_special(record) and all(member(p.name) == p.name for p in record.parameters)
 
 
 def is_special(record: m.Record) -> bool:
-    """Does its wire format have more than its members, or not always all of them?"""
+    """Does its wire format contain more than its members, or sometimes not all of them?"""
     special = any(p.kind in ("constant", "counter", "switch") or p.selector for p in record.parameters)
     return special or bool(record.groups)
 
 
 def when(group: m.Group, record: m.Field) -> str:
-    """Writes for which functions a group must be present, or that it is optional."""
+    """Writes which functions require a group, or that it is optional."""
     required = record.counted[group.first - 1].required_for
     return f"for {constants(required)}" if required else "optional"
 

@@ -1,4 +1,4 @@
-"""Rows of the tables of fields and devices, and the literals in them."""
+"""Rows of the field and device tables, and the literals in them."""
 
 from __future__ import annotations
 
