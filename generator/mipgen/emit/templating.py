@@ -82,8 +82,8 @@ class _Compiled(jinja2.BytecodeCache):
 
 
 def _piece(macro: Any, thing: object, *texts: str) -> str:
-    """Renders an object of the model, and texts, with a macro, and keeps the result for the next run. Templates call
-    macros whose results cannot be kept directly: see `slices.piece`."""
+    """Renders an object of the model, and texts, with a macro, and keeps the result for the next run. Other macros are
+    called without this filter: `slices.piece` states what may be kept."""
     return slices.piece(" ".join([macro.name, *texts]), macro, thing, *texts)
 
 
