@@ -12,6 +12,7 @@ HERE = Path(__file__).parent
 COUNTS = HERE / "counts.txt"
 PAGE = HERE.parents[1] / "docs/proofs.md"
 BEGIN, END = "<!-- written by make fuzz -->", "<!-- end of fuzzing -->"
+LANGUAGES = ["C", "Rust", "Python", "JavaScript"]
 
 Line = tuple[str, str, str, int]  # target, revision, date, executions
 
@@ -34,20 +35,23 @@ def add(target: str, count: int) -> None:
         PAGE.write_text(page(PAGE.read_text("utf-8")), "utf-8")
 
 
-def language(target: str) -> str:
-    names = {"rust": "Rust", "python": "Python", "javascript": "JavaScript", "differential": "all compared"}
-    return names.get(target.partition("-")[0], "C")
+def languages(target: str) -> list[str]:
+    """Those that run an input of a target."""
+    first = target.partition("-")[0]
+    return {"differential": LANGUAGES, "rust": ["Rust"], "python": ["Python"]}.get(first, ["C"])
 
 
 def page(text: str) -> str:
-    """The page with the table."""
-    rows = ["| Language | Target | Executions | Last run | Revision |", "|---|---|---:|---|---|"]
-    last = {target: (date, revision) for target, revision, date, _ in lines()}
-    totals = dict.fromkeys(map(language, sorted(last, key=language)), 0)
-    for target, (date, revision) in sorted(last.items(), key=lambda item: (language(item[0]), item[0])):
-        total = sum(count for name, _, _, count in lines() if name == target)
-        totals[language(target)] += total
-        rows.append(f"| {language(target)} | `{target}` | {total:,} | {date} | {revision} |")
-    rows += [f"| **{name}** | | **{total:,}** | | |" for name, total in totals.items()]
-    before, _, rest = text.partition(BEGIN)
-    return before + BEGIN + "\n\n" + "\n".join(rows) + "\n\n" + END + rest.partition(END)[2]
+    """The page with the tables."""
+    totals, rows = dict.fromkeys(LANGUAGES, 0), {}
+    for target, revision, date, count in lines():  # the last line of a target is that of its last run
+        before = rows.get(target, (0,))[0]
+        rows[target] = (before + count, date, revision)
+        for name in languages(target):
+            totals[name] += count
+    shown = ["| Target | Executions | Last run | Revision |", "|---|---:|---|---|"]
+    shown += [f"| `{name}` | {count:,} | {date} | {revision} |" for name, (count, date, revision) in rows.items()]
+    shown += ["", "| Language | Executions, each with those of `differential` |", "|---|---:|"]
+    shown += [f"| {name} | {count:,} |" for name, count in totals.items()]
+    head, _, rest = text.partition(BEGIN)
+    return head + BEGIN + "\n\n" + "\n".join(shown) + "\n\n" + END + rest.partition(END)[2]

@@ -1,4 +1,4 @@
-"""`make fuzz TARGETS=differential`: the bindings of all languages answer the same requests with the same answers.
+"""`make fuzz TARGETS=differential-values`: the bindings of all languages give the same answers to the same requests.
 
 The requests are those of the conformance suite. They are made of the inputs that C and Rust are fuzzed with, changed at
 random: streams in pieces, and fields and payloads as packets. Those of clients are steps drawn at random.

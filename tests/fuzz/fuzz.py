@@ -5,8 +5,9 @@
 The targets of C are in tests/c/fuzz, those of Rust in tests/rust/fuzz. Inputs of one source have the same form in both
 languages, and each language begins with what was found in the other one. An input that fails is shown as hexadecimal:
 after the repair, add it to corpus/, as a line of its own. `…-random` changes the known inputs at random, which is much
-faster, because nothing observes which code they reach. Python (tests/python/fuzz.py, with Atheris) and the comparison
-of all languages (differential.py) begin with these inputs, too, and keep none. counts.txt has how many inputs were run.
+faster, because nothing observes which code they reach. Python (tests/python/fuzz.py, with Atheris) and the comparisons
+of all languages (streams.py, differential.py) begin with these inputs, too, and keep none. counts.txt has
+how many inputs were run.
 """
 
 from __future__ import annotations
@@ -64,7 +65,7 @@ LIMITS = {"ASAN_OPTIONS": "abort_on_error=1", "UBSAN_OPTIONS": "abort_on_error=1
 
 #: Targets without stored inputs, and the sources of Python's.
 PYTHON = {"python-parser": "parser", "python-fields": "fields"}
-OTHERS = [*RANDOM, *PYTHON, "differential"]
+OTHERS = [*RANDOM, *PYTHON, "differential", "differential-values"]
 ATHERIS = "3.0.0"
 
 FLAGS = ["-std=c99", "-g", "-O1", "-fsanitize=fuzzer-no-link,address,undefined", "-fno-sanitize-recover=all"]
@@ -73,8 +74,10 @@ LARGEST = {"parser": 800, "fields": 260, "client": 400}  # bytes of an input, so
 #: The options of clang's fuzzer-no-link, in the form that Rust's stable compiler accepts; clang links libFuzzer.
 COVERAGE = ["level=4", "inline-8bit-counters", "pc-table", "trace-compares"]
 CHECKS = "-Cdebug-assertions"  # and with them, of overflow; as a setting of cargo's profile it would leave these out
-RUSTFLAGS = [CHECKS, "-Cpasses=sancov-module", *(f"-Cllvm-args=-sanitizer-coverage-{flag}" for flag in COVERAGE)]
-RUSTFLAGS += ["-Clinker=clang", "-Clink-arg=-fsanitize=fuzzer"]
+RUSTFLAGS = " ".join([
+    CHECKS, "-Cpasses=sancov-module", *(f"-Cllvm-args=-sanitizer-coverage-{flag}" for flag in COVERAGE),
+    "-Clinker=clang", "-Clink-arg=-fsanitize=fuzzer",
+])  # fmt: skip
 
 
 def begin(name: str) -> list[bytes]:
@@ -102,7 +105,7 @@ def keep(name: str, inputs: list[bytes]) -> None:
 def build(name: str, program: Path) -> Path:
     language, source, spec = TARGETS[name]
     if language == "rust":
-        return build_rust(source, spec, program, "libfuzzer", RUSTFLAGS=" ".join(RUSTFLAGS))
+        return build_rust(source, spec, program, "libfuzzer", RUSTFLAGS)
     library = c_build.archive(spec, "clang", *FLAGS)
     path = TESTS / f"c/fuzz/{source}.c"
     return c_build.compiled(program, spec, "clang", path, *FLAGS, "-fsanitize=fuzzer", library=library)
@@ -111,8 +114,7 @@ def build(name: str, program: Path) -> Path:
 def build_replay(name: str, program: Path, flags: list[str]) -> Path:
     language, source, spec = TARGETS[name]
     if language == "rust":
-        flags = {"RUSTFLAGS": CHECKS, "CARGO_PROFILE_RELEASE_PANIC": "unwind"}
-        return build_rust(source, spec, program, "replay", **flags)
+        return build_rust(source, spec, program, "replay", CHECKS)
     path = TESTS / "c/fuzz"
     return c_build.compiled(program, spec, "clang", path / f"{source}.c", *flags, also=[path / "replay.c"])
 
@@ -121,11 +123,12 @@ def binary(name: str) -> str:
     return f'[[bin]]\nname = "{name}"\npath = "{TESTS / f"rust/fuzz/{name}.rs"}"\ntest = false\n'
 
 
-def build_rust(source: str, spec: str, program: Path, name: str, **environment: str) -> Path:
+def build_rust(source: str, spec: str, program: Path, name: str, flags: str) -> Path:
     folder = crates.project(spec, name, binary(name))
     machine = crates.passes(folder, "-vV").partition("host: ")[2].split()[0]
     arguments = ("build", "--offline", "--quiet", "--release", "--target", machine)
-    crates.passes(folder, *arguments, TARGET=source, CARGO_PROFILE_RELEASE_LTO="off", **environment)
+    profile = {"CARGO_PROFILE_RELEASE_LTO": "off", "CARGO_PROFILE_RELEASE_PANIC": "unwind"}
+    crates.passes(folder, *arguments, TARGET=source, RUSTFLAGS=flags, **profile)
     shutil.copy2(crates.WORK / f"target/{machine}/release/{name}", program)
     return program
 
@@ -216,9 +219,13 @@ def fuzz_python(name: str, seconds: int) -> Iterator[int]:
 
 
 def compare(name: str, seconds: int, chance: random.Random) -> Iterator[int]:
-    import differential  # it needs this module itself
+    import differential  # they need this module itself
+    import streams
 
-    yield differential.Session(str(chance.random())).run(seconds)
+    if name == "differential":
+        yield from streams.Session("real", empty(name)).run(seconds, chance)
+    else:
+        yield differential.Session(str(chance.random())).run(seconds)
 
 
 def run_target(name: str, seconds: int, chance: random.Random) -> Iterator[int]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import sys
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import counts
 import differential
 import fuzz
 import pytest
+import streams
 import support
 from support import SEED, Driver, heavy, rounds
 
@@ -53,6 +55,37 @@ def test_what_a_driver_does_not_offer_is_not_asked() -> None:
 def test_all_languages_give_the_same_answers(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(differential, "BATCH", rounds(300, 4000))
     assert differential.Session(str(SEED)).run(0.01) >= 300
+
+
+@heavy("an optimized Rust crate")
+def test_all_languages_find_the_same_in_streams(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(streams, "BATCH", rounds(1000, 100_000))
+    session = streams.Session("invented", tmp_path)
+    assert all(count > streams.BATCH for count in islice(session.run(3600, random.Random(SEED)), 2))
+    right = (streams.TESTS / "python/answers.py").read_text("utf-8")
+    encoded, wrong = "value.encode().hex()", tmp_path / "answers.py"
+    session.commands["python"][-1] = wrong
+    for other, shown in {
+        f"{encoded}.replace('ff', 'fe')": ".*=.*fe.*",
+        f"{encoded} if 0x47 not in raw.data else sys.exit('no')": "ended: no",
+    }.items():
+        wrong.write_text(right.replace(encoded, other))
+        found = rf"^\d+ [0-9a-f]*(ff|47)[0-9a-f]*\nc: (.*)\npython: {shown}\nrust: \2\njavascript: \2$"
+        with pytest.raises(SystemExit, match=found):
+            list(session.run(3600, random.Random(SEED)))
+
+
+def test_the_first_stream_with_different_answers_is_shown() -> None:
+    asked, same = [b"0 75", b"0 65", b"0 66"], [b"1", b"2", b"3"]
+    streams.different(asked, {"c": same, "rust": same})
+    for other, shown in (
+        ([b"1", b"4", b"5"], "0 65\nc: 2\nrust: 4"),
+        ([b"1", b"ended: signal"], "0 65\nc: 2\nrust: ended: signal"),
+        ([b"1"], "0 65\nc: 2\nrust: nothing"),
+        ([b"1", b"2", b"3", b"4"], "nothing\nc: nothing\nrust: 4"),
+    ):
+        with pytest.raises(SystemExit, match=f"^{shown}$"):
+            streams.different(asked, {"c": same, "rust": other})
 
 
 def test_inputs_become_requests() -> None:

@@ -49,7 +49,8 @@ def test_all_targets_are_replayed() -> None:
 @pytest.mark.parametrize("name", fuzz.RUST)
 def test_libfuzzer(name: str, tmp_path: Path) -> None:
     """Runs briefly what `make fuzz` builds, with the small specification: it sees which code an input reaches."""
-    program = fuzz.build_rust(fuzz.TARGETS[name].source, "invented", tmp_path / "program", "libfuzzer")
+    source = fuzz.TARGETS[name].source
+    program = fuzz.build_rust(source, "invented", tmp_path / "program", "libfuzzer", fuzz.RUSTFLAGS)
     kept = fuzz.write(tmp_path / "kept", fuzz.known(name))
     done = subprocess.run([str(program), "-runs=2000", str(kept)], capture_output=True, text=True)
     assert done.returncode == 0 and "Done 2000 runs" in done.stderr, done.stderr[-6000:]
