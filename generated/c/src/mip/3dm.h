@@ -3,7 +3,7 @@
  *
  * 3DM (0x0C). Commands that set up the sensors, the outputs, the pins and the events of a device.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_3DM_H
 #define MIP_3DM_H
@@ -891,8 +891,8 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
  */
 struct mip_3dm_imu_message_format {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1028,8 +1028,8 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
  */
 struct mip_3dm_gnss_message_format {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1172,8 +1172,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
  */
 struct mip_3dm_filter_message_format {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1387,8 +1387,8 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode
  */
 struct mip_3dm_nmea_message_format {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1685,8 +1685,8 @@ MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
  */
 struct mip_3dm_message_format {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1900,8 +1900,8 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  */
 struct mip_3dm_data_stream_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2180,8 +2180,8 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
  */
 struct mip_3dm_constellation_settings {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2332,8 +2332,8 @@ MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_enco
  */
 struct mip_3dm_gnss_sbas_settings {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2498,8 +2498,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  */
 struct mip_3dm_gnss_assisted_fix {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2643,8 +2643,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
  */
 struct mip_3dm_gnss_time_assistance {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2766,8 +2766,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode
  */
 struct mip_3dm_pps_source_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3000,8 +3000,8 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_support_response_encode(
  */
 struct mip_3dm_event_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3372,8 +3372,8 @@ union mip_3dm_event_trigger_config_parameters {
  */
 struct mip_3dm_event_trigger_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3576,8 +3576,8 @@ union mip_3dm_event_action_config_parameters {
  */
 struct mip_3dm_event_action_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3847,8 +3847,8 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  */
 struct mip_3dm_sensor_to_vehicle_transform_euler {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4007,8 +4007,8 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_re
  */
 struct mip_3dm_sensor_to_vehicle_transform_quaternion {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4165,8 +4165,8 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaterni
  */
 struct mip_3dm_sensor_to_vehicle_transform_dcm {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4309,8 +4309,8 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_resp
  */
 struct mip_3dm_gps_dynamics_mode {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4446,8 +4446,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
  */
 struct mip_3dm_imu_signal_conditioning {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4648,8 +4648,8 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_enc
  */
 struct mip_3dm_imu_timestamp {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4765,8 +4765,8 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode(
  */
 struct mip_3dm_accel_bias {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4918,8 +4918,8 @@ MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
  */
 struct mip_3dm_gyro_bias {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5136,8 +5136,8 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  */
 struct mip_3dm_mag_hard_iron_offset {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5295,8 +5295,8 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode
  */
 struct mip_3dm_mag_soft_iron_matrix {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5444,8 +5444,8 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode
  */
 struct mip_3dm_coning_sculling_enable {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5579,8 +5579,8 @@ MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_enco
  */
 struct mip_3dm_uart_baud_rate {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5722,8 +5722,8 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
  */
 struct mip_3dm_gpio_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5920,8 +5920,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode(
  */
 struct mip_3dm_gpio_state {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6030,8 +6030,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode(
  */
 struct mip_3dm_odometer_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6192,8 +6192,8 @@ MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
  */
 struct mip_3dm_imu_low_pass_filter {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6407,8 +6407,8 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
  */
 struct mip_3dm_complementary_filter {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6574,8 +6574,8 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode
  */
 struct mip_3dm_sensor_range {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6829,8 +6829,8 @@ MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_respons
  */
 struct mip_3dm_low_pass_filter {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -7022,8 +7022,8 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
  */
 struct mip_3dm_data_stream_format {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -7193,8 +7193,8 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
  */
 struct mip_3dm_device_power_state {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -7503,8 +7503,8 @@ struct mip_3dm_device_status_basic_rq1_imu_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RQ1_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7561,8 +7561,8 @@ struct mip_3dm_device_status_basic_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7617,8 +7617,8 @@ struct mip_3dm_device_status_basic_without_state_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7700,8 +7700,8 @@ struct mip_3dm_device_status_diagnostic_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7799,8 +7799,8 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -7905,8 +7905,8 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8011,8 +8011,8 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8107,8 +8107,8 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8203,8 +8203,8 @@ struct mip_3dm_device_status_diagnostic_imu_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8298,8 +8298,8 @@ struct mip_3dm_device_status_diagnostic_gx4_imu_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8389,8 +8389,8 @@ struct mip_3dm_device_status_diagnostic_rq1_imu_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_IMU_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8452,8 +8452,8 @@ struct mip_3dm_device_status_basic_gx3_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_BASIC_GX3_RESPONSE 0x0C90
 /** Its descriptor. */
@@ -8565,8 +8565,8 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX3_RESPONSE 0x0C90
 /** Its descriptor. */

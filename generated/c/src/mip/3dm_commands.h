@@ -25,7 +25,7 @@ extern MIP_API const struct mip_command mip_3dm_poll_imu_data_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_imu_data_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Poll IMU Data. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Poll IMU Data. */
 static inline mip_error mip_send_3dm_poll_imu_data(struct mip_client *client,
                                                    struct mip_request *request,
                                                    struct mip_builder *packet,
@@ -67,7 +67,7 @@ extern MIP_API const struct mip_command mip_3dm_poll_gnss_data_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_gnss_data_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Poll GNSS Data. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Poll GNSS Data. */
 static inline mip_error mip_send_3dm_poll_gnss_data(struct mip_client *client,
                                                     struct mip_request *request,
                                                     struct mip_builder *packet,
@@ -111,8 +111,8 @@ extern MIP_API const struct mip_command mip_3dm_poll_filter_data_command;
 extern MIP_API const struct mip_exchange mip_3dm_poll_filter_data_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Poll Estimation
- * Filter Data.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Poll Estimation Filter
+ * Data.
  */
 static inline mip_error mip_send_3dm_poll_filter_data(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -153,7 +153,7 @@ extern MIP_API const struct mip_command mip_3dm_poll_nmea_data_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_nmea_data_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Poll NMEA Data. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Poll NMEA Data. */
 static inline mip_error mip_send_3dm_poll_nmea_data(struct mip_client *client,
                                                     struct mip_request *request,
                                                     struct mip_builder *packet,
@@ -195,8 +195,8 @@ extern MIP_API const struct mip_command mip_3dm_get_imu_base_rate_command;
 extern MIP_API const struct mip_exchange mip_3dm_get_imu_base_rate_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMU Data Base
- * Rate. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get IMU Data Base Rate.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_imu_base_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -220,8 +220,8 @@ extern MIP_API const struct mip_command mip_3dm_get_gnss_base_rate_command;
 extern MIP_API const struct mip_exchange mip_3dm_get_gnss_base_rate_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get GNSS Data Base
- * Rate. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get GNSS Data Base Rate.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_gnss_base_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -245,8 +245,8 @@ extern MIP_API const struct mip_command mip_3dm_imu_message_format_command;
 extern MIP_API const struct mip_exchange mip_3dm_imu_message_format_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. IMU Message Format.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. IMU Message Format. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_imu_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -328,8 +328,8 @@ extern MIP_API const struct mip_command mip_3dm_gnss_message_format_command;
 extern MIP_API const struct mip_exchange mip_3dm_gnss_message_format_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Message Format.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS Message Format. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gnss_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -413,9 +413,8 @@ extern MIP_API const struct mip_command mip_3dm_filter_message_format_command;
 extern MIP_API const struct mip_exchange mip_3dm_filter_message_format_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Estimation Filter
- * Message Format. If the command requests the response, it is stored in `response`, which may be
- * NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Estimation Filter Message
+ * Format. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_filter_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -505,7 +504,7 @@ extern MIP_API const struct mip_command mip_3dm_get_filter_base_rate_command;
 extern MIP_API const struct mip_exchange mip_3dm_get_filter_base_rate_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get Estimation Filter
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get Estimation Filter
  * Data Base Rate. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -531,8 +530,8 @@ extern MIP_API const struct mip_command mip_3dm_nmea_message_format_command;
 extern MIP_API const struct mip_exchange mip_3dm_nmea_message_format_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. NMEA Message Format.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. NMEA Message Format. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_nmea_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -614,7 +613,7 @@ extern MIP_API const struct mip_command mip_3dm_poll_data_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_poll_data_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Poll Data. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Poll Data. */
 static inline mip_error mip_send_3dm_poll_data(struct mip_client *client,
                                                struct mip_request *request,
                                                struct mip_builder *packet,
@@ -660,8 +659,8 @@ extern MIP_API const struct mip_command mip_3dm_get_base_rate_command;
 extern MIP_API const struct mip_exchange mip_3dm_get_base_rate_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get Data Base Rate.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get Data Base Rate. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_base_rate(struct mip_client *client,
                                                    struct mip_request *request,
@@ -705,8 +704,8 @@ extern MIP_API const struct mip_command mip_3dm_message_format_command;
 extern MIP_API const struct mip_exchange mip_3dm_message_format_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Message Format. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Message Format. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_message_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -811,9 +810,7 @@ extern MIP_API const struct mip_command mip_3dm_factory_streaming_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_factory_streaming_exchange;
 
-/**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Factory Streaming.
- */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Factory Streaming. */
 static inline mip_error mip_send_3dm_factory_streaming(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_factory_streaming *command, uint32_t now) {
@@ -850,8 +847,8 @@ extern MIP_API const struct mip_command mip_3dm_data_stream_control_command;
 extern MIP_API const struct mip_exchange mip_3dm_data_stream_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Data Stream Control.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Data Stream Control. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_data_stream_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -979,9 +976,7 @@ extern MIP_API const struct mip_command mip_3dm_raw_rtcm_2_3_message_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_raw_rtcm_2_3_message_exchange;
 
-/**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Raw RTCM 2.3 message.
- */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Raw RTCM 2.3 message. */
 static inline mip_error mip_send_3dm_raw_rtcm_2_3_message(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_raw_rtcm_2_3_message *command, uint32_t now) {
@@ -1019,8 +1014,8 @@ extern MIP_API const struct mip_command mip_3dm_constellation_settings_command;
 extern MIP_API const struct mip_exchange mip_3dm_constellation_settings_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Constellation
- * Settings. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Constellation Settings.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_constellation_settings(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1113,8 +1108,8 @@ extern MIP_API const struct mip_command mip_3dm_gnss_sbas_settings_command;
 extern MIP_API const struct mip_exchange mip_3dm_gnss_sbas_settings_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS SBAS Settings.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS SBAS Settings. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gnss_sbas_settings(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1202,8 +1197,8 @@ extern MIP_API const struct mip_command mip_3dm_gnss_assisted_fix_command;
 extern MIP_API const struct mip_exchange mip_3dm_gnss_assisted_fix_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Assisted Fix. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS Assisted Fix. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gnss_assisted_fix(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1279,8 +1274,8 @@ extern MIP_API const struct mip_command mip_3dm_gnss_time_assistance_command;
 extern MIP_API const struct mip_exchange mip_3dm_gnss_time_assistance_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS Time Assistance.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS Time Assistance. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gnss_time_assistance(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1337,8 +1332,8 @@ extern MIP_API const struct mip_command mip_3dm_pps_source_control_command;
 extern MIP_API const struct mip_exchange mip_3dm_pps_source_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. PPS Source Control.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. PPS Source Control. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_pps_source_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1416,8 +1411,8 @@ extern MIP_API const struct mip_command mip_3dm_get_event_support_command;
 extern MIP_API const struct mip_exchange mip_3dm_get_event_support_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get Supported Events.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get Supported Events. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_event_support(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1459,7 +1454,7 @@ extern MIP_API const struct mip_command mip_3dm_event_control_command;
 extern MIP_API const struct mip_exchange mip_3dm_event_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Event Control. If the
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Event Control. If the
  * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_event_control(struct mip_client *client,
@@ -1560,8 +1555,8 @@ extern MIP_API const struct mip_command mip_3dm_get_event_trigger_status_command
 extern MIP_API const struct mip_exchange mip_3dm_get_event_trigger_status_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get Event Trigger
- * Status. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get Event Trigger Status.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_event_trigger_status(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1612,8 +1607,8 @@ extern MIP_API const struct mip_command mip_3dm_get_event_action_status_command;
 extern MIP_API const struct mip_exchange mip_3dm_get_event_action_status_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get Event Action
- * Status. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get Event Action Status.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_event_action_status(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1663,7 +1658,7 @@ extern MIP_API const struct mip_command mip_3dm_event_trigger_config_command;
 extern MIP_API const struct mip_exchange mip_3dm_event_trigger_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Event Trigger
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Event Trigger
  * Configuration. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -1766,7 +1761,7 @@ extern MIP_API const struct mip_command mip_3dm_event_action_config_command;
 extern MIP_API const struct mip_exchange mip_3dm_event_action_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Event Action
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Event Action
  * Configuration. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -1871,8 +1866,7 @@ extern MIP_API const struct mip_command mip_3dm_device_settings_command;
 extern MIP_API const struct mip_exchange mip_3dm_device_settings_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Start Up
- * Settings.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Start Up Settings.
  */
 static inline mip_error mip_send_3dm_device_settings(struct mip_client *client,
                                                      struct mip_request *request,
@@ -1923,9 +1917,9 @@ extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_eule
 extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_euler_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
- * Frame Transformation Euler. If the command requests the response, it is stored in `response`,
- * which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor-to-Vehicle Frame
+ * Transformation Euler. If the command requests the response, it is stored in `response`, which may
+ * be NULL.
  */
 static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_euler(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2016,9 +2010,9 @@ extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_quat
 extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_quaternion_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
- * Frame Transformation Quaternion. If the command requests the response, it is stored in
- * `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor-to-Vehicle Frame
+ * Transformation Quaternion. If the command requests the response, it is stored in `response`,
+ * which may be NULL.
  */
 static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_quaternion(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2116,9 +2110,9 @@ extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_
 extern MIP_API const struct mip_exchange mip_3dm_sensor_to_vehicle_transform_dcm_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
- * Frame Transformation Direction Cosine Matrix. If the command requests the response, it is stored
- * in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor-to-Vehicle Frame
+ * Transformation Direction Cosine Matrix. If the command requests the response, it is stored in
+ * `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_dcm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2209,8 +2203,8 @@ extern MIP_API const struct mip_command mip_3dm_gps_dynamics_mode_command;
 extern MIP_API const struct mip_exchange mip_3dm_gps_dynamics_mode_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GPS dynamics mode. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GPS dynamics mode. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gps_dynamics_mode(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2283,9 +2277,8 @@ extern MIP_API const struct mip_command mip_3dm_imu_signal_conditioning_command;
 extern MIP_API const struct mip_exchange mip_3dm_imu_signal_conditioning_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. IMU signal
- * conditioning. If the command requests the response, it is stored in `response`, which may be
- * NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. IMU signal conditioning.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_imu_signal_conditioning(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2384,7 +2377,7 @@ extern MIP_API const struct mip_command mip_3dm_imu_timestamp_command;
 extern MIP_API const struct mip_exchange mip_3dm_imu_timestamp_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. IMU timestamp. If the
+ * Adds the command to a packet and tracks its reply: see mip_client_send. IMU timestamp. If the
  * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_imu_timestamp(struct mip_client *client,
@@ -2445,7 +2438,7 @@ extern MIP_API const struct mip_command mip_3dm_accel_bias_command;
 extern MIP_API const struct mip_exchange mip_3dm_accel_bias_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer Bias
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Accelerometer Bias
  * Configuration. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -2545,7 +2538,7 @@ extern MIP_API const struct mip_command mip_3dm_gyro_bias_command;
 extern MIP_API const struct mip_exchange mip_3dm_gyro_bias_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope Bias
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Gyroscope Bias
  * Configuration. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -2643,8 +2636,8 @@ extern MIP_API const struct mip_command mip_3dm_capture_gyro_bias_command;
 extern MIP_API const struct mip_exchange mip_3dm_capture_gyro_bias_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Capture Gyroscope
- * Bias. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Capture Gyroscope Bias.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_capture_gyro_bias(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2686,8 +2679,8 @@ extern MIP_API const struct mip_command mip_3dm_mag_hard_iron_offset_command;
 extern MIP_API const struct mip_exchange mip_3dm_mag_hard_iron_offset_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer Hard
- * Iron Offset. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer Hard Iron
+ * Offset. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_mag_hard_iron_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2784,8 +2777,8 @@ extern MIP_API const struct mip_command mip_3dm_mag_soft_iron_matrix_command;
 extern MIP_API const struct mip_exchange mip_3dm_mag_soft_iron_matrix_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer Soft
- * Iron Matrix. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer Soft Iron
+ * Matrix. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_mag_soft_iron_matrix(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2882,7 +2875,7 @@ extern MIP_API const struct mip_command mip_3dm_coning_sculling_enable_command;
 extern MIP_API const struct mip_exchange mip_3dm_coning_sculling_enable_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Coning and Sculling
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Coning and Sculling
  * Enable. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_coning_sculling_enable(
@@ -2962,8 +2955,8 @@ extern MIP_API const struct mip_command mip_3dm_uart_baud_rate_command;
 extern MIP_API const struct mip_exchange mip_3dm_uart_baud_rate_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. UART Baud Rate. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. UART Baud Rate. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_uart_baud_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3035,8 +3028,8 @@ extern MIP_API const struct mip_command mip_3dm_gpio_config_command;
 extern MIP_API const struct mip_exchange mip_3dm_gpio_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GPIO Configuration.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GPIO Configuration. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gpio_config(struct mip_client *client,
                                                  struct mip_request *request,
@@ -3148,7 +3141,7 @@ extern MIP_API const struct mip_command mip_3dm_gpio_state_command;
 extern MIP_API const struct mip_exchange mip_3dm_gpio_state_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GPIO State. If the
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GPIO State. If the
  * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_gpio_state(struct mip_client *client,
@@ -3208,9 +3201,8 @@ extern MIP_API const struct mip_command mip_3dm_odometer_config_command;
 extern MIP_API const struct mip_exchange mip_3dm_odometer_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Odometer
- * Configuration. If the command requests the response, it is stored in `response`, which may be
- * NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Odometer Configuration.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_odometer_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3293,9 +3285,8 @@ extern MIP_API const struct mip_command mip_3dm_imu_low_pass_filter_command;
 extern MIP_API const struct mip_exchange mip_3dm_imu_low_pass_filter_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Advanced Low-Pass
- * Filter Settings. If the command requests the response, it is stored in `response`, which may be
- * NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Advanced Low-Pass Filter
+ * Settings. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_imu_low_pass_filter(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3420,7 +3411,7 @@ extern MIP_API const struct mip_command mip_3dm_complementary_filter_command;
 extern MIP_API const struct mip_exchange mip_3dm_complementary_filter_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Complementary Filter
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Complementary Filter
  * Configuration. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -3515,7 +3506,7 @@ extern MIP_API const struct mip_command mip_3dm_sensor_range_command;
 extern MIP_API const struct mip_exchange mip_3dm_sensor_range_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor Range. If the
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor Range. If the
  * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_sensor_range(struct mip_client *client,
@@ -3615,7 +3606,7 @@ extern MIP_API const struct mip_command mip_3dm_get_calibrated_sensor_ranges_com
 extern MIP_API const struct mip_exchange mip_3dm_get_calibrated_sensor_ranges_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get Calibrated Sensor
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get Calibrated Sensor
  * Ranges. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_get_calibrated_sensor_ranges(
@@ -3659,9 +3650,8 @@ extern MIP_API const struct mip_command mip_3dm_low_pass_filter_command;
 extern MIP_API const struct mip_exchange mip_3dm_low_pass_filter_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Low-Pass
- * Anti-Aliasing Filter. If the command requests the response, it is stored in `response`, which may
- * be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Low-Pass Anti-Aliasing
+ * Filter. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_low_pass_filter(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3782,8 +3772,8 @@ extern MIP_API const struct mip_command mip_3dm_data_stream_format_command;
 extern MIP_API const struct mip_exchange mip_3dm_data_stream_format_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Data stream format.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Data stream format. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_data_stream_format(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3892,8 +3882,8 @@ extern MIP_API const struct mip_command mip_3dm_device_power_state_command;
 extern MIP_API const struct mip_exchange mip_3dm_device_power_state_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device power state.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device power state. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_3dm_device_power_state(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3992,8 +3982,7 @@ extern MIP_API const struct mip_command mip_3dm_gps_advanced_settings_command;
 extern MIP_API const struct mip_exchange mip_3dm_gps_advanced_settings_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GPS advanced
- * settings.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GPS advanced settings.
  */
 static inline mip_error mip_send_3dm_gps_advanced_settings(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4042,7 +4031,7 @@ extern MIP_API const struct mip_command mip_3dm_device_status_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3dm_device_status_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. */
 static inline mip_error mip_send_3dm_device_status(struct mip_client *client,
                                                    struct mip_request *request,
                                                    struct mip_builder *packet,
@@ -4053,8 +4042,8 @@ static inline mip_error mip_send_3dm_device_status(struct mip_client *client,
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_basic_rq1_imu_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4065,8 +4054,8 @@ static inline mip_error mip_send_for_3dm_device_status_basic_rq1_imu_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_basic_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4077,8 +4066,8 @@ static inline mip_error mip_send_for_3dm_device_status_basic_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_basic_without_state_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4090,8 +4079,8 @@ static inline mip_error mip_send_for_3dm_device_status_basic_without_state_respo
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4102,8 +4091,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gnss_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4114,8 +4103,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gnss_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gq4_45_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4126,8 +4115,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gq4_45_respons
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_45_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4138,8 +4127,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_45_respons
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4150,8 +4139,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_imu_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4162,8 +4151,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_imu_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_imu_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4174,8 +4163,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_imu_respon
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_imu_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4186,8 +4175,8 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_imu_respon
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_basic_gx3_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4198,8 +4187,8 @@ static inline mip_error mip_send_for_3dm_device_status_basic_gx3_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Device Status. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx3_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4226,7 +4215,7 @@ mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4242,7 +4231,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_rq1_imu_res
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4258,7 +4247,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4274,7 +4263,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_without_sta
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4290,7 +4279,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_basic_gx3_respons
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4306,7 +4295,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_respon
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4322,7 +4311,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_r
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4338,7 +4327,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4354,7 +4343,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4370,7 +4359,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_re
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4386,7 +4375,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_re
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4402,7 +4391,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_im
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.
@@ -4418,7 +4407,7 @@ static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_im
 }
 
 /**
- * Device Status. The answer is decoded as this response. See mip_device_call.
+ * Device Status. The reply is decoded as this response. See mip_device_call.
  *
  * - model_number: Model number of the device that replies. On the 3DM-GX5-15: always 6254. On the
  *   3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251.

@@ -4,7 +4,7 @@
  * Aiding commands (0x13). Measurements of external sensors for the navigation filter, and the
  * frames of the sensors.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_AIDING_H
 #define MIP_AIDING_H
@@ -136,8 +136,8 @@ union mip_aiding_frame_config_rotation {
  */
 struct mip_aiding_frame_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -338,8 +338,8 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
  */
 struct mip_aiding_echo_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */

@@ -26,8 +26,8 @@ extern MIP_API const struct mip_command mip_aiding_frame_config_command;
 extern MIP_API const struct mip_exchange mip_aiding_frame_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Frame configuration.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Frame configuration. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_aiding_frame_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -134,7 +134,7 @@ extern MIP_API const struct mip_command mip_aiding_echo_control_command;
 extern MIP_API const struct mip_exchange mip_aiding_echo_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Echo control. If the
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Echo control. If the
  * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_aiding_echo_control(
@@ -205,7 +205,7 @@ extern MIP_API const struct mip_command mip_aiding_ecef_position_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_ecef_position_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. ECEF position. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. ECEF position. */
 static inline mip_error mip_send_aiding_ecef_position(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_aiding_ecef_position *command, uint32_t now) {
@@ -251,7 +251,7 @@ extern MIP_API const struct mip_command mip_aiding_llh_position_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_llh_position_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. LLH position. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. LLH position. */
 static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
                                                      struct mip_request *request,
                                                      struct mip_builder *packet,
@@ -306,8 +306,7 @@ extern MIP_API const struct mip_command mip_aiding_height_above_ellipsoid_comman
 extern MIP_API const struct mip_exchange mip_aiding_height_above_ellipsoid_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Height above
- * ellipsoid.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Height above ellipsoid.
  */
 static inline mip_error mip_send_aiding_height_above_ellipsoid(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -350,7 +349,7 @@ extern MIP_API const struct mip_command mip_aiding_ecef_velocity_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_ecef_velocity_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. ECEF velocity. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. ECEF velocity. */
 static inline mip_error mip_send_aiding_ecef_velocity(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_aiding_ecef_velocity *command, uint32_t now) {
@@ -396,7 +395,7 @@ extern MIP_API const struct mip_command mip_aiding_ned_velocity_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_ned_velocity_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. NED velocity. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. NED velocity. */
 static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
                                                      struct mip_request *request,
                                                      struct mip_builder *packet,
@@ -445,9 +444,7 @@ extern MIP_API const struct mip_command mip_aiding_body_frame_velocity_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_body_frame_velocity_exchange;
 
-/**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Body frame velocity.
- */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Body frame velocity. */
 static inline mip_error mip_send_aiding_body_frame_velocity(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_aiding_body_frame_velocity *command, uint32_t now) {
@@ -494,7 +491,7 @@ extern MIP_API const struct mip_command mip_aiding_true_heading_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_true_heading_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. True heading. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. True heading. */
 static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
                                                      struct mip_request *request,
                                                      struct mip_builder *packet,
@@ -539,7 +536,7 @@ extern MIP_API const struct mip_command mip_aiding_magnetic_field_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_magnetic_field_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic field. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Magnetic field. */
 static inline mip_error mip_send_aiding_magnetic_field(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_aiding_magnetic_field *command, uint32_t now) {
@@ -586,7 +583,7 @@ extern MIP_API const struct mip_command mip_aiding_pressure_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_aiding_pressure_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Pressure. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Pressure. */
 static inline mip_error mip_send_aiding_pressure(struct mip_client *client,
                                                  struct mip_request *request,
                                                  struct mip_builder *packet,

@@ -4,7 +4,7 @@
  * Base (0x01). Commands common to all devices: identity, supported descriptors, idle and resume,
  * self test, reset.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_BASE_H
 #define MIP_BASE_H
@@ -625,8 +625,8 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_e
  */
 struct mip_base_comm_speed {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -861,8 +861,8 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
  */
 struct mip_base_gps_time_update {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */

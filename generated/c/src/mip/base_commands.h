@@ -25,7 +25,7 @@ extern MIP_API const struct mip_command mip_base_ping_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_ping_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Ping. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Ping. */
 static inline mip_error mip_send_base_ping(struct mip_client *client, struct mip_request *request,
                                            struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_base_ping_command, NULL, NULL, NULL, now);
@@ -42,7 +42,7 @@ extern MIP_API const struct mip_command mip_base_set_idle_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_set_idle_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Set to idle. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Set to idle. */
 static inline mip_error mip_send_base_set_idle(struct mip_client *client,
                                                struct mip_request *request,
                                                struct mip_builder *packet, uint32_t now) {
@@ -63,8 +63,8 @@ extern MIP_API const struct mip_command mip_base_get_device_info_command;
 extern MIP_API const struct mip_exchange mip_base_get_device_info_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
- * information. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get device information.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_get_device_info(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -88,8 +88,8 @@ extern MIP_API const struct mip_command mip_base_get_device_descriptors_command;
 extern MIP_API const struct mip_exchange mip_base_get_device_descriptors_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
- * descriptors. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get device descriptors.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_get_device_descriptors(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -113,7 +113,7 @@ extern MIP_API const struct mip_command mip_base_built_in_test_command;
 extern MIP_API const struct mip_exchange mip_base_built_in_test_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Built-in test. If the
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Built-in test. If the
  * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_built_in_test(
@@ -137,7 +137,7 @@ extern MIP_API const struct mip_command mip_base_resume_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_resume_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Resume. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Resume. */
 static inline mip_error mip_send_base_resume(struct mip_client *client, struct mip_request *request,
                                              struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_base_resume_command, NULL, NULL, NULL,
@@ -157,9 +157,8 @@ extern MIP_API const struct mip_command mip_base_get_extended_descriptors_comman
 extern MIP_API const struct mip_exchange mip_base_get_extended_descriptors_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
- * descriptors (extended). If the command requests the response, it is stored in `response`, which
- * may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get device descriptors
+ * (extended). If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_get_extended_descriptors(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -183,8 +182,8 @@ extern MIP_API const struct mip_command mip_base_continuous_built_in_test_comman
 extern MIP_API const struct mip_exchange mip_base_continuous_built_in_test_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Continuous built-in
- * test. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Continuous built-in test.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_continuous_built_in_test(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -208,8 +207,8 @@ extern MIP_API const struct mip_command mip_base_comm_speed_command;
 extern MIP_API const struct mip_exchange mip_base_comm_speed_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Comm port speed. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Comm port speed. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
                                                  struct mip_request *request,
@@ -351,7 +350,7 @@ extern MIP_API const struct mip_command mip_base_gps_time_update_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_gps_time_update_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. GPS time update. */
 static inline mip_error mip_send_base_gps_time_update(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_base_gps_time_update *command, uint32_t now) {
@@ -360,8 +359,8 @@ static inline mip_error mip_send_base_gps_time_update(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GPS time update. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_base_gps_time_update_week_number_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -372,8 +371,8 @@ static inline mip_error mip_send_for_base_gps_time_update_week_number_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. The
- * answer is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GPS time update. Expects
+ * this response.
  */
 static inline mip_error mip_send_for_base_gps_time_update_tow_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -413,7 +412,7 @@ static inline struct mip_result mip_call_base_gps_time_update_read(
 }
 
 /**
- * GPS time update: read. Return the current setting in a response. The answer is decoded as this
+ * GPS time update: read. Return the current setting in a response. The reply is decoded as this
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_week_number_response_read(
@@ -426,7 +425,7 @@ static inline struct mip_result mip_call_for_base_gps_time_update_week_number_re
 }
 
 /**
- * GPS time update: read. Return the current setting in a response. The answer is decoded as this
+ * GPS time update: read. Return the current setting in a response. The reply is decoded as this
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_read(
@@ -468,7 +467,7 @@ extern MIP_API const struct mip_command mip_base_soft_reset_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_base_soft_reset_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Reset device. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Reset device. */
 static inline mip_error mip_send_base_soft_reset(struct mip_client *client,
                                                  struct mip_request *request,
                                                  struct mip_builder *packet, uint32_t now) {

@@ -4,7 +4,7 @@
  * Displacement commands (0x11). Commands of the DEMOD-DC, a demodulator for displacement sensors.
  * Inertial sensors have none of them.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_DISPLACEMENT_H
 #define MIP_DISPLACEMENT_H
@@ -199,8 +199,8 @@ MIP_CHECKED static inline mip_error mip_displacement_output_rate_response_encode
  */
 struct mip_displacement_device_time {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */

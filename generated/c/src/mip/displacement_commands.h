@@ -26,7 +26,7 @@ extern MIP_API const struct mip_command mip_displacement_get_calibration_command
 extern MIP_API const struct mip_exchange mip_displacement_get_calibration_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get Analog to
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get Analog to
  * Displacement Calibration. If the command requests the response, it is stored in `response`, which
  * may be NULL.
  */
@@ -52,8 +52,8 @@ extern MIP_API const struct mip_command mip_displacement_output_rate_command;
 extern MIP_API const struct mip_exchange mip_displacement_output_rate_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Displacement Output
- * Data Rate. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Displacement Output Data
+ * Rate. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_displacement_output_rate(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -93,8 +93,7 @@ extern MIP_API const struct mip_command mip_displacement_device_time_command;
 extern MIP_API const struct mip_exchange mip_displacement_device_time_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Displacement Device
- * Time.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Displacement Device Time.
  */
 static inline mip_error mip_send_displacement_device_time(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,

@@ -4,7 +4,7 @@
  * Displacement data (0x90). Measurements of the DEMOD-DC, a digital demodulator for displacement
  * sensors.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_DISPLACEMENT_DATA_H
 #define MIP_DISPLACEMENT_DATA_H

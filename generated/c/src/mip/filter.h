@@ -3,7 +3,7 @@
  *
  * Filter commands (0x0D). Commands that set up, start and aid the navigation filter.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_FILTER_H
 #define MIP_FILTER_H
@@ -627,8 +627,8 @@ MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filte
  */
 struct mip_filter_vehicle_dynamics_mode {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -769,8 +769,8 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
  */
 struct mip_filter_sensor_to_vehicle_rotation_euler {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -919,8 +919,8 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_
  */
 struct mip_filter_sensor_to_vehicle_offset {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1060,8 +1060,8 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response
  */
 struct mip_filter_antenna_offset {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1199,8 +1199,8 @@ MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
  */
 struct mip_filter_estimation_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1355,8 +1355,8 @@ MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encod
  */
 struct mip_filter_gnss_source {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1655,8 +1655,8 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
  */
 struct mip_filter_heading_source {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1813,8 +1813,8 @@ MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
  */
 struct mip_filter_auto_initialization_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1952,8 +1952,8 @@ MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_respo
  */
 struct mip_filter_accel_noise {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2086,8 +2086,8 @@ MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
  */
 struct mip_filter_gyro_noise {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2216,8 +2216,8 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
  */
 struct mip_filter_accel_bias_model {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2359,8 +2359,8 @@ MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
  */
 struct mip_filter_gyro_bias_model {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2505,8 +2505,8 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
  */
 struct mip_filter_auto_zupt {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2730,8 +2730,8 @@ mip_filter_external_heading_update_with_time_make(
  */
 struct mip_filter_auto_angular_zupt {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -2874,8 +2874,8 @@ MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode
  */
 struct mip_filter_tare_orientation {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3083,8 +3083,8 @@ MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
  */
 struct mip_filter_reference_position {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3312,8 +3312,8 @@ mip_filter_mag_capture_auto_calibration_save(
  */
 struct mip_filter_gravity_noise {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3446,8 +3446,8 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
  */
 struct mip_filter_pressure_altitude_noise {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3578,8 +3578,8 @@ MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_
  */
 struct mip_filter_hard_iron_offset_noise {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3710,8 +3710,8 @@ MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_e
  */
 struct mip_filter_soft_iron_matrix_noise {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3846,8 +3846,8 @@ MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_e
  */
 struct mip_filter_enable_measurements {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -3978,8 +3978,8 @@ MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_enco
  */
 struct mip_filter_mag_noise {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4112,8 +4112,8 @@ MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
  */
 struct mip_filter_magnetic_declination_source {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4291,9 +4291,8 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
  */
 struct mip_filter_accel_magnitude_adaptive {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones; a ..._WITH_... constant for all up to
-     * that one.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones; a ..._WITH_... constant sends all up to that one.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4479,8 +4478,8 @@ MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response
  */
 struct mip_filter_mag_magnitude_adaptive {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4718,8 +4717,8 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_e
  */
 struct mip_filter_mag_dip_angle_adaptive {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -4900,8 +4899,8 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_e
  */
 struct mip_filter_altitude_aiding {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5031,8 +5030,8 @@ MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
  */
 struct mip_filter_pitch_roll_aiding {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5164,8 +5163,8 @@ MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode
  */
 struct mip_filter_magnetic_inclination_source {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5327,8 +5326,8 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_respo
  */
 struct mip_filter_magnetic_magnitude_source {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5487,8 +5486,8 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
  */
 struct mip_filter_sensor_to_vehicle_rotation_dcm {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5638,8 +5637,8 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_re
  */
 struct mip_filter_sensor_to_vehicle_quaternion {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -5781,8 +5780,8 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_resp
  */
 struct mip_filter_aiding_measurement_enable {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6023,8 +6022,8 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_respons
  */
 struct mip_filter_kinematic_constraint {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6196,8 +6195,8 @@ MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_enc
  */
 struct mip_filter_initialization_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6430,8 +6429,8 @@ MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_en
  */
 struct mip_filter_adaptive_filter_options {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6576,8 +6575,8 @@ MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_
  */
 struct mip_filter_multi_antenna_offset {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6736,8 +6735,8 @@ MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_enc
  */
 struct mip_filter_relative_position_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -6900,8 +6899,8 @@ MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response
  */
 struct mip_filter_reference_point_lever_arm {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -7117,8 +7116,8 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
  */
 struct mip_filter_speed_lever_arm {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -7259,8 +7258,8 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
  */
 struct mip_filter_vertical_gyro_constraint_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -7397,8 +7396,8 @@ MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_
  */
 struct mip_filter_wheeled_vehicle_constraint_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -7537,8 +7536,8 @@ MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_contro
  */
 struct mip_filter_gnss_antenna_calibration_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */

@@ -26,8 +26,7 @@ extern MIP_API const struct mip_command mip_filter_reset_command;
 extern MIP_API const struct mip_exchange mip_filter_reset_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Reset navigation
- * filter.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Reset navigation filter.
  */
 static inline mip_error mip_send_filter_reset(struct mip_client *client,
                                               struct mip_request *request,
@@ -48,9 +47,7 @@ extern MIP_API const struct mip_command mip_filter_set_initial_attitude_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_exchange;
 
-/**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Set initial attitude.
- */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Set initial attitude. */
 static inline mip_error mip_send_filter_set_initial_attitude(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_set_initial_attitude *command, uint32_t now) {
@@ -93,9 +90,7 @@ extern MIP_API const struct mip_command mip_filter_set_initial_heading_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_set_initial_heading_exchange;
 
-/**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Set initial heading.
- */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Set initial heading. */
 static inline mip_error mip_send_filter_set_initial_heading(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_set_initial_heading *command, uint32_t now) {
@@ -132,8 +127,8 @@ extern MIP_API const struct mip_command mip_filter_set_initial_attitude_from_imu
 extern MIP_API const struct mip_exchange mip_filter_set_initial_attitude_from_imu_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Set initial attitude
- * from IMU.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Set initial attitude from
+ * IMU.
  */
 static inline mip_error mip_send_filter_set_initial_attitude_from_imu(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -173,8 +168,7 @@ extern MIP_API const struct mip_command mip_filter_run_command;
 extern MIP_API const struct mip_exchange mip_filter_run_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Run navigation
- * filter.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Run navigation filter.
  */
 static inline mip_error mip_send_filter_run(struct mip_client *client, struct mip_request *request,
                                             struct mip_builder *packet, uint32_t now) {
@@ -194,8 +188,8 @@ extern MIP_API const struct mip_command mip_filter_vehicle_dynamics_mode_command
 extern MIP_API const struct mip_exchange mip_filter_vehicle_dynamics_mode_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Vehicle dynamics
- * mode. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Vehicle dynamics mode. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_vehicle_dynamics_mode(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -275,9 +269,9 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_eu
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_euler_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * frame transformation. If the command requests the response, it is stored in `response`, which may
- * be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor to vehicle frame
+ * transformation. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_rotation_euler(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -367,8 +361,8 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_offset_comm
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_offset_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * offset. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor to vehicle offset.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -451,8 +445,8 @@ extern MIP_API const struct mip_command mip_filter_antenna_offset_command;
 extern MIP_API const struct mip_exchange mip_filter_antenna_offset_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS antenna offset. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_antenna_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -529,8 +523,8 @@ extern MIP_API const struct mip_command mip_filter_estimation_control_command;
 extern MIP_API const struct mip_exchange mip_filter_estimation_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Estimation control
- * flags. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Estimation control flags.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_estimation_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -618,8 +612,8 @@ extern MIP_API const struct mip_command mip_filter_gnss_source_command;
 extern MIP_API const struct mip_exchange mip_filter_gnss_source_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS aiding source.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS aiding source. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gnss_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -693,9 +687,7 @@ extern MIP_API const struct mip_command mip_filter_external_gnss_update_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_external_gnss_update_exchange;
 
-/**
- * Adds the command to a packet and waits for its answer: see mip_client_send. External GNSS update.
- */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. External GNSS update. */
 static inline mip_error mip_send_filter_external_gnss_update(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_external_gnss_update *command, uint32_t now) {
@@ -755,8 +747,7 @@ extern MIP_API const struct mip_command mip_filter_external_heading_update_comma
 extern MIP_API const struct mip_exchange mip_filter_external_heading_update_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. External heading
- * update.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. External heading update.
  */
 static inline mip_error mip_send_filter_external_heading_update(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -801,8 +792,8 @@ extern MIP_API const struct mip_command mip_filter_heading_source_command;
 extern MIP_API const struct mip_exchange mip_filter_heading_source_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Heading update
- * control. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Heading update control.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_heading_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -891,9 +882,8 @@ extern MIP_API const struct mip_command mip_filter_auto_initialization_control_c
 extern MIP_API const struct mip_exchange mip_filter_auto_initialization_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Automatic
- * initialization. If the command requests the response, it is stored in `response`, which may be
- * NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Automatic initialization.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_auto_initialization_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -973,8 +963,8 @@ extern MIP_API const struct mip_command mip_filter_accel_noise_command;
 extern MIP_API const struct mip_exchange mip_filter_accel_noise_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer noise.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Accelerometer noise. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_accel_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1050,8 +1040,8 @@ extern MIP_API const struct mip_command mip_filter_gyro_noise_command;
 extern MIP_API const struct mip_exchange mip_filter_gyro_noise_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope noise. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Gyroscope noise. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gyro_noise(struct mip_client *client,
                                                    struct mip_request *request,
@@ -1127,8 +1117,8 @@ extern MIP_API const struct mip_command mip_filter_accel_bias_model_command;
 extern MIP_API const struct mip_exchange mip_filter_accel_bias_model_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer bias
- * model. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Accelerometer bias model.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_accel_bias_model(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1214,8 +1204,8 @@ extern MIP_API const struct mip_command mip_filter_gyro_bias_model_command;
 extern MIP_API const struct mip_exchange mip_filter_gyro_bias_model_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope bias model.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Gyroscope bias model. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gyro_bias_model(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1297,9 +1287,8 @@ extern MIP_API const struct mip_command mip_filter_auto_zupt_command;
 extern MIP_API const struct mip_exchange mip_filter_auto_zupt_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Automatic zero
- * velocity update. If the command requests the response, it is stored in `response`, which may be
- * NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Automatic zero velocity
+ * update. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_auto_zupt(struct mip_client *client,
                                                   struct mip_request *request,
@@ -1383,8 +1372,8 @@ extern MIP_API const struct mip_command mip_filter_external_heading_update_with_
 extern MIP_API const struct mip_exchange mip_filter_external_heading_update_with_time_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. External heading
- * update with time.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. External heading update
+ * with time.
  */
 static inline mip_error mip_send_filter_external_heading_update_with_time(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1435,8 +1424,8 @@ extern MIP_API const struct mip_command mip_filter_auto_angular_zupt_command;
 extern MIP_API const struct mip_exchange mip_filter_auto_angular_zupt_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Zero angular rate
- * update. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Zero angular rate update.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_auto_angular_zupt(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1517,8 +1506,8 @@ extern MIP_API const struct mip_command mip_filter_tare_orientation_command;
 extern MIP_API const struct mip_exchange mip_filter_tare_orientation_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Tare orientation. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Tare orientation. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_tare_orientation(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1590,8 +1579,8 @@ extern MIP_API const struct mip_command mip_filter_commanded_zupt_command;
 extern MIP_API const struct mip_exchange mip_filter_commanded_zupt_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Commanded zero
- * velocity update.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Commanded zero velocity
+ * update.
  */
 static inline mip_error mip_send_filter_commanded_zupt(struct mip_client *client,
                                                        struct mip_request *request,
@@ -1613,8 +1602,8 @@ extern MIP_API const struct mip_command mip_filter_commanded_angular_zupt_comman
 extern MIP_API const struct mip_exchange mip_filter_commanded_angular_zupt_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Commanded zero
- * angular rate update.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Commanded zero angular
+ * rate update.
  */
 static inline mip_error mip_send_filter_commanded_angular_zupt(struct mip_client *client,
                                                                struct mip_request *request,
@@ -1637,8 +1626,8 @@ extern MIP_API const struct mip_command mip_filter_reference_position_command;
 extern MIP_API const struct mip_exchange mip_filter_reference_position_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Set reference
- * position. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Set reference position.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_reference_position(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1723,7 +1712,7 @@ extern MIP_API const struct mip_command mip_filter_mag_capture_auto_calibration_
 extern MIP_API const struct mip_exchange mip_filter_mag_capture_auto_calibration_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Capture automatic
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Capture automatic
  * magnetometer calibration.
  */
 static inline mip_error mip_send_filter_mag_capture_auto_calibration(
@@ -1772,7 +1761,7 @@ extern MIP_API const struct mip_command mip_filter_gravity_noise_command;
 extern MIP_API const struct mip_exchange mip_filter_gravity_noise_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity noise. If the
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Gravity noise. If the
  * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gravity_noise(
@@ -1847,8 +1836,8 @@ extern MIP_API const struct mip_command mip_filter_pressure_altitude_noise_comma
 extern MIP_API const struct mip_exchange mip_filter_pressure_altitude_noise_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Pressure altitude
- * noise. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Pressure altitude noise.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_pressure_altitude_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1927,8 +1916,8 @@ extern MIP_API const struct mip_command mip_filter_hard_iron_offset_noise_comman
 extern MIP_API const struct mip_exchange mip_filter_hard_iron_offset_noise_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Hard iron offset
- * noise. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Hard iron offset noise.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_hard_iron_offset_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2009,8 +1998,8 @@ extern MIP_API const struct mip_command mip_filter_soft_iron_matrix_noise_comman
 extern MIP_API const struct mip_exchange mip_filter_soft_iron_matrix_noise_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Soft iron matrix
- * noise. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Soft iron matrix noise.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_soft_iron_matrix_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2091,7 +2080,7 @@ extern MIP_API const struct mip_command mip_filter_enable_measurements_command;
 extern MIP_API const struct mip_exchange mip_filter_enable_measurements_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Enable or disable
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Enable or disable
  * measurements. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -2176,8 +2165,8 @@ extern MIP_API const struct mip_command mip_filter_mag_noise_command;
 extern MIP_API const struct mip_exchange mip_filter_mag_noise_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer noise.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer noise. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_mag_noise(struct mip_client *client,
                                                   struct mip_request *request,
@@ -2255,7 +2244,7 @@ extern MIP_API const struct mip_command mip_filter_magnetic_declination_source_c
 extern MIP_API const struct mip_exchange mip_filter_magnetic_declination_source_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic declination
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetic declination
  * source. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_magnetic_declination_source(
@@ -2345,9 +2334,9 @@ extern MIP_API const struct mip_command mip_filter_accel_magnitude_adaptive_comm
 extern MIP_API const struct mip_exchange mip_filter_accel_magnitude_adaptive_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity magnitude
- * error adaptive measurement. If the command requests the response, it is stored in `response`,
- * which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Gravity magnitude error
+ * adaptive measurement. If the command requests the response, it is stored in `response`, which may
+ * be NULL.
  */
 static inline mip_error mip_send_filter_accel_magnitude_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2437,9 +2426,9 @@ extern MIP_API const struct mip_command mip_filter_mag_magnitude_adaptive_comman
 extern MIP_API const struct mip_exchange mip_filter_mag_magnitude_adaptive_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer
- * magnitude error adaptive measurement. If the command requests the response, it is stored in
- * `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer magnitude
+ * error adaptive measurement. If the command requests the response, it is stored in `response`,
+ * which may be NULL.
  */
 static inline mip_error mip_send_filter_mag_magnitude_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2556,9 +2545,9 @@ extern MIP_API const struct mip_command mip_filter_mag_dip_angle_adaptive_comman
 extern MIP_API const struct mip_exchange mip_filter_mag_dip_angle_adaptive_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer dip
- * angle error adaptive measurement. If the command requests the response, it is stored in
- * `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetometer dip angle
+ * error adaptive measurement. If the command requests the response, it is stored in `response`,
+ * which may be NULL.
  */
 static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2660,8 +2649,8 @@ extern MIP_API const struct mip_command mip_filter_altitude_aiding_command;
 extern MIP_API const struct mip_exchange mip_filter_altitude_aiding_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Altitude aiding. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Altitude aiding. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_altitude_aiding(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2733,8 +2722,8 @@ extern MIP_API const struct mip_command mip_filter_pitch_roll_aiding_command;
 extern MIP_API const struct mip_exchange mip_filter_pitch_roll_aiding_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Pitch and roll
- * aiding. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Pitch and roll aiding. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_pitch_roll_aiding(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2810,7 +2799,7 @@ extern MIP_API const struct mip_command mip_filter_magnetic_inclination_source_c
 extern MIP_API const struct mip_exchange mip_filter_magnetic_inclination_source_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic inclination
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetic inclination
  * source. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_magnetic_inclination_source(
@@ -2897,9 +2886,8 @@ extern MIP_API const struct mip_command mip_filter_magnetic_magnitude_source_com
 extern MIP_API const struct mip_exchange mip_filter_magnetic_magnitude_source_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic field
- * magnitude source. If the command requests the response, it is stored in `response`, which may be
- * NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Magnetic field magnitude
+ * source. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_magnetic_magnitude_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2987,7 +2975,7 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_dc
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_rotation_dcm_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor to vehicle
  * rotation, matrix. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -3077,7 +3065,7 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_quaternion_
 extern MIP_API const struct mip_exchange mip_filter_sensor_to_vehicle_quaternion_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Sensor to vehicle
  * rotation, quaternion. If the command requests the response, it is stored in `response`, which may
  * be NULL.
  */
@@ -3166,7 +3154,7 @@ extern MIP_API const struct mip_command mip_filter_aiding_measurement_enable_com
 extern MIP_API const struct mip_exchange mip_filter_aiding_measurement_enable_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Aiding measurement
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Aiding measurement
  * control. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_aiding_measurement_enable(
@@ -3331,8 +3319,8 @@ extern MIP_API const struct mip_command mip_filter_kinematic_constraint_command;
 extern MIP_API const struct mip_exchange mip_filter_kinematic_constraint_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Kinematic constraint.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Kinematic constraint. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_kinematic_constraint(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3418,7 +3406,7 @@ extern MIP_API const struct mip_command mip_filter_initialization_config_command
 extern MIP_API const struct mip_exchange mip_filter_initialization_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Navigation filter
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Navigation filter
  * initialization. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -3541,8 +3529,8 @@ extern MIP_API const struct mip_command mip_filter_adaptive_filter_options_comma
 extern MIP_API const struct mip_exchange mip_filter_adaptive_filter_options_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Adaptive filter
- * control. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Adaptive filter control.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_adaptive_filter_options(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3625,7 +3613,7 @@ extern MIP_API const struct mip_command mip_filter_multi_antenna_offset_command;
 extern MIP_API const struct mip_exchange mip_filter_multi_antenna_offset_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS multi-antenna
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS multi-antenna
  * offset. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_multi_antenna_offset(
@@ -3727,7 +3715,7 @@ extern MIP_API const struct mip_command mip_filter_relative_position_config_comm
 extern MIP_API const struct mip_exchange mip_filter_relative_position_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Relative position
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Relative position
  * configuration. If the command requests the response, it is stored in `response`, which may be
  * NULL.
  */
@@ -3825,7 +3813,7 @@ extern MIP_API const struct mip_command mip_filter_reference_point_lever_arm_com
 extern MIP_API const struct mip_exchange mip_filter_reference_point_lever_arm_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Reference point lever
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Reference point lever
  * arm. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_reference_point_lever_arm(
@@ -3912,9 +3900,7 @@ extern MIP_API const struct mip_command mip_filter_speed_measurement_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_filter_speed_measurement_exchange;
 
-/**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Speed measurement.
- */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Speed measurement. */
 static inline mip_error mip_send_filter_speed_measurement(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_filter_speed_measurement *command, uint32_t now) {
@@ -3957,8 +3943,8 @@ extern MIP_API const struct mip_command mip_filter_speed_lever_arm_command;
 extern MIP_API const struct mip_exchange mip_filter_speed_lever_arm_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Speed measurement
- * lever arm. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Speed measurement lever
+ * arm. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_speed_lever_arm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4042,8 +4028,8 @@ extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_cont
 extern MIP_API const struct mip_exchange mip_filter_vertical_gyro_constraint_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Vertical gyro
- * constraint. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Vertical gyro constraint.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_vertical_gyro_constraint_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -4125,7 +4111,7 @@ extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_co
 extern MIP_API const struct mip_exchange mip_filter_wheeled_vehicle_constraint_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Wheeled vehicle
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Wheeled vehicle
  * constraint. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_wheeled_vehicle_constraint_control(
@@ -4212,7 +4198,7 @@ extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_cont
 extern MIP_API const struct mip_exchange mip_filter_gnss_antenna_calibration_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset
+ * Adds the command to a packet and tracks its reply: see mip_client_send. GNSS antenna offset
  * calibration. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gnss_antenna_calibration_control(

@@ -3,7 +3,7 @@
  *
  * Filter data (0x82). Estimates of the navigation filter and its status.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_FILTER_DATA_H
 #define MIP_FILTER_DATA_H

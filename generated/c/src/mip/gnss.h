@@ -3,7 +3,7 @@
  *
  * GNSS commands (0x0E). Commands that describe and set up the internal GNSS receivers.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_GNSS_H
 #define MIP_GNSS_H
@@ -249,8 +249,8 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
  */
 struct mip_gnss_signal_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -462,8 +462,8 @@ static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
  */
 struct mip_gnss_rtk_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -595,8 +595,8 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
  */
 struct mip_gnss_rtk_dongle_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -735,8 +735,8 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
  */
 struct mip_gnss_spartn_config {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */

@@ -26,7 +26,7 @@ extern MIP_API const struct mip_command mip_gnss_receiver_info_command;
 extern MIP_API const struct mip_exchange mip_gnss_receiver_info_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Receiver info. If the
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Receiver info. If the
  * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_gnss_receiver_info(
@@ -51,8 +51,8 @@ extern MIP_API const struct mip_command mip_gnss_signal_config_command;
 extern MIP_API const struct mip_exchange mip_gnss_signal_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Signal configuration.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Signal configuration. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_gnss_signal_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -130,7 +130,7 @@ extern MIP_API const struct mip_command mip_gnss_receiver_reset_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_gnss_receiver_reset_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Receiver reset. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Receiver reset. */
 static inline mip_error mip_send_gnss_receiver_reset(struct mip_client *client,
                                                      struct mip_request *request,
                                                      struct mip_builder *packet,
@@ -171,8 +171,8 @@ extern MIP_API const struct mip_command mip_gnss_rtk_config_command;
 extern MIP_API const struct mip_exchange mip_gnss_rtk_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. RTK configuration. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. RTK configuration. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_gnss_rtk_config(struct mip_client *client,
                                                  struct mip_request *request,
@@ -247,9 +247,8 @@ extern MIP_API const struct mip_command mip_gnss_rtk_dongle_config_command;
 extern MIP_API const struct mip_exchange mip_gnss_rtk_dongle_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. RTK dongle
- * configuration. If the command requests the response, it is stored in `response`, which may be
- * NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. RTK dongle configuration.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_gnss_rtk_dongle_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -324,8 +323,8 @@ extern MIP_API const struct mip_command mip_gnss_spartn_config_command;
 extern MIP_API const struct mip_exchange mip_gnss_spartn_config_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. SPARTN configuration.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. SPARTN configuration. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_gnss_spartn_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,

@@ -5,7 +5,7 @@
  * have the same fields. Uncertain: Which devices send the fields that no manual lists for a set.
  * The SDK lists all GNSS data sets the same fields.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_GNSS_DATA_H
 #define MIP_GNSS_DATA_H
@@ -1373,7 +1373,7 @@ struct mip_gnss_data_dgps_info {
 
 /**
  * Descriptor set, one of those above, and descriptor, as mip_field_key returns them. Other layouts
- * have the same: _decode refuses them with MIP_ERROR_LAYOUT.
+ * share them: _decode rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_GNSS_DATA_DGPS_INFO(descriptor_set) MIP_KEY(descriptor_set, 0x0E)
 /** Its descriptor. */
@@ -1439,7 +1439,7 @@ struct mip_gnss_data_dgps_info_satellite {
 
 /**
  * Descriptor set, one of those above, and descriptor, as mip_field_key returns them. Other layouts
- * have the same: _decode refuses them with MIP_ERROR_LAYOUT.
+ * share them: _decode rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_GNSS_DATA_DGPS_INFO_SATELLITE(descriptor_set) MIP_KEY(descriptor_set, 0x0E)
 /** Its descriptor. */

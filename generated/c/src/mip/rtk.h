@@ -5,7 +5,7 @@
  * Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the
  * names. Uncertain: How the strings are padded or ended.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_RTK_H
 #define MIP_RTK_H
@@ -461,8 +461,8 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode(
  */
 struct mip_rtk_connected_device_type {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */

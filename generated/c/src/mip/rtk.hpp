@@ -108,7 +108,7 @@ using get_status_flags_response = get_status_flags_response_;
 
 struct get_imei_response_ : ::mip_rtk_get_imei_response {
     using c_type = ::mip_rtk_get_imei_response;
-    /** May have spaces around it. */
+    /** May contain leading or trailing spaces. */
     std::string_view imei() const {
         return ::mip::text(c_type::imei);
     }
@@ -119,7 +119,7 @@ using get_imei_response = get_imei_response_;
 
 struct get_imsi_response_ : ::mip_rtk_get_imsi_response {
     using c_type = ::mip_rtk_get_imsi_response;
-    /** May have spaces around it. */
+    /** May contain leading or trailing spaces. */
     std::string_view imsi() const {
         return ::mip::text(c_type::imsi);
     }
@@ -130,7 +130,7 @@ using get_imsi_response = get_imsi_response_;
 
 struct get_iccid_response_ : ::mip_rtk_get_iccid_response {
     using c_type = ::mip_rtk_get_iccid_response;
-    /** May have spaces around it. */
+    /** May contain leading or trailing spaces. */
     std::string_view iccid() const {
         return ::mip::text(c_type::iccid);
     }
@@ -154,7 +154,7 @@ using connected_device_type_response = connected_device_type_response_;
 
 struct get_activation_code_response_ : ::mip_rtk_get_activation_code_response {
     using c_type = ::mip_rtk_get_activation_code_response;
-    /** May have spaces around it. */
+    /** May contain leading or trailing spaces. */
     std::string_view activation_code() const {
         return ::mip::text(c_type::activation_code);
     }
@@ -165,7 +165,7 @@ using get_activation_code_response = get_activation_code_response_;
 
 struct get_modem_firmware_version_response_ : ::mip_rtk_get_modem_firmware_version_response {
     using c_type = ::mip_rtk_get_modem_firmware_version_response;
-    /** May have spaces around it. */
+    /** May contain leading or trailing spaces. */
     std::string_view modem_firmware_version() const {
         return ::mip::text(c_type::modem_firmware_version);
     }

@@ -26,8 +26,8 @@ extern MIP_API const struct mip_command mip_rtk_get_status_flags_command;
 extern MIP_API const struct mip_exchange mip_rtk_get_status_flags_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get status flags. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get status flags. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_status_flags(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -51,8 +51,8 @@ extern MIP_API const struct mip_command mip_rtk_get_imei_command;
 extern MIP_API const struct mip_exchange mip_rtk_get_imei_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMEI. If the
- * command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get IMEI. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_imei(struct mip_client *client,
                                               struct mip_request *request,
@@ -78,8 +78,8 @@ extern MIP_API const struct mip_command mip_rtk_get_imsi_command;
 extern MIP_API const struct mip_exchange mip_rtk_get_imsi_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get IMSI. If the
- * command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get IMSI. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_imsi(struct mip_client *client,
                                               struct mip_request *request,
@@ -105,8 +105,8 @@ extern MIP_API const struct mip_command mip_rtk_get_iccid_command;
 extern MIP_API const struct mip_exchange mip_rtk_get_iccid_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get ICCID. If the
- * command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get ICCID. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_iccid(struct mip_client *client,
                                                struct mip_request *request,
@@ -132,8 +132,8 @@ extern MIP_API const struct mip_command mip_rtk_get_rssi_command;
 extern MIP_API const struct mip_exchange mip_rtk_get_rssi_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get RSSI. If the
- * command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get RSSI. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_rssi(struct mip_client *client,
                                               struct mip_request *request,
@@ -159,8 +159,8 @@ extern MIP_API const struct mip_command mip_rtk_connected_device_type_command;
 extern MIP_API const struct mip_exchange mip_rtk_connected_device_type_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Connected device
- * type. If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Connected device type. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_connected_device_type(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -236,8 +236,8 @@ extern MIP_API const struct mip_command mip_rtk_get_activation_code_command;
 extern MIP_API const struct mip_exchange mip_rtk_get_activation_code_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get activation code.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get activation code. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_activation_code(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -261,7 +261,7 @@ extern MIP_API const struct mip_command mip_rtk_get_modem_firmware_version_comma
 extern MIP_API const struct mip_exchange mip_rtk_get_modem_firmware_version_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Get modem firmware
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Get modem firmware
  * version. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_get_modem_firmware_version(
@@ -286,8 +286,8 @@ extern MIP_API const struct mip_command mip_rtk_service_status_command;
 extern MIP_API const struct mip_exchange mip_rtk_service_status_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Service status. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Service status. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_rtk_service_status(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -314,7 +314,7 @@ extern MIP_API const struct mip_command mip_rtk_erase_storage_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_erase_storage_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Erase storage. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Erase storage. */
 static inline mip_error mip_send_rtk_erase_storage(struct mip_client *client,
                                                    struct mip_request *request,
                                                    struct mip_builder *packet,
@@ -351,7 +351,7 @@ extern MIP_API const struct mip_command mip_rtk_led_control_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_led_control_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. LED control. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. LED control. */
 static inline mip_error mip_send_rtk_led_control(struct mip_client *client,
                                                  struct mip_request *request,
                                                  struct mip_builder *packet,
@@ -401,7 +401,7 @@ extern MIP_API const struct mip_command mip_rtk_modem_hard_reset_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_rtk_modem_hard_reset_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Modem hard reset. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Modem hard reset. */
 static inline mip_error mip_send_rtk_modem_hard_reset(struct mip_client *client,
                                                       struct mip_request *request,
                                                       struct mip_builder *packet, uint32_t now) {

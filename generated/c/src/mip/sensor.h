@@ -4,7 +4,7 @@
  * Sensor data (0x80). Inertial, magnetic and pressure measurements, and the attitude of the
  * complementary filter.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_SENSOR_H
 #define MIP_SENSOR_H
@@ -671,8 +671,8 @@ struct mip_sensor_pps_timestamp {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_SENSOR_PPS_TIMESTAMP 0x800F
 /** Its descriptor. */
@@ -720,8 +720,8 @@ struct mip_sensor_pps_timestamp_with_flags {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_SENSOR_PPS_TIMESTAMP_WITH_FLAGS 0x800F
 /** Its descriptor. */

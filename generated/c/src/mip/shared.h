@@ -4,7 +4,7 @@
  * Shared data (0xFF). Fields that every data set can contain. No packet has this descriptor set:
  * the fields are sent in packets of the other data sets.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_SHARED_H
 #define MIP_SHARED_H

@@ -3,7 +3,7 @@
  *
  * System (0x7F). Advanced commands of devices that consist of several intelligent parts.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_SYSTEM_H
 #define MIP_SYSTEM_H
@@ -80,8 +80,8 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  */
 struct mip_system_interface_control {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -253,8 +253,8 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode
  */
 struct mip_system_comm_mode {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */

@@ -26,8 +26,8 @@ extern MIP_API const struct mip_command mip_system_interface_control_command;
 extern MIP_API const struct mip_exchange mip_system_interface_control_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Interface control. If
- * the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Interface control. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_system_interface_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -132,8 +132,8 @@ extern MIP_API const struct mip_command mip_system_comm_mode_command;
 extern MIP_API const struct mip_exchange mip_system_comm_mode_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Communication mode.
- * If the command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Communication mode. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_system_comm_mode(struct mip_client *client,
                                                   struct mip_request *request,

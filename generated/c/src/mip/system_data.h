@@ -3,7 +3,7 @@
  *
  * System data (0xA0). State of the device as a whole.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_SYSTEM_DATA_H
 #define MIP_SYSTEM_DATA_H

@@ -84,13 +84,13 @@ def commands(family: m.Family) -> list[m.Field]:
 
 def sends(f: m.Field, model: m.Model) -> list[Send]:
     """Returns the function that sends a command, and one for each of several possible responses or layouts."""
-    what = f"Adds the command to a packet and waits for its answer: see mip_client_send. {f.title}."
+    what = f"Adds the command to a packet and tracks its reply: see mip_client_send. {f.title}."
     responses = model.responses(f)
     if len(responses) == 1:
         where = "If the command requests the response, it is stored in `response`, which may be NULL."
         return [Send(_name("send", f), responses[0], [f"{what} {where}"])]
     plain = Send(_name("send", f), None, [what])
-    return [plain, *(Send(_name("send_for", r), r, [f"{what} The answer is this response."]) for r in responses)]
+    return [plain, *(Send(_name("send_for", r), r, [f"{what} Expects this response."]) for r in responses)]
 
 
 # --------------------------------------------------------------------------- the first minutes
@@ -218,7 +218,7 @@ def _call(
     values = {c.parameter: c.value for c in reply.when} if reply and fixed else {}
     function = way.function if way else None
     doc = f"{f.title}: {function.name}. {function.description}" if function else f"{f.title}."
-    doc += " The answer is decoded as this response." if fixed else ""
+    doc += " The reply is decoded as this response." if fixed else ""
     doc += " See mip_device_call."
     asked = way.asked if way else ()
     passed: list[str] = []

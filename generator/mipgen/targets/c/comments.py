@@ -19,7 +19,7 @@ WIDTH = 100
 
 
 #: Many devices only probably support a field. Headers leave these devices to the profiles.
-ELSEWHERE = "Devices that may support a field, but are not certain to, are listed only in mip/profiles.h."
+ELSEWHERE = "Devices that only probably support a field are listed in mip/profiles.h, not here."
 
 
 def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
@@ -111,17 +111,14 @@ class Comments:
         """Composes the comment of a field's constant."""
         several = len(f.occurrences) > 1
         what = "Descriptor set, one of those above, and descriptor" if several else "Descriptor set and descriptor"
-        others = " Other layouts have the same: _decode refuses them with MIP_ERROR_LAYOUT."
+        others = " Other layouts share them: _decode rejects those with MIP_ERROR_LAYOUT."
         return [f"{what}, as mip_field_key returns them.{others if len(self.model.layouts(f)) > 1 else ''}"]
 
     def present(self, f: m.Field) -> list[str]:
         """Composes the comment of the member that counts the present parameters."""
-        selector = ", not counting the function selector" if f.functions else ""
-        more = "; a ..._WITH_... constant for all up to that one" if last_present(f) else ""
-        return [
-            f"Number of parameters that are present{selector}. When decoding: those received. To send: 0 for only the "
-            f"required ones{more}."
-        ]
+        selector = ", without the function selector" if f.functions else ""
+        more = "; a ..._WITH_... constant sends all up to that one" if last_present(f) else ""
+        return [f"Number of present parameters{selector}. Decoding sets it. 0 sends only the required ones{more}."]
 
     def type(self, t: m.Enum | m.Bitfield | m.Struct) -> list[str]:
         more = self._without_member(t) if isinstance(t, m.Struct) else []

@@ -83,7 +83,9 @@ def _accessor(p: m.Parameter, f: m.Field) -> Accessor | None:
         assert isinstance(p.element, (m.Enum, m.Bitfield))
         return Accessor(word(p.name), f"::{qualified(p.element)}", f"static_cast<::{qualified(p.element)}>({at})", "")
     if p.kind == "text" and isinstance(p.length, int):
-        return Accessor(word(p.name), "std::string_view", f"::mip::text({at})", "May have spaces around it.")
+        return Accessor(
+            word(p.name), "std::string_view", f"::mip::text({at})", "May contain leading or trailing spaces."
+        )
     if p.kind == "text":
         return Accessor(word(p.name), "std::string_view", f"{{{at}, {count}}}", "")
     if p.kind == "array" and (p.counter or p.fills):

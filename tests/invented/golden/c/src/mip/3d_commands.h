@@ -25,7 +25,7 @@ extern MIP_API const struct mip_command mip_3d_default_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_3d_default_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Default. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Default. */
 static inline mip_error mip_send_3d_default(struct mip_client *client, struct mip_request *request,
                                             struct mip_builder *packet,
                                             const struct mip_3d_default *command, uint32_t now) {

@@ -3,7 +3,7 @@
  *
  * Measurements. Data of every type; `tools` has what they are set up with.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_MEASUREMENTS_H
 #define MIP_MEASUREMENTS_H
@@ -279,8 +279,8 @@ MIP_CHECKED static inline mip_error mip_measurements_arrays_encode(
  */
 struct mip_measurements_growing {
     /**
-     * Number of parameters that are present. When decoding: those received. To send: 0 for only the
-     * required ones; a ..._WITH_... constant for all up to that one.
+     * Number of present parameters. Decoding sets it. 0 sends only the required ones; a
+     * ..._WITH_... constant sends all up to that one.
      */
     uint8_t present;
     /** Always there. */

@@ -61,7 +61,7 @@ using numbers = ::mip_measurements_numbers;
 
 struct strings_ : ::mip_measurements_strings {
     using c_type = ::mip_measurements_strings;
-    /** May have spaces around it. */
+    /** May contain leading or trailing spaces. */
     std::string_view model() const {
         return ::mip::text(c_type::model);
     }

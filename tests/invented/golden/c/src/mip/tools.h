@@ -3,7 +3,7 @@
  *
  * Tools (0x01). Commands of every shape.
  *
- * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
+ * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
 #ifndef MIP_TOOLS_H
 #define MIP_TOOLS_H
@@ -202,9 +202,8 @@ MIP_CHECKED static inline mip_error mip_tools_ping_encode(const struct mip_tools
  */
 struct mip_tools_settings {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones; a ..._WITH_... constant for all up to
-     * that one.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones; a ..._WITH_... constant sends all up to that one.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -411,8 +410,8 @@ MIP_CHECKED static inline mip_error mip_tools_settings_response_encode(
  */
 struct mip_tools_set_time {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -634,8 +633,8 @@ struct mip_tools_status_paged {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_STATUS_PAGED 0x0190
 /** Its descriptor. */
@@ -678,8 +677,8 @@ struct mip_tools_status_short {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_STATUS_SHORT 0x0190
 /** Its descriptor. */
@@ -725,8 +724,8 @@ struct mip_tools_status_long {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_STATUS_LONG 0x0190
 /** Its descriptor. */
@@ -769,8 +768,8 @@ struct mip_tools_status_old {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_STATUS_OLD 0x0190
 /** Its descriptor. */
@@ -817,8 +816,8 @@ struct mip_tools_full {
 };
 
 /**
- * Descriptor set and descriptor, as mip_field_key returns them. Other layouts have the same:
- * _decode refuses them with MIP_ERROR_LAYOUT.
+ * Descriptor set and descriptor, as mip_field_key returns them. Other layouts share them: _decode
+ * rejects those with MIP_ERROR_LAYOUT.
  */
 #define MIP_TOOLS_FULL 0x0190
 /** Its descriptor. */
@@ -855,8 +854,8 @@ MIP_CHECKED static inline mip_error mip_tools_full_encode(const struct mip_tools
  */
 struct mip_tools_bias {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1098,8 +1097,8 @@ union mip_tools_choice_parameters {
  */
 struct mip_tools_choice {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1232,8 +1231,8 @@ MIP_CHECKED static inline mip_error mip_tools_choice_response_encode(
  */
 struct mip_tools_list {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1419,8 +1418,8 @@ MIP_CHECKED static inline mip_error mip_tools_stock_response_encode(
  */
 struct mip_tools_pin {
     /**
-     * Number of parameters that are present, not counting the function selector. When decoding:
-     * those received. To send: 0 for only the required ones.
+     * Number of present parameters, without the function selector. Decoding sets it. 0 sends only
+     * the required ones.
      */
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
@@ -1536,8 +1535,8 @@ MIP_CHECKED static inline mip_error mip_tools_pin_response_encode(
  */
 struct mip_tools_hello {
     /**
-     * Number of parameters that are present. When decoding: those received. To send: 0 for only the
-     * required ones; a ..._WITH_... constant for all up to that one.
+     * Number of present parameters. Decoding sets it. 0 sends only the required ones; a
+     * ..._WITH_... constant sends all up to that one.
      */
     uint8_t present;
     /** Reserved: send 1.0. */

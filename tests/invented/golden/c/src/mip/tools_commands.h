@@ -25,7 +25,7 @@ extern MIP_API const struct mip_command mip_tools_ping_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_ping_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Ping. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Ping. */
 static inline mip_error mip_send_tools_ping(struct mip_client *client, struct mip_request *request,
                                             struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_tools_ping_command, NULL, NULL, NULL, now);
@@ -44,8 +44,8 @@ extern MIP_API const struct mip_command mip_tools_settings_command;
 extern MIP_API const struct mip_exchange mip_tools_settings_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Settings. If the
- * command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Settings. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_settings(struct mip_client *client,
                                                 struct mip_request *request,
@@ -167,7 +167,7 @@ extern MIP_API const struct mip_command mip_tools_set_time_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_set_time_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Set time. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Set time. */
 static inline mip_error mip_send_tools_set_time(struct mip_client *client,
                                                 struct mip_request *request,
                                                 struct mip_builder *packet,
@@ -178,8 +178,8 @@ static inline mip_error mip_send_tools_set_time(struct mip_client *client,
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Set time. The answer
- * is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Set time. Expects this
+ * response.
  */
 static inline mip_error mip_send_for_tools_set_time_fast_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -190,8 +190,8 @@ static inline mip_error mip_send_for_tools_set_time_fast_response(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Set time. The answer
- * is this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Set time. Expects this
+ * response.
  */
 static inline mip_error mip_send_for_tools_set_time_slow_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -229,7 +229,7 @@ static inline struct mip_result mip_call_tools_set_time_read(struct mip_device *
 }
 
 /**
- * Set time: read. Send the current setting back in a response. The answer is decoded as this
+ * Set time: read. Send the current setting back in a response. The reply is decoded as this
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_for_tools_set_time_fast_response_read(
@@ -241,7 +241,7 @@ static inline struct mip_result mip_call_for_tools_set_time_fast_response_read(
 }
 
 /**
- * Set time: read. Send the current setting back in a response. The answer is decoded as this
+ * Set time: read. Send the current setting back in a response. The reply is decoded as this
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_for_tools_set_time_slow_response_read(
@@ -281,7 +281,7 @@ extern MIP_API const struct mip_command mip_tools_status_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_status_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Status. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Status. */
 static inline mip_error mip_send_tools_status(struct mip_client *client,
                                               struct mip_request *request,
                                               struct mip_builder *packet,
@@ -292,8 +292,8 @@ static inline mip_error mip_send_tools_status(struct mip_client *client,
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
- * this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Status. Expects this
+ * response.
  */
 static inline mip_error mip_send_for_tools_status_paged(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -303,8 +303,8 @@ static inline mip_error mip_send_for_tools_status_paged(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
- * this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Status. Expects this
+ * response.
  */
 static inline mip_error mip_send_for_tools_status_short(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -314,8 +314,8 @@ static inline mip_error mip_send_for_tools_status_short(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
- * this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Status. Expects this
+ * response.
  */
 static inline mip_error mip_send_for_tools_status_long(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -325,8 +325,8 @@ static inline mip_error mip_send_for_tools_status_long(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
- * this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Status. Expects this
+ * response.
  */
 static inline mip_error mip_send_for_tools_status_old(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -336,8 +336,8 @@ static inline mip_error mip_send_for_tools_status_old(
 }
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Status. The answer is
- * this response.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Status. Expects this
+ * response.
  */
 static inline mip_error mip_send_for_tools_full(struct mip_client *client,
                                                 struct mip_request *request,
@@ -359,7 +359,7 @@ static inline struct mip_result mip_call_tools_status(struct mip_device *device,
                            mip_tools_status_make(&command, selector), NULL, NULL);
 }
 
-/** Status. The answer is decoded as this response. See mip_device_call. */
+/** Status. The reply is decoded as this response. See mip_device_call. */
 static inline struct mip_result mip_call_for_tools_status_paged(
     struct mip_device *device, struct mip_tools_status_paged *response) {
     struct mip_tools_status command;
@@ -367,7 +367,7 @@ static inline struct mip_result mip_call_for_tools_status_paged(
                            &mip_tools_status_paged_codec, response);
 }
 
-/** Status. The answer is decoded as this response. See mip_device_call. */
+/** Status. The reply is decoded as this response. See mip_device_call. */
 static inline struct mip_result mip_call_for_tools_status_short(
     struct mip_device *device, struct mip_tools_status_short *response) {
     struct mip_tools_status command;
@@ -375,7 +375,7 @@ static inline struct mip_result mip_call_for_tools_status_short(
                            &mip_tools_status_short_codec, response);
 }
 
-/** Status. The answer is decoded as this response. See mip_device_call. */
+/** Status. The reply is decoded as this response. See mip_device_call. */
 static inline struct mip_result
 mip_call_for_tools_status_long(struct mip_device *device, struct mip_tools_status_long *response) {
     struct mip_tools_status command;
@@ -383,7 +383,7 @@ mip_call_for_tools_status_long(struct mip_device *device, struct mip_tools_statu
                            &mip_tools_status_long_codec, response);
 }
 
-/** Status. The answer is decoded as this response. See mip_device_call. */
+/** Status. The reply is decoded as this response. See mip_device_call. */
 static inline struct mip_result
 mip_call_for_tools_status_old(struct mip_device *device, struct mip_tools_status_old *response) {
     struct mip_tools_status command;
@@ -391,7 +391,7 @@ mip_call_for_tools_status_old(struct mip_device *device, struct mip_tools_status
                            &mip_tools_status_old_codec, response);
 }
 
-/** Status. The answer is decoded as this response. See mip_device_call. */
+/** Status. The reply is decoded as this response. See mip_device_call. */
 static inline struct mip_result mip_call_for_tools_full(struct mip_device *device,
                                                         struct mip_tools_full *response) {
     struct mip_tools_status command;
@@ -414,7 +414,7 @@ extern MIP_API const struct mip_command mip_tools_bias_command;
 extern MIP_API const struct mip_exchange mip_tools_bias_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Bias. If the command
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Bias. If the command
  * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_bias(struct mip_client *client, struct mip_request *request,
@@ -487,7 +487,7 @@ extern MIP_API const struct mip_command mip_tools_capture_bias_command;
 extern MIP_API const struct mip_exchange mip_tools_capture_bias_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Capture bias. If the
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Capture bias. If the
  * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_capture_bias(struct mip_client *client,
@@ -530,7 +530,7 @@ extern MIP_API const struct mip_command mip_tools_formats_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_formats_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Formats. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Formats. */
 static inline mip_error mip_send_tools_formats(struct mip_client *client,
                                                struct mip_request *request,
                                                struct mip_builder *packet,
@@ -574,8 +574,8 @@ extern MIP_API const struct mip_command mip_tools_choice_command;
 extern MIP_API const struct mip_exchange mip_tools_choice_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Choice. If the
- * command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Choice. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_choice(struct mip_client *client,
                                               struct mip_request *request,
@@ -635,7 +635,7 @@ extern MIP_API const struct mip_command mip_tools_list_command;
 extern MIP_API const struct mip_exchange mip_tools_list_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. List. If the command
+ * Adds the command to a packet and tracks its reply: see mip_client_send. List. If the command
  * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_list(struct mip_client *client, struct mip_request *request,
@@ -699,8 +699,8 @@ extern MIP_API const struct mip_command mip_tools_stock_command;
 extern MIP_API const struct mip_exchange mip_tools_stock_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Inventory. If the
- * command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Inventory. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_stock(struct mip_client *client, struct mip_request *request,
                                              struct mip_builder *packet,
@@ -725,7 +725,7 @@ extern MIP_API const struct mip_command mip_tools_pin_command;
 extern MIP_API const struct mip_exchange mip_tools_pin_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Pin. If the command
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Pin. If the command
  * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_pin(struct mip_client *client, struct mip_request *request,
@@ -782,7 +782,7 @@ extern MIP_API const struct mip_command mip_tools_hello_command;
 extern MIP_API const struct mip_exchange mip_tools_hello_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Hello. If the command
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Hello. If the command
  * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_hello(struct mip_client *client, struct mip_request *request,
@@ -811,8 +811,8 @@ extern MIP_API const struct mip_command mip_tools_readings_command;
 extern MIP_API const struct mip_exchange mip_tools_readings_exchange;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Readings. If the
- * command requests the response, it is stored in `response`, which may be NULL.
+ * Adds the command to a packet and tracks its reply: see mip_client_send. Readings. If the command
+ * requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_tools_readings(struct mip_client *client,
                                                 struct mip_request *request,
@@ -855,7 +855,7 @@ extern MIP_API const struct mip_command mip_tools_poll_command;
 /** The description of its replies. */
 extern MIP_API const struct mip_exchange mip_tools_poll_exchange;
 
-/** Adds the command to a packet and waits for its answer: see mip_client_send. Poll. */
+/** Adds the command to a packet and tracks its reply: see mip_client_send. Poll. */
 static inline mip_error mip_send_tools_poll(struct mip_client *client, struct mip_request *request,
                                             struct mip_builder *packet,
                                             const struct mip_tools_poll *command, uint32_t now) {
