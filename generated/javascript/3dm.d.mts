@@ -39,7 +39,7 @@ export declare const FactoryStreamingAction: Enumeration<FactoryStreamingAction>
 
 export type ConstellationId = Flavor<number, "3dm.constellation_id">;
 /**
- * Constellation in receiver settings. The values are not those of `types.GnssConstellation`, which GNSS data use.
+ * Constellation in receiver settings. The values differ from those of `types.GnssConstellation`, which GNSS data uses.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
@@ -77,11 +77,11 @@ export declare const ConstellationOptions: Bitfield<ConstellationOptions> & {
 export interface ConstellationSettingsEntry {
     /** Constellation that this entry configures. */
     constellationId: ConstellationId;
-    /** 1 switches it on, 0 off. Range: 0 to 1. */
+    /** 1 enables the constellation, 0 disables it. Range: 0 to 1. */
     enable: number;
-    /** Number of channels reserved for it. Unit: 1. Range: 0 to 32. */
+    /** Number of channels reserved for the constellation. Unit: 1. Range: 0 to 32. */
     reservedChannels: number;
-    /** Maximum number of channels that it uses. Unit: 1. Range: 0 to 32. */
+    /** Maximum number of channels for the constellation. Unit: 1. Range: 0 to 32. */
     maxChannels: number;
     /** Options of this constellation. */
     optionFlags: ConstellationOptions;
@@ -109,7 +109,7 @@ export type AssistedFixOption = Flavor<number, "3dm.assisted_fix_option">;
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
 export declare const AssistedFixOption: Enumeration<AssistedFixOption> & {
-    /** The receiver starts without it. */
+    /** The receiver ignores its last fix. */
     readonly NONE: AssistedFixOption & 0;
     /** The receiver starts from its last fix. */
     readonly ENABLED: AssistedFixOption & 1;
@@ -154,7 +154,7 @@ export declare const EventSupportQuery: Enumeration<EventSupportQuery> & {
  * - 3dm-cv7-gnss-ins: Info
  */
 export interface EventSupportInfo {
-    /** Type of triggers, or of actions. */
+    /** Trigger type or action type. */
     type: number;
     /** Maximum number of instances of this type. Unit: 1. */
     count: number;
@@ -231,15 +231,15 @@ export declare const DataConditioningFlags: Bitfield<DataConditioningFlags> & {
     readonly LITTLE_ENDIAN_FLOATS: DataConditioningFlags;
     /** Suppresses values that are NaN (not a number). Bit 5. */
     readonly NAN_SUPPRESSED: DataConditioningFlags;
-    /** Corrects the distance between the accelerometers. Bit 6. */
+    /** Compensates for the distance between the accelerometers. Bit 6. */
     readonly FINITE_SIZE_CORRECTION: DataConditioningFlags;
     /** Switches the magnetometer off. Bit 8. */
     readonly DISABLE_MAG: DataConditioningFlags;
     /** Reduces the power of the magnetometer. Bit 9. */
     readonly MAG_LOW_POWER: DataConditioningFlags;
-    /** Disables the correction of the heading. Bit 10. */
+    /** Disables the heading correction. Bit 10. */
     readonly DISABLE_NORTH_COMPENSATION: DataConditioningFlags;
-    /** Disables the correction of pitch and roll. Bit 11. */
+    /** Disables the pitch and roll correction. Bit 11. */
     readonly DISABLE_UP_COMPENSATION: DataConditioningFlags;
     /** Computes the quaternion. Bit 12. */
     readonly QUATERNION_CALCULATION: DataConditioningFlags;
@@ -335,7 +335,7 @@ export type StreamFormat = Flavor<number, "3dm.stream_format">;
 export declare const StreamFormat: Enumeration<StreamFormat> & {
     /** MIP data fields. */
     readonly STANDARD: StreamFormat & 1;
-    /** Packets of the sensor itself, each in a MIP field. */
+    /** The sensor's own packets, each in a MIP field. */
     readonly WRAPPED_RAW: StreamFormat & 2;
 };
 
@@ -485,7 +485,7 @@ export declare class GetGnssBaseRateResponse extends Response {
 export declare class DataStreamControlResponse extends Response {
     constructor(values: Values<DataStreamControlResponse>);
     /**
-     * The stream that the command names.
+     * Stream specified in the command.
      *
      * - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10,
      *   3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
@@ -538,7 +538,7 @@ export declare class ImuSignalConditioningResponse extends Response {
  */
 export declare class UartBaudRateResponse extends Response {
     constructor(values: Values<UartBaudRateResponse>);
-    /** Baud rate, one of those that the port supports. Unit: Bd. */
+    /** Baud rate that the port supports. Unit: Bd. */
     baud: number;
 }
 
@@ -787,11 +787,11 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
     commPortWriteOverruns: number;
     /** Overruns while reading from the port. Unit: 1. */
     commPortReadOverruns: number;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     imuParserErrors: number;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     imuMessageCount: number;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     imuLastMessageTime: number;
 }
 
@@ -850,17 +850,17 @@ export declare class DeviceStatusDiagnosticGnssResponse extends Response {
     commPortWriteOverruns: number;
     /** Overruns while reading from the port. Unit: 1. */
     commPortReadOverruns: number;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     imuParserErrors: number;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     imuMessageCount: number;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     imuLastMessageTime: number;
-    /** Messages of the receiver that could not be parsed. Unit: 1. */
+    /** Receiver messages that could not be parsed. Unit: 1. */
     gnssParserErrors: number;
-    /** Messages of the receiver that were read. Unit: 1. */
+    /** Receiver messages that were read. Unit: 1. */
     gnssMessageCount: number;
-    /** System timer at the last message of the receiver. Unit: ms. */
+    /** System timer at the last receiver message. Unit: ms. */
     gnssLastMessageTime: number;
 }
 
@@ -919,17 +919,17 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
     commPortWriteOverruns: number;
     /** Overruns while reading from the port. Unit: 1. */
     commPortReadOverruns: number;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     imuParserErrors: number;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     imuMessageCount: number;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     imuLastMessageTime: number;
-    /** Messages of the receiver that could not be parsed. Unit: 1. */
+    /** Receiver messages that could not be parsed. Unit: 1. */
     gnssParserErrors: number;
-    /** Messages of the receiver that were read. Unit: 1. */
+    /** Receiver messages that were read. Unit: 1. */
     gnssMessageCount: number;
-    /** System timer at the last message of the receiver. Unit: ms. */
+    /** System timer at the last receiver message. Unit: ms. */
     gnssLastMessageTime: number;
     /** True if the magnetometer could not be started. */
     magInitFailed: boolean;
@@ -1000,17 +1000,17 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
     commPortWriteOverruns: number;
     /** Overruns while reading from the port. Unit: 1. */
     commPortReadOverruns: number;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     imuParserErrors: number;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     imuMessageCount: number;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     imuLastMessageTime: number;
-    /** Messages of the receiver that could not be parsed. Unit: 1. */
+    /** Receiver messages that could not be parsed. Unit: 1. */
     gnssParserErrors: number;
-    /** Messages of the receiver that were read. Unit: 1. */
+    /** Receiver messages that were read. Unit: 1. */
     gnssMessageCount: number;
-    /** System timer at the last message of the receiver. Unit: ms. */
+    /** System timer at the last receiver message. Unit: ms. */
     gnssLastMessageTime: number;
 }
 
@@ -1069,11 +1069,11 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
     usbWriteOverruns: number;
     /** Overruns while reading from USB. Unit: 1. */
     usbReadOverruns: number;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     imuParserErrors: number;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     imuMessageCount: number;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     imuLastMessageTime: number;
 }
 
@@ -1105,9 +1105,9 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
     statusFlags: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
-    /** True if it has a magnetometer. */
+    /** True if the device has a magnetometer. */
     hasMag: boolean;
-    /** True if it has a pressure sensor. */
+    /** True if the device has a pressure sensor. */
     hasPressure: boolean;
     /** Power state of the sensors. */
     powerState: number;
@@ -1168,9 +1168,9 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
     statusFlags: number;
     /** Time since start-up. Unit: ms. */
     systemTimer: number;
-    /** True if it has a magnetometer. */
+    /** True if the device has a magnetometer. */
     hasMag: boolean;
-    /** True if it has a pressure sensor. */
+    /** True if the device has a pressure sensor. */
     hasPressure: boolean;
     /** Largest angular rate that can be measured. */
     gyroRange: number;
@@ -1356,9 +1356,9 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
     gnssWriteOverruns: number;
     /** Overruns while reading from the receiver. Unit: 1. */
     gnssReadOverruns: number;
-    /** Messages of the receiver that were read. Unit: 1. */
+    /** Receiver messages that were read. Unit: 1. */
     gnssMessageCount: number;
-    /** Messages of the receiver that arrived late. Unit: 1. */
+    /** Receiver messages that arrived late. Unit: 1. */
     gnssDelayedMessageCount: number;
     /** State of the IMU's driver; the meaning of its values is not known. */
     imuDriverState: number;
@@ -1372,9 +1372,9 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
     imuWriteOverruns: number;
     /** Overruns while reading from the IMU. Unit: 1. */
     imuReadOverruns: number;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     imuMessageCount: number;
-    /** Messages of the IMU that arrived late. Unit: 1. */
+    /** IMU messages that arrived late. Unit: 1. */
     imuDelayedMessageCount: number;
 }
 
@@ -1404,7 +1404,7 @@ export declare class ImuTimestampResponse extends Response {
     constructor(values: Values<ImuTimestampResponse>);
     /** Counter to set or read. */
     selector: ImuTimestampSelector;
-    /** Value of the counter, in the unit that `selector` states. */
+    /** Value of the counter, in the unit that `selector` selects. */
     time: number;
 }
 
@@ -1520,7 +1520,7 @@ export declare class ConingScullingEnableResponse extends Response {
  */
 export declare class ConstellationSettingsResponse extends Response {
     constructor(values: Values<ConstellationSettingsResponse>);
-    /** Channels that the receiver has. Unit: 1. */
+    /** Number of channels of the receiver. Unit: 1. */
     maxChannelsAvailable: number;
     /** Maximum number of channels in use. Unit: 1. */
     maxChannelsUse: number;
@@ -1538,7 +1538,7 @@ export declare class ConstellationSettingsResponse extends Response {
  */
 export declare class GnssSbasSettingsResponse extends Response {
     constructor(values: Values<GnssSbasSettingsResponse>);
-    /** 1 switches SBAS on, 0 off. Range: 0 to 1. */
+    /** 1 enables SBAS, 0 disables it. Range: 0 to 1. */
     enableSbas: number;
     /** Purposes of SBAS. */
     sbasOptions: SbasOptions;
@@ -1801,7 +1801,7 @@ export declare class GpioStateResponse extends Response {
     constructor(values: Values<GpioStateResponse>);
     /** GPIO pin, counted from 1. Range: at least 1. */
     pin: number;
-    /** True is high. */
+    /** True means high. */
     state: boolean;
 }
 
@@ -1853,7 +1853,7 @@ export declare class GetCalibratedSensorRangesResponse extends Response {
     sensor: SensorRangeType;
     /** On the wire only: num_ranges. Number of ranges. The number of elements of `ranges`. */
     /**
-     * Each range that the sensor is calibrated for.
+     * Ranges for which the sensor is calibrated.
      *
      * - If `sensor` is `SensorRangeType.ACCEL`: `range` has unit g.
      * - If `sensor` is `SensorRangeType.GYRO`: `range` has unit deg/s.
@@ -2262,7 +2262,7 @@ export declare class FactoryStreaming extends Command<undefined> {
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other devices by its
- * descriptor set. A stream that you enable begins with current data, not with data from the time before.
+ * descriptor set. A newly enabled stream starts with current data, without any from before.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -2379,7 +2379,7 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * 1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`.
+     * 1 enables SBAS, 0 disables it. Range: 0 to 1. Required for `write`.
      *
      * - On the 3DM-GX5-35: default 1.
      */
@@ -2418,7 +2418,7 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver. If you send the time with `GnssTimeAssistance`
  * right after power-up, the first fix takes 1 s at best. A change from enabled to none erases the flash memory of the
- * receiver, which is rated for 100 000 erasures. The power consumption is slightly higher.
+ * receiver, which is rated for 100 000 erasures. It slightly increases the power consumption.
  *
  * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
  */
@@ -2521,7 +2521,7 @@ export declare class PpsSourceControl<R extends Response | undefined = undefined
 /**
  * Get Supported Events (0x0C,0x2A).
  *
- * Gets the types of event triggers or actions that the device has, and how many of each.
+ * Gets the types of event triggers or actions that the device supports, and the number of each.
  *
  * Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2941,7 +2941,7 @@ export declare class ImuTimestamp<R extends Response | undefined = undefined | I
     function: FunctionSelector;
     /** Counter to set or read. */
     selector?: ImuTimestampSelector;
-    /** Value of the counter, in the unit that `selector` states. Required for `write`. */
+    /** Value of the counter, in the unit that `selector` selects. Required for `write`. */
     time?: number;
     /** Apply the new setting. */
     static write(values: { selector: ImuTimestampSelector; time: number }): ImuTimestamp<undefined>;
@@ -3056,8 +3056,8 @@ export declare class CaptureGyroBias extends Command<GyroBiasResponse> {
  * `default` only.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
- * `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes during operation. The
- * device applies the correction before it sends `sensor.ScaledMag`.
+ * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The device applies the
+ * correction before it sends `sensor.ScaledMag`.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -3099,8 +3099,8 @@ export declare class MagHardIronOffset<R extends Response | undefined = undefine
  * `default` only.
  *
  * The values come from a calibration of the device as it is installed. On some devices,
- * `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes during operation. The
- * device applies the correction before it sends `sensor.ScaledMag`.
+ * `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The device applies the
+ * correction before it sends `sensor.ScaledMag`.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)
@@ -3131,7 +3131,7 @@ export declare class MagSoftIronMatrix<R extends Response | undefined = undefine
 /**
  * Coning and Sculling Enable (0x0C,0x3E).
  *
- * Switches the compensation of coning and sculling on or off.
+ * Enables or disables coning and sculling compensation.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConingScullingEnableResponse`. Probably
  * changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
@@ -3178,7 +3178,7 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * Baud rate, one of those that the port supports. Unit: Bd. Required for `write`.
+     * Baud rate that the port supports. Unit: Bd. Required for `write`.
      *
      * - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
      */
@@ -3204,10 +3204,10 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
  * `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
  * 3DM-CV7-GNSS/INS.
  *
- * Not every pin has every feature. For an output with another feature than gpio, set up what drives it first, then the
- * pin; meanwhile, its level would be undefined. For an input, configure the pin first, then what uses it. A
- * configuration that only one pin can have moves to the last pin configured; the earlier pin is reset. With NMEA input
- * at most one pin may be a UART input; set it to unused before another one takes over.
+ * Not every pin has every feature. For an output with a feature other than gpio, configure the function that drives it
+ * before the pin; otherwise, the level of the pin is undefined in the meantime. For an input, configure the pin before
+ * the function that uses it. If only one pin can have a configuration, the last pin configured gets it, and the earlier
+ * pin is reset. With NMEA input at most one pin may be a UART input; set it to unused before another one takes over.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -3264,7 +3264,7 @@ export declare class GpioState<R extends Response | undefined = undefined | Gpio
     function: FunctionSelector;
     /** GPIO pin, counted from 1. Range: at least 1. */
     pin?: number;
-    /** True is high. Required for `write`. */
+    /** True means high. Required for `write`. */
     state?: boolean;
     /** Apply the new setting. */
     static write(values: { pin: number; state: boolean }): GpioState<undefined>;
@@ -3310,7 +3310,7 @@ export declare class OdometerConfig<R extends Response | undefined = undefined |
 /**
  * Advanced Low-Pass Filter Settings (0x0C,0x50).
  *
- * Configures the low-pass filter of one quantity of the sensor data.
+ * Configures the low-pass filter of one sensor data quantity.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
  * Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag` and
@@ -3390,8 +3390,8 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
     /**
      * True enables the heading correction, which 5-series manuals call north compensation. Required for `write`.
      *
-     * - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not
-     *   offer it.
+     * - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL has no
+     *   support for it.
      * - On the 3DM-GX5-15: default true.
      */
     headingEnable?: boolean;

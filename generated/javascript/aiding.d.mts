@@ -39,7 +39,7 @@ export declare const AidingEchoMode: Enumeration<AidingEchoMode> & {
 };
 
 export type Timebase = Flavor<number, "aiding.timebase">;
-/** Clock of the time of a measurement. */
+/** Clock that the time of a measurement refers to. */
 export declare const Timebase: Enumeration<Timebase> & {
     /** Internal reference clock of the device. */
     readonly INTERNAL_REFERENCE: Timebase & 1;
@@ -51,7 +51,7 @@ export declare const Timebase: Enumeration<Timebase> & {
 
 /** Time at which a measurement was taken. */
 export interface MeasurementTime {
-    /** Clock of the time. */
+    /** Clock that the time refers to. */
     timebase: Timebase;
     /** Reserved: send 1. */
     reserved: number;
@@ -97,7 +97,7 @@ export declare class FrameConfigResponse extends Response {
     format: AidingFrameFormat;
     /** True if the filter estimates the errors of the frame. */
     trackingEnabled: boolean;
-    /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. */
+    /** Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m. Frame: vehicle. */
     translation: types.Vector3f;
     /**
      * Rotation from the frame to the vehicle. Selected by `format`.
@@ -133,9 +133,9 @@ export declare class EchoControlResponse extends Response {
  * `filter_data.AidingFrameConfigError`. Probably changes `filter_data.AidingFrameConfigErrorUncertainty`. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
- * Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the rotation R and the
+ * Aiding measurements refer to the frame by its number. `p_vehicle = R * p_frame + t`, with the rotation R and the
  * translation t. For GNSS positions and velocities the rotation does not matter. Send the identity: Euler angles 0, 0,
- * 0 or the quaternion 1, 0, 0, 0. A read selects the format of the reply.
+ * 0 or the quaternion 1, 0, 0, 0. In a read, `format` selects the format of the rotation in the reply.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -150,7 +150,10 @@ export declare class FrameConfig<R extends Response | undefined = undefined | Fr
     format?: AidingFrameFormat;
     /** True if the filter estimates the errors of the frame. Required for `write`. */
     trackingEnabled?: boolean;
-    /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for `write`. */
+    /**
+     * Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
+     * `write`.
+     */
     translation?: types.Vector3f;
     /**
      * Rotation from the frame to the vehicle. Selected by `format`. Required for `write`.
@@ -222,7 +225,7 @@ export declare class EcefPosition extends Command<undefined> {
     constructor(values: Values<EcefPosition>);
     /** Time of the measurement. */
     time: MeasurementTime;
-    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
     /**
      * Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid
@@ -258,7 +261,7 @@ export declare class LlhPosition extends Command<undefined> {
     constructor(values: Values<LlhPosition>);
     /** Time of the measurement. */
     time: MeasurementTime;
-    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
     /**
      * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if `LlhAxisFlags.LATITUDE` of
@@ -297,13 +300,13 @@ export declare class HeightAboveEllipsoid extends Command<undefined> {
     constructor(values: Values<HeightAboveEllipsoid>);
     /** Time of the measurement. */
     time: MeasurementTime;
-    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     height: number;
     /** Uncertainty of the height. Unit: m. Range: at least 0. */
     uncertainty: number;
-    /** Not 0: the measurement is valid. */
+    /** Nonzero if the measurement is valid. */
     validFlags: number;
 }
 
@@ -326,7 +329,7 @@ export declare class EcefVelocity extends Command<undefined> {
     constructor(values: Values<EcefVelocity>);
     /** Time of the measurement. */
     time: MeasurementTime;
-    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
     /**
      * Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid
@@ -362,7 +365,7 @@ export declare class NedVelocity extends Command<undefined> {
     constructor(values: Values<NedVelocity>);
     /** Time of the measurement. */
     time: MeasurementTime;
-    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
     /**
      * Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame: ned. Each element has its own
@@ -389,9 +392,9 @@ export declare class NedVelocity extends Command<undefined> {
  * by 3DM-CV7-GNSS/INS.
  *
  * The device supports up to four sensors of this kind. For a wheeled vehicle constraint, send a velocity of 0 with only
- * y valid, at least once per second. With z also valid and 0, motion is constrained to a plane (2D mode). A zero
- * velocity update is a velocity of 0, sent while the GNSS speed is below a threshold that you choose. In mode
- * `response` of `EchoControl`, the device sends the data back in a response of unknown layout.
+ * y valid, at least once per second. With z also valid and 0, motion is constrained to a plane (2D mode). For a zero
+ * velocity update, send a velocity of 0 while the GNSS speed is below a threshold that you choose. In mode `response`
+ * of `EchoControl`, the device sends the data back in a response of unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
@@ -401,7 +404,7 @@ export declare class BodyFrameVelocity extends Command<undefined> {
     constructor(values: Values<BodyFrameVelocity>);
     /** Time of the measurement. */
     time: MeasurementTime;
-    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
     /**
      * Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid
@@ -435,7 +438,7 @@ export declare class TrueHeading extends Command<undefined> {
     constructor(values: Values<TrueHeading>);
     /** Time of the measurement. */
     time: MeasurementTime;
-    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
     /**
      * Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
@@ -444,7 +447,7 @@ export declare class TrueHeading extends Command<undefined> {
     heading: number;
     /** Uncertainty of the heading. Unit: rad. Range: greater than 0. */
     uncertainty: number;
-    /** Not 0: the measurement is valid. */
+    /** Nonzero if the measurement is valid. */
     validFlags: number;
 }
 
@@ -466,7 +469,7 @@ export declare class MagneticField extends Command<undefined> {
     constructor(values: Values<MagneticField>);
     /** Time of the measurement. */
     time: MeasurementTime;
-    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
     /**
      * Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid flag. x:
@@ -499,12 +502,12 @@ export declare class Pressure extends Command<undefined> {
     constructor(values: Values<Pressure>);
     /** Time of the measurement. */
     time: MeasurementTime;
-    /** Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by `FrameConfig`. Range: 1 to 4. */
     frameId: number;
     /** Air pressure. Unit: mbar. */
     pressure: number;
     /** Standard deviation of the pressure. Unit: mbar. Range: greater than 0. */
     uncertainty: number;
-    /** Not 0: the measurement is valid. */
+    /** Nonzero if the measurement is valid. */
     validFlags: number;
 }

@@ -23,7 +23,7 @@ export interface BaseDeviceInfo {
     modelName: string;
     /** Part number of the model. */
     modelNumber: string;
-    /** Number of this device, which begins with the model number. */
+    /** Serial number, which begins with the model number. */
     serialNumber: string;
     /** Lot number; reserved and blank on some devices. */
     lotNumber: string;
@@ -366,7 +366,7 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
      * - On the 3DM-RTK: the values are unknown.
      */
     port?: number;
-    /** Baud rate; one that the port supports. Unit: Bd. Required for `write`. */
+    /** Baud rate that the port supports. Unit: Bd. Required for `write`. */
     baud?: number;
     /** Apply the new setting. */
     static write(values: { port: number; baud: number }): CommSpeed<undefined>;
@@ -391,11 +391,11 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
  * only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked. On the 3DM-CV7-GNSS/INS, the
- * time may have another epoch than GPS time, for example that of Unix time; `shared.ExternalTimestamp` then has the
+ * time may have a different epoch from GPS time, for example the Unix epoch; `shared.ExternalTimestamp` then has the
  * same epoch. The PPS supplies the fraction of the second; send the whole second that began at its last edge. Send it
  * within 250 ms after the rising edge of the PPS. Once per second is recommended for the 3DM-GX5-15; the
- * 3DM-CV7-GNSS/INS needs it at least once. Send it again after a glitch of the PPS. It is usually not needed if an
- * internal GNSS receiver is the PPS source.
+ * 3DM-CV7-GNSS/INS needs it at least once. Send it again after a PPS glitch. It is usually not needed if an internal
+ * GNSS receiver is the PPS source.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)

@@ -1,7 +1,7 @@
 /**
  * Displacement commands (0x11).
  *
- * Commands of the DEMOD-DC, a demodulator for displacement sensors. Inertial sensors have none of them.
+ * Commands of the DEMOD-DC, a demodulator for displacement sensors. Inertial sensors do not support them.
  *
  * - mscl: Displacement Commands (0x11)
  */
@@ -19,7 +19,7 @@ import type * as types from "./types.mjs";
  */
 export declare class GetCalibrationResponse extends Response {
     constructor(values: Values<GetCalibrationResponse>);
-    /** Displacement per count of the converter. Uncertain: The unit; mm per count is likely. */
+    /** Displacement per ADC count. Uncertain: The unit; mm per count is likely. */
     slope: number;
     /** Displacement at zero counts. Uncertain: The unit; mm is likely. */
     offset: number;
@@ -42,7 +42,7 @@ export declare class OutputRateResponse extends Response {
 /**
  * Get Analog to Displacement Calibration (0x11,0x01).
  *
- * Reads the linear function with which the device converts the counts of its converter to a displacement.
+ * Reads the slope and offset with which the device converts ADC counts to displacement.
  *
  * No device is known for certain to support it. Also called `get_analog_displacement_calibration`. Answered by
  * `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.

@@ -11,8 +11,8 @@ import type * as types from "./types.mjs";
 
 export type TimestampFlags = Flavor<number, "displacement_data.timestamp_flags">;
 /**
- * Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL considers the time valid if the
- * number is 1.
+ * Validity of the displacement timestamp. Uncertain: That it is a bitfield. MSCL considers the time valid if the number
+ * is 1.
  */
 export declare const TimestampFlags: Bitfield<TimestampFlags> & {
     /** The clock has been set; `time` is valid. Bit 0. */
@@ -22,7 +22,7 @@ export declare const TimestampFlags: Bitfield<TimestampFlags> & {
 /**
  * Raw displacement (0x90,0x01).
  *
- * Displacement in counts of the converter.
+ * Displacement in ADC counts.
  *
  * No device is known for certain to support it. Known only from the MicroStrain Communication Library.
  *
@@ -61,7 +61,7 @@ export declare class Displacement extends Data {
  */
 export declare class Timestamp extends Data {
     constructor(values: Values<Timestamp>);
-    /** Validity of the time of displacement data. */
+    /** Validity of the displacement timestamp. */
     flags: TimestampFlags;
     /**
      * UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if `TimestampFlags.TIME`

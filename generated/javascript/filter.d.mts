@@ -171,7 +171,7 @@ export type AidingSource = Flavor<number, "filter.aiding_source">;
 export declare const AidingSource: Enumeration<AidingSource> & {
     /** Position and velocity of the GNSS receivers. */
     readonly GNSS_POSITION_VELOCITY: AidingSource & 0;
-    /** GNSS heading of two antennas. */
+    /** GNSS heading from two antennas. */
     readonly GNSS_HEADING: AidingSource & 1;
     /** Built-in pressure altimeter. */
     readonly ALTIMETER: AidingSource & 2;
@@ -281,7 +281,7 @@ export declare const AdaptiveLevel: Enumeration<AdaptiveLevel> & {
 };
 
 export type RelativePositionSource = Flavor<number, "filter.relative_position_source">;
-/** Source of the reference of relative positions. */
+/** Source of the reference point for relative positions. */
 export declare const RelativePositionSource: Enumeration<RelativePositionSource> & {
     /** The base station of the RTK corrections. */
     readonly AUTO: RelativePositionSource & 0;
@@ -290,7 +290,7 @@ export declare const RelativePositionSource: Enumeration<RelativePositionSource>
 };
 
 export type ReferencePoint = Flavor<number, "filter.reference_point">;
-/** The end of a lever arm. */
+/** Point that a lever arm moves. */
 export declare const ReferencePoint: Enumeration<ReferencePoint> & {
     /** The origin of the vehicle. */
     readonly VEHICLE: ReferencePoint & 1;
@@ -336,8 +336,8 @@ export declare class SensorToVehicleRotationEulerResponse extends Response {
 export declare class SensorToVehicleOffsetResponse extends Response {
     constructor(values: Values<SensorToVehicleOffsetResponse>);
     /**
-     * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude
-     * at most 10.
+     * Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame: sensor. Range:
+     * magnitude at most 10.
      */
     offset: types.Vector3f;
 }
@@ -352,8 +352,8 @@ export declare class SensorToVehicleOffsetResponse extends Response {
 export declare class AntennaOffsetResponse extends Response {
     constructor(values: Values<AntennaOffsetResponse>);
     /**
-     * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
-     * magnitude at most 10.
+     * Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
+     * Range: magnitude at most 10.
      *
      * - On the 3DM-GX5-45: frame sensor.
      */
@@ -928,7 +928,9 @@ export declare class MultiAntennaOffsetResponse extends Response {
     constructor(values: Values<MultiAntennaOffsetResponse>);
     /** Number of the receiver, from 1. Range: at least 1. */
     receiverId: number;
-    /** From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. */
+    /**
+     * Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
+     */
     antennaOffset: types.Vector3f;
 }
 
@@ -966,7 +968,7 @@ export declare class ReferencePointLeverArmResponse extends Response {
     constructor(values: Values<ReferencePointLeverArmResponse>);
     /** Point whose lever arm follows. */
     referencePoint: ReferencePoint;
-    /** From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. */
+    /** Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. */
     leverArmOffset: types.Vector3f;
 }
 
@@ -981,7 +983,7 @@ export declare class SpeedLeverArmResponse extends Response {
     constructor(values: Values<SpeedLeverArmResponse, "source">);
     /** Reserved. */
     source: number;
-    /** From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
+    /** Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
     leverArmOffset: types.Vector3f;
 }
 
@@ -1049,7 +1051,7 @@ export declare class Reset extends Command<undefined> {
 /**
  * Set initial attitude (0x0D,0x02).
  *
- * Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
+ * Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.
  *
  * Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
  * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -1097,7 +1099,7 @@ export declare class SetInitialHeading extends Command<undefined> {
 /**
  * Set initial attitude from IMU (0x0D,0x04).
  *
- * Initializes the attitude of the filter with that of the complementary filter.
+ * Initializes the filter's attitude from the complementary filter.
  *
  * No device is known for certain to support it. Also called `set_initial_heading_from_mag`. Changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Known only from the MIP
@@ -1219,8 +1221,8 @@ export declare class SensorToVehicleOffset<R extends Response | undefined = unde
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude
-     * at most 10. Required for `write`.
+     * Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame: sensor. Range:
+     * magnitude at most 10. Required for `write`.
      */
     offset?: types.Vector3f;
     /** Apply the new setting. */
@@ -1254,8 +1256,8 @@ export declare class AntennaOffset<R extends Response | undefined = undefined | 
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
-     * magnitude at most 10. Required for `write`.
+     * Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
+     * Range: magnitude at most 10. Required for `write`.
      *
      * - On the 3DM-GX5-45: frame sensor.
      */
@@ -1359,7 +1361,7 @@ export declare class GnssSource<R extends Response | undefined = undefined | Gns
  *
  * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
- * Rejected unless `GnssSource` selects the external source. The highest rate depends on the device.
+ * Rejected unless `GnssSource` selects the external source. The maximum rate depends on the device.
  *
  * - mip-sdk-4: External GNSS update (0x0D,0x16)
  */
@@ -1400,11 +1402,11 @@ export declare class ExternalGnssUpdate extends Command<undefined> {
 export declare class ExternalHeadingUpdate extends Command<undefined> {
     constructor(values: Values<ExternalHeadingUpdate>);
     /**
-     * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to
      * 3.141592653589793. Positive: clockwise seen from above.
      */
     heading: number;
-    /** Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0. */
+    /** Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0. */
     headingUncertainty: number;
     /** North that the heading refers to. */
     type: HeadingType;
@@ -1462,7 +1464,7 @@ export declare class HeadingSource<R extends Response | undefined = undefined | 
  * Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
  * `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
- * It needs a valid heading source.
+ * Automatic initialization needs a valid heading source.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -1673,11 +1675,11 @@ export declare class ExternalHeadingUpdateWithTime extends Command<undefined> {
     /** GPS week, counted without rollover. Unit: week. */
     weekNumber: number;
     /**
-     * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to
+     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to
      * 3.141592653589793. Positive: clockwise seen from above.
      */
     heading: number;
-    /** Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0. */
+    /** Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0. */
     headingUncertainty: number;
     /** North that the heading refers to. */
     type: HeadingType;
@@ -1761,7 +1763,7 @@ export declare class TareOrientation<R extends Response | undefined = undefined 
  * Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.NedVelocityUncertainty` and
  * `filter_data.EcefVelocityUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
- * The highest rate depends on the device.
+ * The maximum rate depends on the device.
  *
  * - mip-sdk-4: Commanded Zupt (0x0D,0x22)
  */
@@ -1831,8 +1833,8 @@ export declare class ReferencePosition<R extends Response | undefined = undefine
  * `filter_data.MagOffset` and `filter_data.MagMatrix`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
  * SDK.
  *
- * A write combines the automatic calibration with `3dm.MagHardIronOffset` and `3dm.MagSoftIronMatrix`, and resets it. A
- * save does the same as the save of both of these commands.
+ * A write combines the automatic calibration with `3dm.MagHardIronOffset` and `3dm.MagSoftIronMatrix`, then resets the
+ * automatic calibration. A save has the same effect as saving both of these settings.
  *
  * - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
  */
@@ -2657,8 +2659,8 @@ export declare class MultiAntennaOffset<R extends Response | undefined = undefin
     /** Number of the receiver, from 1. Range: at least 1. */
     receiverId?: number;
     /**
-     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required
-     * for `write`.
+     * Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
+     * Required for `write`.
      */
     antennaOffset?: types.Vector3f;
     /** Apply the new setting. */
@@ -2721,7 +2723,7 @@ export declare class RelativePositionConfig<R extends Response | undefined = und
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
- * The shift of positions depends on the attitude, that of velocities on the angular rate as well.
+ * The shift in position depends on the attitude; the shift in velocity also depends on the angular rate.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -2732,8 +2734,8 @@ export declare class ReferencePointLeverArm<R extends Response | undefined = und
     /** Point to move; it must be 1. Required for `write`. */
     referencePoint?: ReferencePoint;
     /**
-     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required
-     * for `write`.
+     * Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
+     * Required for `write`.
      */
     leverArmOffset?: types.Vector3f;
     /** Apply the new setting. */
@@ -2756,8 +2758,8 @@ export declare class ReferencePointLeverArm<R extends Response | undefined = und
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK names a response,
  * `filter.speed_measurement_response`, but has no layout of it.
  *
- * It must not be used together with the odometer of the device. Single precision resolves the time of week to 0.0625 s
- * at the end of the week.
+ * Do not use it together with the device's odometer. Single precision resolves the time of week to 0.0625 s at the end
+ * of the week.
  *
  * - mip-sdk-4: Speed measurement (0x0D,0x60)
  */
@@ -2776,7 +2778,7 @@ export declare class SpeedMeasurement extends Command<undefined> {
 /**
  * Speed measurement lever arm (0x0D,0x61).
  *
- * Sets the position of the point whose speed is measured, such as the wheel that an odometer is on.
+ * Sets the position of the point whose speed is measured, such as the wheel that drives the odometer.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.OdometerScaleFactorError`. Supported by
@@ -2793,7 +2795,8 @@ export declare class SpeedLeverArm<R extends Response | undefined = undefined | 
     /** Reserved: send 1. */
     source?: number;
     /**
-     * From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. Required for `write`.
+     * Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
+     * `write`.
      */
     leverArmOffset?: types.Vector3f;
     /** Apply the new setting. */

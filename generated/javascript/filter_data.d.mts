@@ -36,11 +36,11 @@ export declare const HeadingSourceFlags: Bitfield<HeadingSourceFlags> & {
 export type GnssAidingStatus = Flavor<number, "filter_data.gnss_aiding_status">;
 /** Use of one GNSS receiver by the filter. */
 export declare const GnssAidingStatus: Bitfield<GnssAidingStatus> & {
-    /** Raw ranges of the receiver are used. Bit 0. */
+    /** The receiver's raw ranges are used. Bit 0. */
     readonly TIGHT_COUPLING: GnssAidingStatus;
     /** RTK corrections are used. Bit 1. */
     readonly DIFFERENTIAL: GnssAidingStatus;
-    /** There is an RTK integer fix, with the most accurate position. Bit 2. */
+    /** The receiver has an RTK integer fix, the most accurate kind. Bit 2. */
     readonly INTEGER_FIX: GnssAidingStatus;
     /** GPS L1 is used. Bit 3. */
     readonly GPS_L1: GnssAidingStatus;
@@ -85,13 +85,13 @@ export declare const HeadingAidingType: Enumeration<HeadingAidingType> & {
 
 export type AidingMeasurementType = Flavor<number, "filter_data.aiding_measurement_type">;
 /**
- * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set `aiding` that send the
+ * Kind of aiding measurement. Values from 0x20 are the descriptors of the commands of set `aiding` that send the
  * measurement.
  */
 export declare const AidingMeasurementType: Enumeration<AidingMeasurementType> & {
     /** GNSS position and velocity. */
     readonly GNSS: AidingMeasurementType & 1;
-    /** GNSS heading of two antennas. */
+    /** GNSS heading from two antennas. */
     readonly DUAL_ANTENNA: AidingMeasurementType & 2;
     readonly HEADING: AidingMeasurementType & 3;
     /** Pressure altitude. */
@@ -99,23 +99,23 @@ export declare const AidingMeasurementType: Enumeration<AidingMeasurementType> &
     readonly MAG: AidingMeasurementType & 5;
     /** Speed or odometer. */
     readonly SPEED: AidingMeasurementType & 6;
-    /** ECEF position by command. */
+    /** ECEF position, sent by command. */
     readonly AIDING_ECEF_POSITION: AidingMeasurementType & 33;
-    /** Latitude, longitude and height by command. */
+    /** Latitude, longitude and height, sent by command. */
     readonly AIDING_LLH_POSITION: AidingMeasurementType & 34;
-    /** Height above the ellipsoid by command. */
+    /** Height above the ellipsoid, sent by command. */
     readonly AIDING_HEIGHT_ABOVE_ELLIPSOID: AidingMeasurementType & 35;
-    /** ECEF velocity by command. */
+    /** ECEF velocity, sent by command. */
     readonly AIDING_ECEF_VELOCITY: AidingMeasurementType & 40;
-    /** NED velocity by command. */
+    /** NED velocity, sent by command. */
     readonly AIDING_NED_VELOCITY: AidingMeasurementType & 41;
-    /** Body frame velocity by command. */
+    /** Body frame velocity, sent by command. */
     readonly AIDING_BODY_FRAME_VELOCITY: AidingMeasurementType & 42;
-    /** True heading by command. */
+    /** True heading, sent by command. */
     readonly AIDING_TRUE_HEADING: AidingMeasurementType & 49;
-    /** Magnetic field by command. */
+    /** Magnetic field, sent by command. */
     readonly AIDING_MAGNETIC_FIELD: AidingMeasurementType & 50;
-    /** Pressure by command. */
+    /** Pressure, sent by command. */
     readonly AIDING_PRESSURE: AidingMeasurementType & 51;
 };
 
@@ -124,20 +124,20 @@ export type AidingMeasurementIndicator = Flavor<number, "filter_data.aiding_meas
 export declare const AidingMeasurementIndicator: Bitfield<AidingMeasurementIndicator> & {
     /** The measurement is enabled. Bit 0. */
     readonly ENABLED: AidingMeasurementIndicator;
-    /** The filter used it. Bit 1. */
+    /** The filter used the measurement. Bit 1. */
     readonly USED: AidingMeasurementIndicator;
-    /** It disagrees with the estimate. Bit 2. */
+    /** The measurement disagrees with the estimate. Bit 2. */
     readonly RESIDUAL_HIGH_WARNING: AidingMeasurementIndicator;
-    /** Its time is doubtful. Bit 3. */
+    /** The time of the measurement is doubtful. Bit 3. */
     readonly SAMPLE_TIME_WARNING: AidingMeasurementIndicator;
-    /** Its configuration is wrong. Bit 4. */
+    /** The configuration of the measurement is wrong. Bit 4. */
     readonly CONFIG_ERROR: AidingMeasurementIndicator;
     /** There are more measurements than the filter can process. Bit 5. */
     readonly MAX_MEASUREMENTS_EXCEEDED: AidingMeasurementIndicator;
 };
 
 export type DualAntennaFixType = Flavor<number, "filter_data.dual_antenna_fix_type">;
-/** Kind of the heading solution of two antennas. */
+/** Kind of dual-antenna heading solution. */
 export declare const DualAntennaFixType: Enumeration<DualAntennaFixType> & {
     /** No solution. */
     readonly FIX_NONE: DualAntennaFixType & 0;
@@ -148,7 +148,7 @@ export declare const DualAntennaFixType: Enumeration<DualAntennaFixType> & {
 };
 
 export type DualAntennaStatusFlags = Flavor<number, "filter_data.dual_antenna_status_flags">;
-/** Inputs available to the heading solution of two antennas. */
+/** Inputs available to the dual-antenna heading solution. */
 export declare const DualAntennaStatusFlags: Bitfield<DualAntennaStatusFlags> & {
     /** Data of receiver 1 is valid. Bit 0. */
     readonly RECEIVER_1_DATA_VALID: DualAntennaStatusFlags;
@@ -225,7 +225,7 @@ export declare const Gx5StatusFlags: Bitfield<Gx5StatusFlags> & {
     readonly RUN_IMU_UNAVAILABLE: Gx5StatusFlags;
     /** No GNSS data, on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`. */
     readonly RUN_GPS_UNAVAILABLE: Gx5StatusFlags;
-    /** A matrix of the computation is singular. Bit 3. Concerns `filter.Reset`. */
+    /** A matrix in the computation is singular. Bit 3. Concerns `filter.Reset`. */
     readonly RUN_MATRIX_SINGULARITY: Gx5StatusFlags;
     /** A position covariance is above its normal limit. Bit 4. Concerns `LlhPosition` and `LlhPositionUncertainty`. */
     readonly RUN_POSITION_COVARIANCE_WARNING: Gx5StatusFlags;
@@ -267,7 +267,7 @@ export declare const Gx5StatusFlags: Bitfield<Gx5StatusFlags> & {
 
 export type FilterCondition = Flavor<number, "filter_data.filter_condition">;
 /**
- * Convergence of the estimates of the filter.
+ * Convergence of the filter's estimates.
  *
  * - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
  * - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
@@ -525,17 +525,17 @@ export declare class AccelBias extends Data {
 export declare class LlhPositionUncertainty extends Data {
     constructor(values: Values<LlhPositionUncertainty>);
     /**
-     * Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
+     * North standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
      * set.
      */
     north: number;
     /**
-     * Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
+     * East standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
      * set.
      */
     east: number;
     /**
-     * Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
+     * Down standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
      * set.
      */
     down: number;
@@ -555,17 +555,17 @@ export declare class LlhPositionUncertainty extends Data {
 export declare class NedVelocityUncertainty extends Data {
     constructor(values: Values<NedVelocityUncertainty>);
     /**
-     * Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags`
+     * North standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags`
      * is set.
      */
     north: number;
     /**
-     * Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
+     * East standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
      * set.
      */
     east: number;
     /**
-     * Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
+     * Down standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID` of `validFlags` is
      * set.
      */
     down: number;
@@ -665,7 +665,7 @@ export declare class LinearAccel extends Data {
 /**
  * Compensated angular rate (0x82,0x0E).
  *
- * Angular rate without the estimated bias.
+ * Angular rate with the estimated bias removed.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -769,8 +769,8 @@ export declare class Status extends Data {
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without synchronization to a
- * receiver or an external clock it is the internal system time. 3DM-CV7: the field may be withdrawn;
- * `shared.GpsTimestamp` is better.
+ * receiver or an external clock it is the internal system time. 3DM-CV7: this field may be withdrawn; prefer
+ * `shared.GpsTimestamp`.
  *
  * - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
  * - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
@@ -822,8 +822,8 @@ export declare class QuaternionAttitudeUncertainty extends Data {
 export declare class GravityVector extends Data {
     constructor(values: Values<GravityVector>);
     /**
-     * Gravity, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
-     * Valid if `ValidFlags.VALID` of `validFlags` is set. Uncertain: The sign, which no source states.
+     * Gravity vector, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z
+     * 9.8. Valid if `ValidFlags.VALID` of `validFlags` is set. Uncertain: The sign, which no source states.
      */
     gravity: types.Vector3f;
     /** Validity of the values of a field. */
@@ -876,11 +876,11 @@ export declare class HeadingUpdateState extends Data {
  */
 export declare class MagneticModel extends Data {
     constructor(values: Values<MagneticModel>);
-    /** Northward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `validFlags` is set. */
+    /** North component of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `validFlags` is set. */
     intensityNorth: number;
-    /** Eastward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `validFlags` is set. */
+    /** East component of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `validFlags` is set. */
     intensityEast: number;
-    /** Downward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `validFlags` is set. */
+    /** Down component of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `validFlags` is set. */
     intensityDown: number;
     /**
      * Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid
@@ -1019,7 +1019,7 @@ export declare class MagBiasUncertainty extends Data {
 /**
  * Compensated acceleration (0x82,0x1C).
  *
- * Acceleration without the estimated bias. It includes gravity.
+ * Acceleration with the estimated bias removed. It includes gravity.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
@@ -1040,7 +1040,7 @@ export declare class CompAccel extends Data {
 /**
  * Standard atmosphere (0x82,0x20).
  *
- * US Standard Atmosphere of 1976 at the altitude of the device.
+ * US Standard Atmosphere of 1976 at the device's altitude.
  *
  * No device is known for certain to support it. Known only from the MicroStrain MIP SDK.
  *
@@ -1058,7 +1058,8 @@ export declare class StandardAtmosphere extends Data {
      */
     geopotentialAltitude: number;
     /**
-     * Temperature that the model has at this altitude. Unit: degC. Valid if `ValidFlags.VALID` of `validFlags` is set.
+     * Temperature at this altitude according to the model. Unit: degC. Valid if `ValidFlags.VALID` of `validFlags` is
+     * set.
      */
     standardTemperature: number;
     /**
@@ -1067,8 +1068,8 @@ export declare class StandardAtmosphere extends Data {
      */
     standardPressure: number;
     /**
-     * Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if `ValidFlags.VALID` of
-     * `validFlags` is set.
+     * Air density at this altitude according to the model. Unit: kg/m^3. Range: at least 0. Valid if `ValidFlags.VALID`
+     * of `validFlags` is set.
      */
     standardDensity: number;
     /** Validity of the values of a field. */
@@ -1150,7 +1151,7 @@ export declare class MagOffset extends Data {
  * No device is known for certain to support it. Also called `magnetometer_matrix`. Known only from the MicroStrain MIP
  * SDK.
  *
- * The filter multiplies the stored matrix of `3dm.MagSoftIronMatrix` by it, from the right.
+ * The filter multiplies the stored matrix of `3dm.MagSoftIronMatrix` by this matrix on the right.
  *
  * - mip-sdk-4: Magnetometer matrix (0x82,0x26)
  */
@@ -1241,8 +1242,8 @@ export declare class MagCovarianceMatrix extends Data {
 export declare class MagResidualVector extends Data {
     constructor(values: Values<MagResidualVector>);
     /**
-     * Difference between the measured magnetic field and the one that the filter expects. Elements: x, y, z. Unit:
-     * gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of `validFlags` is set.
+     * Difference between the measured and the expected magnetic field. Elements: x, y, z. Unit: gauss. Frame: vehicle.
+     * Valid if `ValidFlags.VALID` of `validFlags` is set.
      */
     residual: types.Vector3f;
     /** Validity of the values of a field. */
@@ -1675,7 +1676,7 @@ export declare class AidingFrameConfigError extends Data {
 /**
  * Aiding frame configuration error uncertainty (0x82,0x51).
  *
- * Uncertainty of the error that `AidingFrameConfigError` estimates.
+ * Uncertainty of the error in `AidingFrameConfigError`.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *

@@ -10,7 +10,7 @@ import type { FunctionSelector } from "./protocol.mjs";
 import type * as types from "./types.mjs";
 
 /**
- * One GNSS receiver.
+ * Description of a GNSS receiver.
  *
  * - 3dm-cv7-gnss-ins: Info
  * - mip-sdk-4: Receiver Info (0x0E,0x01)
@@ -18,7 +18,7 @@ import type * as types from "./types.mjs";
 export interface ReceiverInfoEntry {
     /** Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at least 1. */
     receiverId: number;
-    /** Descriptor set of the data of this receiver. Range: 0x80 to 0xFE. */
+    /** Descriptor set of this receiver's data. Range: 0x80 to 0xFE. */
     mipDataDescriptorSet: number;
     /** Module name or model and firmware version, separated by a comma. */
     description: string;
@@ -111,7 +111,7 @@ export declare const ReceiverResetType: Enumeration<ReceiverResetType> & {
 
 export type AmbiguityFixMode = Flavor<number, "gnss.ambiguity_fix_mode">;
 /**
- * Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The descriptions of `conservative`
+ * Strategy for fixing the RTK carrier phase ambiguities to whole numbers. Uncertain: The descriptions of `conservative`
  * and `moderate`, which are inferred from the names.
  *
  * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
@@ -119,7 +119,7 @@ export type AmbiguityFixMode = Flavor<number, "gnss.ambiguity_fix_mode">;
 export declare const AmbiguityFixMode: Enumeration<AmbiguityFixMode> & {
     /** Never fixes them. The solution remains a float solution. */
     readonly OFF: AmbiguityFixMode & 1;
-    /** Fixes them late and with few wrong fixes. */
+    /** Fixes them late, so that few fixes are wrong. */
     readonly CONSERVATIVE: AmbiguityFixMode & 2;
     /** Between conservative and aggressive. */
     readonly MODERATE: AmbiguityFixMode & 3;
@@ -128,7 +128,7 @@ export declare const AmbiguityFixMode: Enumeration<AmbiguityFixMode> & {
 };
 
 export type SpartnConnection = Flavor<number, "gnss.spartn_connection">;
-/** Channel of SPARTN corrections. */
+/** Channel that delivers SPARTN corrections. */
 export declare const SpartnConnection: Enumeration<SpartnConnection> & {
     /** No connection. */
     readonly NONE: SpartnConnection & 0;
@@ -183,7 +183,7 @@ export declare class SignalConfigResponse extends Response {
  */
 export declare class RtkConfigResponse extends Response {
     constructor(values: Values<RtkConfigResponse, "reserved">);
-    /** Readiness to fix ambiguities. */
+    /** Strategy for fixing ambiguities. */
     ambiguityFixMode: AmbiguityFixMode;
     /** Reserved. */
     reserved: [number, number, number, number];
@@ -256,7 +256,7 @@ export declare class ReceiverInfo extends Command<ReceiverInfoResponse> {
  * `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SatelliteStatus` and `gnss_data.Raw`.
  * Supported by 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
- * A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou
+ * A device accepts only certain combinations. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou
  * L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or
  * L1.
  *
@@ -297,7 +297,7 @@ export declare class SignalConfig<R extends Response | undefined = undefined | S
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which devices have it. The SDK
  * does not name any.
  *
- * Only internal receivers can be reset. Some devices lack some of the reset types.
+ * Only internal receivers can be reset. Some devices do not support all reset types.
  *
  * - mip-sdk-4: Receiver reset (0x0E,0x03)
  */
@@ -327,7 +327,7 @@ export declare class RtkConfig<R extends Response | undefined = undefined | RtkC
     constructor(values: Values<RtkConfig, "reserved">);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /** Readiness to fix ambiguities. Required for `write`. */
+    /** Strategy for fixing ambiguities. Required for `write`. */
     ambiguityFixMode?: AmbiguityFixMode;
     /** Reserved: send 0. Required for `write`. */
     reserved?: [number, number, number, number];
@@ -385,8 +385,8 @@ export declare class RtkDongleConfig<R extends Response | undefined = undefined 
  * the command has "bc" for 0xBC.
  *
  * A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any time. While SPARTN
- * corrections are enabled, RTCM corrections are blocked. A key of 16 bytes, none of them 0, is sent as 32 ASCII digits
- * in hexadecimal, two for each byte.
+ * corrections are enabled, RTCM corrections are blocked. A key has 16 bytes, none of them 0. Send it as 32 hexadecimal
+ * digits in ASCII, two for each byte.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections

@@ -20,7 +20,7 @@ import type { FunctionSelector } from "./protocol.mjs";
 import type * as types from "./types.mjs";
 
 export type LlhPositionFlags = Flavor<number, "gnss_data.llh_position_flags">;
-/** Valid parts of the position. */
+/** Validity flags for the position. */
 export declare const LlhPositionFlags: Bitfield<LlhPositionFlags> & {
     /** `latitude` and `longitude` are valid. Bit 0. */
     readonly LAT_LON: LlhPositionFlags;
@@ -37,7 +37,7 @@ export declare const LlhPositionFlags: Bitfield<LlhPositionFlags> & {
 };
 
 export type EcefPositionFlags = Flavor<number, "gnss_data.ecef_position_flags">;
-/** Valid parts of the position. */
+/** Validity flags for the position. */
 export declare const EcefPositionFlags: Bitfield<EcefPositionFlags> & {
     /** `position` is valid. Bit 0. */
     readonly POSITION: EcefPositionFlags;
@@ -48,7 +48,7 @@ export declare const EcefPositionFlags: Bitfield<EcefPositionFlags> & {
 };
 
 export type NedVelocityFlags = Flavor<number, "gnss_data.ned_velocity_flags">;
-/** Valid parts of the velocity. */
+/** Validity flags for the velocity. */
 export declare const NedVelocityFlags: Bitfield<NedVelocityFlags> & {
     /** `velocity` is valid. Bit 0. */
     readonly VELOCITY: NedVelocityFlags;
@@ -67,7 +67,7 @@ export declare const NedVelocityFlags: Bitfield<NedVelocityFlags> & {
 };
 
 export type EcefVelocityFlags = Flavor<number, "gnss_data.ecef_velocity_flags">;
-/** Valid parts of the velocity. */
+/** Validity flags for the velocity. */
 export declare const EcefVelocityFlags: Bitfield<EcefVelocityFlags> & {
     /** `velocity` is valid. Bit 0. */
     readonly VELOCITY: EcefVelocityFlags;
@@ -78,7 +78,7 @@ export declare const EcefVelocityFlags: Bitfield<EcefVelocityFlags> & {
 };
 
 export type DopFlags = Flavor<number, "gnss_data.dop_flags">;
-/** Valid dilutions of precision. */
+/** Validity flags for the dilutions of precision. */
 export declare const DopFlags: Bitfield<DopFlags> & {
     /** `gdop` is valid. Bit 0. */
     readonly GDOP: DopFlags;
@@ -99,7 +99,7 @@ export declare const DopFlags: Bitfield<DopFlags> & {
 };
 
 export type UtcTimeFlags = Flavor<number, "gnss_data.utc_time_flags">;
-/** Valid parts of the UTC time. */
+/** Validity flags for the UTC time. */
 export declare const UtcTimeFlags: Bitfield<UtcTimeFlags> & {
     /** Date and time come from GNSS. Bit 0. */
     readonly GNSS_DATE_TIME: UtcTimeFlags;
@@ -110,7 +110,7 @@ export declare const UtcTimeFlags: Bitfield<UtcTimeFlags> & {
 };
 
 export type GpsTimeFlags = Flavor<number, "gnss_data.gps_time_flags">;
-/** Valid parts of the time. */
+/** Validity flags for the time. */
 export declare const GpsTimeFlags: Bitfield<GpsTimeFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: GpsTimeFlags;
@@ -121,7 +121,7 @@ export declare const GpsTimeFlags: Bitfield<GpsTimeFlags> & {
 };
 
 export type ClockInfoFlags = Flavor<number, "gnss_data.clock_info_flags">;
-/** Valid clock parameters. */
+/** Validity flags for the clock parameters. */
 export declare const ClockInfoFlags: Bitfield<ClockInfoFlags> & {
     /** `bias` is valid. Bit 0. */
     readonly BIAS: ClockInfoFlags;
@@ -143,7 +143,7 @@ export declare const FixFlags: Bitfield<FixFlags> & {
 };
 
 export type FixInfoFlags = Flavor<number, "gnss_data.fix_info_flags">;
-/** Valid parts of the fix information. */
+/** Validity flags for the fix information. */
 export declare const FixInfoFlags: Bitfield<FixInfoFlags> & {
     /** `fix_type` is valid. Bit 0. */
     readonly FIX_TYPE: FixInfoFlags;
@@ -165,7 +165,7 @@ export declare const SvFlags: Bitfield<SvFlags> & {
 };
 
 export type SvInfoFlags = Flavor<number, "gnss_data.sv_info_flags">;
-/** Valid parts of the satellite info. */
+/** Validity flags for the satellite info. */
 export declare const SvInfoFlags: Bitfield<SvInfoFlags> & {
     /** `channel` is valid. Bit 0. */
     readonly CHANNEL: SvInfoFlags;
@@ -216,7 +216,7 @@ export declare const AntennaPower: Enumeration<AntennaPower> & {
 };
 
 export type HardwareStatusFlags = Flavor<number, "gnss_data.hardware_status_flags">;
-/** Valid parts of the hardware status. */
+/** Validity flags for the hardware status. */
 export declare const HardwareStatusFlags: Bitfield<HardwareStatusFlags> & {
     /** `receiver_state` is valid. Bit 0. */
     readonly SENSOR_STATE: HardwareStatusFlags;
@@ -229,7 +229,7 @@ export declare const HardwareStatusFlags: Bitfield<HardwareStatusFlags> & {
 };
 
 export type DgpsInfoFlags = Flavor<number, "gnss_data.dgps_info_flags">;
-/** Valid parts of the state of the corrections. */
+/** Validity flags for the state of the corrections. */
 export declare const DgpsInfoFlags: Bitfield<DgpsInfoFlags> & {
     /** `age` is valid. Bit 0. */
     readonly AGE: DgpsInfoFlags;
@@ -244,7 +244,7 @@ export declare const DgpsInfoFlags: Bitfield<DgpsInfoFlags> & {
 };
 
 export type DgpsChannelFlags = Flavor<number, "gnss_data.dgps_channel_flags">;
-/** Valid parts of a differential correction. */
+/** Validity flags for a differential correction. */
 export declare const DgpsChannelFlags: Bitfield<DgpsChannelFlags> & {
     /** `satellite_id` is valid. Bit 0. */
     readonly SATELLITE_ID: DgpsChannelFlags;
@@ -259,7 +259,7 @@ export declare const DgpsChannelFlags: Bitfield<DgpsChannelFlags> & {
 };
 
 export type ClockInfo2Flags = Flavor<number, "gnss_data.clock_info_2_flags">;
-/** Valid clock parameters. */
+/** Validity flags for the clock parameters. */
 export declare const ClockInfo2Flags: Bitfield<ClockInfo2Flags> & {
     /** `bias` is valid. Bit 0. */
     readonly BIAS: ClockInfo2Flags;
@@ -309,7 +309,7 @@ export declare const SbasStatus: Bitfield<SbasStatus> & {
 };
 
 export type SbasInfoFlags = Flavor<number, "gnss_data.sbas_info_flags">;
-/** Valid parts of the SBAS status. */
+/** Validity flags for the SBAS status. */
 export declare const SbasInfoFlags: Bitfield<SbasInfoFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: SbasInfoFlags;
@@ -328,7 +328,7 @@ export declare const SbasInfoFlags: Bitfield<SbasInfoFlags> & {
 };
 
 export type SbasCorrectionFlags = Flavor<number, "gnss_data.sbas_correction_flags">;
-/** Valid parts of an SBAS correction. */
+/** Validity flags for an SBAS correction. */
 export declare const SbasCorrectionFlags: Bitfield<SbasCorrectionFlags> & {
     /** `udrei` is valid. Bit 0. */
     readonly UDREI: SbasCorrectionFlags;
@@ -377,7 +377,7 @@ export declare const SpoofingState: Enumeration<SpoofingState> & {
 };
 
 export type RfErrorDetectionFlags = Flavor<number, "gnss_data.rf_error_detection_flags">;
-/** Valid parts of the detection. */
+/** Validity flags for the detection. */
 export declare const RfErrorDetectionFlags: Bitfield<RfErrorDetectionFlags> & {
     /** `rf_band` is valid. Bit 0. */
     readonly RF_BAND: RfErrorDetectionFlags;
@@ -403,7 +403,7 @@ export declare const HeadingFixType: Enumeration<HeadingFixType> & {
 };
 
 export type HeadingFlags = Flavor<number, "gnss_data.heading_flags">;
-/** Valid parts of the heading. */
+/** Validity flags for the heading. */
 export declare const HeadingFlags: Bitfield<HeadingFlags> & {
     /** `heading` is valid. Bit 0. */
     readonly HEADING: HeadingFlags;
@@ -416,7 +416,7 @@ export declare const HeadingFlags: Bitfield<HeadingFlags> & {
 };
 
 export type SatelliteStatusFlags = Flavor<number, "gnss_data.satellite_status_flags">;
-/** Valid parts of the satellite status. */
+/** Validity flags for the satellite status. */
 export declare const SatelliteStatusFlags: Bitfield<SatelliteStatusFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: SatelliteStatusFlags;
@@ -437,7 +437,7 @@ export declare const SatelliteStatusFlags: Bitfield<SatelliteStatusFlags> & {
 };
 
 export type SignalQuality = Flavor<number, "gnss_data.signal_quality">;
-/** Quality of the tracking of a signal. */
+/** Tracking quality of a signal. */
 export declare const SignalQuality: Enumeration<SignalQuality> & {
     /** No signal. */
     readonly NONE: SignalQuality & 0;
@@ -447,13 +447,13 @@ export declare const SignalQuality: Enumeration<SignalQuality> & {
     readonly ACQUIRED: SignalQuality & 2;
     /** The signal is found but cannot be used. */
     readonly UNUSABLE: SignalQuality & 3;
-    /** Locked in time. */
+    /** The signal is locked in time. */
     readonly TIME_LOCKED: SignalQuality & 4;
     readonly FULLY_LOCKED: SignalQuality & 5;
 };
 
 export type RawFlags = Flavor<number, "gnss_data.raw_flags">;
-/** Valid parts of the observation. */
+/** Validity flags for the observation. */
 export declare const RawFlags: Bitfield<RawFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: RawFlags;
@@ -580,7 +580,7 @@ export declare const RtkCorrectionsStatusFlags: Bitfield<RtkCorrectionsStatusFla
 };
 
 export type EphemerisFlags = Flavor<number, "gnss_data.ephemeris_flags">;
-/** Contents of an ephemeris of GPS, Galileo or BeiDou. */
+/** Contents of a GPS, Galileo or BeiDou ephemeris. */
 export declare const EphemerisFlags: Bitfield<EphemerisFlags> & {
     /** The ephemeris is valid. Bit 0. */
     readonly EPHEMERIS: EphemerisFlags;
@@ -609,7 +609,7 @@ export declare const GlonassEphemerisFlags: Bitfield<GlonassEphemerisFlags> & {
 };
 
 export type GpsIonoCorrectionFlags = Flavor<number, "gnss_data.gps_iono_correction_flags">;
-/** Valid parts of the model. */
+/** Validity flags for the model. */
 export declare const GpsIonoCorrectionFlags: Bitfield<GpsIonoCorrectionFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: GpsIonoCorrectionFlags;
@@ -624,7 +624,7 @@ export declare const GpsIonoCorrectionFlags: Bitfield<GpsIonoCorrectionFlags> & 
 };
 
 export type GalileoIonoCorrectionFlags = Flavor<number, "gnss_data.galileo_iono_correction_flags">;
-/** Valid parts of the model. */
+/** Validity flags for the model. */
 export declare const GalileoIonoCorrectionFlags: Bitfield<GalileoIonoCorrectionFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: GalileoIonoCorrectionFlags;
@@ -639,7 +639,7 @@ export declare const GalileoIonoCorrectionFlags: Bitfield<GalileoIonoCorrectionF
 };
 
 export type BeidouIonoCorrectionFlags = Flavor<number, "gnss_data.beidou_iono_correction_flags">;
-/** Valid parts of the model. */
+/** Validity flags for the model. */
 export declare const BeidouIonoCorrectionFlags: Bitfield<BeidouIonoCorrectionFlags> & {
     /** `tow` is valid. Bit 0. */
     readonly TOW: BeidouIonoCorrectionFlags;
@@ -696,7 +696,7 @@ export declare class LlhPosition extends Data {
      * `validFlags` is set.
      */
     verticalAccuracy: number;
-    /** Valid parts of the position. */
+    /** Validity flags for the position. */
     validFlags: LlhPositionFlags;
 }
 
@@ -723,7 +723,7 @@ export declare class EcefPosition extends Data {
      * `validFlags` is set.
      */
     positionAccuracy: number;
-    /** Valid parts of the position. */
+    /** Validity flags for the position. */
     validFlags: EcefPositionFlags;
 }
 
@@ -767,7 +767,7 @@ export declare class NedVelocity extends Data {
      * `validFlags` is set.
      */
     headingAccuracy: number;
-    /** Valid parts of the velocity. */
+    /** Validity flags for the velocity. */
     validFlags: NedVelocityFlags;
 }
 
@@ -796,7 +796,7 @@ export declare class EcefVelocity extends Data {
      * `validFlags` is set.
      */
     velocityAccuracy: number;
-    /** Valid parts of the velocity. */
+    /** Validity flags for the velocity. */
     validFlags: EcefVelocityFlags;
 }
 
@@ -827,7 +827,7 @@ export declare class Dop extends Data {
     ndop: number;
     /** Easting dilution. Unit: 1. Range: at least 0. Valid if `DopFlags.EDOP` of `validFlags` is set. */
     edop: number;
-    /** Valid dilutions of precision. */
+    /** Validity flags for the dilutions of precision. */
     validFlags: DopFlags;
 }
 
@@ -861,7 +861,7 @@ export declare class UtcTime extends Data {
      * Fraction of the second. Unit: ms. Range: 0 to 999. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `validFlags` is set.
      */
     msec: number;
-    /** Valid parts of the time. */
+    /** Validity flags for the time. */
     validFlags: UtcTimeFlags;
 }
 
@@ -885,7 +885,7 @@ export declare class GpsTime extends Data {
     tow: number;
     /** GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `validFlags` is set. */
     weekNumber: number;
-    /** Valid parts of the time. */
+    /** Validity flags for the time. */
     validFlags: GpsTimeFlags;
 }
 
@@ -912,7 +912,7 @@ export declare class ClockInfo extends Data {
      * `validFlags` is set.
      */
     accuracyEstimate: number;
-    /** Valid clock parameters. */
+    /** Validity flags for the clock parameters. */
     validFlags: ClockInfoFlags;
 }
 
@@ -938,7 +938,7 @@ export declare class FixInfo extends Data {
     numSv: number;
     /** Corrections and satellite systems of the fix. Valid if `FixInfoFlags.FIX_FLAGS` of `validFlags` is set. */
     fixFlags: FixFlags;
-    /** Valid parts of the fix information. */
+    /** Validity flags for the fix information. */
     validFlags: FixInfoFlags;
 }
 
@@ -974,7 +974,7 @@ export declare class SvInfo extends Data {
     elevation: number;
     /** State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `validFlags` is set. */
     svFlags: SvFlags;
-    /** Valid parts of the satellite info. */
+    /** Validity flags for the satellite info. */
     validFlags: SvInfoFlags;
 }
 
@@ -997,7 +997,7 @@ export declare class HardwareStatus extends Data {
     antennaState: AntennaState;
     /** State of the antenna's power supply. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `validFlags` is set. */
     antennaPower: AntennaPower;
-    /** Valid parts of the hardware status. */
+    /** Validity flags for the hardware status. */
     validFlags: HardwareStatusFlags;
 }
 
@@ -1036,21 +1036,21 @@ export declare class DgpsInfo extends Data {
      * Number of channels that have corrections. Unit: 1. Valid if `DgpsInfoFlags.NUM_CHANNELS` of `validFlags` is set.
      */
     numChannels: number;
-    /** Valid parts of the state of the corrections. */
+    /** Validity flags for the state of the corrections. */
     validFlags: DgpsInfoFlags;
 }
 
 /**
  * DGPS info for one satellite (0x0E).
  *
- * Differential correction for one satellite, in the layout that the SDK has for DGPS info.
+ * Differential correction for one satellite, in the SDK's layout of DGPS info.
  *
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Distinguished from `DgpsInfo` by the size of its data. Not listed in any device profile.
  * Known only from the MicroStrain MIP SDK. Uncertain: Whether any device sends it. The values are those of
  * `DgpsChannel`, but the flags are those of `DgpsInfo`, so a mistake in the SDK is likely.
  *
- * The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have `DgpsInfo`. The flags of
+ * The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document `DgpsInfo` instead. The flags of
  * `base_station_id`, `base_station_status` and `num_channels` correspond to no value in this layout.
  *
  * - mip-sdk-4: Dgps Info (0x81,0x0E)
@@ -1068,7 +1068,7 @@ export declare class DgpsInfoSatellite extends Data {
     rangeCorrection: number;
     /** Rate of change of the correction. Unit: m/s. Uncertain: The unit, which follows from `DgpsChannel`. */
     rangeRateCorrection: number;
-    /** Valid parts of the state of the corrections. */
+    /** Validity flags for the state of the corrections. */
     validFlags: DgpsInfoFlags;
 }
 
@@ -1103,7 +1103,7 @@ export declare class DgpsChannel extends Data {
      * set.
      */
     rangeRateCorrection: number;
-    /** Valid parts of a differential correction. */
+    /** Validity flags for a differential correction. */
     validFlags: DgpsChannelFlags;
 }
 
@@ -1136,7 +1136,7 @@ export declare class ClockInfo2 extends Data {
      * `validFlags` is set.
      */
     driftAccuracyEstimate: number;
-    /** Valid clock parameters. */
+    /** Validity flags for the clock parameters. */
     validFlags: ClockInfo2Flags;
 }
 
@@ -1187,7 +1187,7 @@ export declare class SbasInfo extends Data {
     count: number;
     /** Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `validFlags` is set. */
     sbasStatus: SbasStatus;
-    /** Valid parts of the SBAS status. */
+    /** Validity flags for the SBAS status. */
     validFlags: SbasInfoFlags;
 }
 
@@ -1234,7 +1234,7 @@ export declare class SbasCorrection extends Data {
      * set.
      */
     ionoCorrection: number;
-    /** Valid parts of an SBAS correction. */
+    /** Validity flags for an SBAS correction. */
     validFlags: SbasCorrectionFlags;
 }
 
@@ -1246,8 +1246,8 @@ export declare class SbasCorrection extends Data {
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Known only from the MicroStrain MIP SDK.
  *
- * Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0 there and leaves its
- * flag clear.
+ * Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware from that time sends 0 there and does not
+ * set its flag.
  *
  * - mip-sdk-4: Rf Error Detection (0x81,0x14)
  */
@@ -1263,7 +1263,7 @@ export declare class RfErrorDetection extends Data {
     frequency: number;
     /** Reserved. */
     reserved: [number, number];
-    /** Valid parts of the detection. */
+    /** Validity flags for the detection. */
     validFlags: RfErrorDetectionFlags;
 }
 
@@ -1292,7 +1292,7 @@ export declare class Heading extends Data {
     uncertainty: number;
     /** Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `validFlags` is set. */
     fixType: HeadingFixType;
-    /** Valid parts of the heading. */
+    /** Validity flags for the heading. */
     validFlags: HeadingFlags;
 }
 
@@ -1336,7 +1336,7 @@ export declare class SatelliteStatus extends Data {
     azimuth: number;
     /** True if the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `validFlags` is set. */
     health: boolean;
-    /** Valid parts of the satellite status. */
+    /** Validity flags for the satellite status. */
     validFlags: SatelliteStatusFlags;
 }
 
@@ -1381,7 +1381,7 @@ export declare class Raw extends Data {
     signalId: types.GnssSignal;
     /** Carrier to noise density ratio. Unit: dB-Hz. Valid if `RawFlags.SIGNAL_STRENGTH` of `validFlags` is set. */
     signalStrength: number;
-    /** Quality of the tracking of the signal. Valid if `RawFlags.QUALITY` of `validFlags` is set. */
+    /** Tracking quality of the signal. Valid if `RawFlags.QUALITY` of `validFlags` is set. */
     quality: SignalQuality;
     /**
      * Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if
@@ -1415,7 +1415,7 @@ export declare class Raw extends Data {
      * `RawFlags.LOCK_TIME` of `validFlags` is set.
      */
     lockTime: number;
-    /** Valid parts of the observation. */
+    /** Validity flags for the observation. */
     validFlags: RawFlags;
 }
 
@@ -1698,7 +1698,10 @@ export declare class GlonassEphemeris extends Data {
      * `GlonassEphemerisFlags.EPHEMERIS` of `validFlags` is set.
      */
     accel: types.Vector3f;
-    /** Health (Bn); not 0 if the satellite fails. Valid if `GlonassEphemerisFlags.EPHEMERIS` of `validFlags` is set. */
+    /**
+     * Health (Bn); nonzero if the satellite is malfunctioning. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+     * `validFlags` is set.
+     */
     health: number;
     /** Mode of operation of the satellite. Valid if `GlonassEphemerisFlags.EPHEMERIS` of `validFlags` is set. */
     p: number;
@@ -1742,7 +1745,7 @@ export declare class GlonassEphemeris extends Data {
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
+ * It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
  * changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
@@ -1870,7 +1873,7 @@ export declare class GalileoEphemeris extends Data {
  * Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external (0x94) and
  * gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
+ * It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections mean here. `iodc`
  * changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
@@ -2018,7 +2021,7 @@ export declare class GpsIonoCorrection extends Data {
      * Coefficients beta 0 to 3. Valid if `GpsIonoCorrectionFlags.BETA` of `validFlags` is set. Uncertain: The units.
      */
     beta: [number, number, number, number];
-    /** Valid parts of the model. */
+    /** Validity flags for the model. */
     validFlags: GpsIonoCorrectionFlags;
 }
 
@@ -2053,7 +2056,7 @@ export declare class GalileoIonoCorrection extends Data {
      * or from 1, and which region each represents.
      */
     disturbanceFlags: number;
-    /** Valid parts of the model. */
+    /** Validity flags for the model. */
     validFlags: GalileoIonoCorrectionFlags;
 }
 
@@ -2091,6 +2094,6 @@ export declare class BeidouIonoCorrection extends Data {
      * set. Uncertain: The units.
      */
     alphaCorrection: number[];
-    /** Valid parts of the model. */
+    /** Validity flags for the model. */
     validFlags: BeidouIonoCorrectionFlags;
 }

@@ -145,7 +145,7 @@ export declare class GetRssiResponse extends Response {
  */
 export declare class ConnectedDeviceTypeResponse extends Response {
     constructor(values: Values<ConnectedDeviceTypeResponse>);
-    /** Device that the modem is connected to. */
+    /** Type of device that the modem is connected to. */
     deviceType: ConnectedDevice;
 }
 
@@ -189,9 +189,9 @@ export declare class ServiceStatusResponse extends Response {
     constructor(values: Values<ServiceStatusResponse>);
     /** State of the service. */
     flags: ServiceFlags;
-    /** Bytes of corrections that the service has sent. Unit: byte. */
+    /** Number of correction bytes that the service has sent. Unit: byte. */
     receivedBytes: number;
-    /** Bytes of the last transfer. Unit: byte. */
+    /** Number of bytes in the last transfer. Unit: byte. */
     lastBytes: number;
     /** Time of the last transfer. Uncertain: The unit and the epoch. */
     lastBytesTime: bigint;
@@ -205,7 +205,7 @@ export declare class ServiceStatusResponse extends Response {
  * No device is known for certain to support it. Answered by `GetStatusFlagsResponse`. Known only from the MicroStrain
  * MIP SDK.
  *
- * The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
+ * The status word in the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
  *
  * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
@@ -268,7 +268,7 @@ export declare class GetRssi extends Command<GetRssiResponse> {
 /**
  * Connected device type (0x0F,0x06).
  *
- * Sets the device that the modem serves.
+ * Sets the type of device that the modem is connected to.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConnectedDeviceTypeResponse`. Not listed in
  * any device profile. Known only from the MicroStrain MIP SDK.
@@ -279,7 +279,7 @@ export declare class ConnectedDeviceType<R extends Response | undefined = undefi
     constructor(values: Values<ConnectedDeviceType>);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /** Device that the modem is connected to. Required for `write`. */
+    /** Type of device that the modem is connected to. Required for `write`. */
     deviceType?: ConnectedDevice;
     /** Apply the new setting. */
     static write(values: { deviceType: ConnectedDevice }): ConnectedDeviceType<undefined>;
@@ -329,7 +329,7 @@ export declare class GetModemFirmwareVersion extends Command<GetModemFirmwareVer
  * Answered by `ServiceStatusResponse`. Sent by the device; the host replies. Not listed in any device profile. Known
  * only from the MicroStrain MIP SDK.
  *
- * The modem sends it as a host would, and the server replies as a device would.
+ * The modem acts as the host and the server as the device.
  *
  * - mip-sdk-4: Service status (0x0F,0x0A)
  */
@@ -366,7 +366,7 @@ export declare class EraseStorage extends Command<undefined> {
  *
  * For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * Only in calibration mode or production test mode; otherwise it is rejected.
+ * Accepted in calibration mode and production test mode only.
  *
  * - mip-sdk-4: LED control (0x0F,0x21)
  */

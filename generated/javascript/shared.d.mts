@@ -12,13 +12,13 @@ import type { FunctionSelector } from "./protocol.mjs";
 import type * as types from "./types.mjs";
 
 export type GpsTimestampFlags = Flavor<number, "shared.gps_timestamp_flags">;
-/** Valid parts of the GPS time. */
+/** Validity flags for the GPS time. */
 export declare const GpsTimestampFlags: Bitfield<GpsTimestampFlags> & {
     /** The whole seconds of the time of week have been set. Bit 0. */
     readonly TOW: GpsTimestampFlags;
     /** The week number has been set. Bit 1. */
     readonly WEEK_NUMBER: GpsTimestampFlags;
-    /** Both are set. Bits 0 to 1. Overlaps other bits. */
+    /** The time of week and the week number have been set. Bits 0 to 1. Overlaps other bits. */
     readonly TIME_VALID: GpsTimestampFlags;
 };
 
@@ -30,7 +30,7 @@ export declare const ExternalTimestampFlags: Bitfield<ExternalTimestampFlags> & 
 };
 
 export type ExternalTimeDeltaFlags = Flavor<number, "shared.external_time_delta_flags">;
-/** Validity of the difference of external time. */
+/** Validity of the external time difference. */
 export declare const ExternalTimeDeltaFlags: Bitfield<ExternalTimeDeltaFlags> & {
     /** The difference is valid. Bit 0. */
     readonly DT_NANOS: ExternalTimeDeltaFlags;
@@ -115,7 +115,7 @@ export declare class GpsTimestamp extends Data {
     tow: number;
     /** GPS week number. Unit: week. Valid if `GpsTimestampFlags.WEEK_NUMBER` of `validFlags` is set. */
     weekNumber: number;
-    /** Valid parts of the timestamp. */
+    /** Validity flags for the timestamp. */
     validFlags: GpsTimestampFlags;
 }
 
@@ -180,10 +180,10 @@ export declare class ReferenceTimeDelta extends Data {
  * Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes valid when the
- * external clock is synchronized through the PPS. Its epoch is that of the time that you send with
- * `base.GpsTimeUpdate`. It is GPS time in most systems, but may be another, such as Unix time. Use `GpsTimestamp` for
- * GPS time only. With a receiver as the source of the PPS (`3dm.PpsSourceControl`), it is GPS time, and valid only
- * while that receiver has a fix.
+ * external clock is synchronized through the PPS. Its epoch is the epoch of the time sent with `base.GpsTimeUpdate`: in
+ * most systems that of GPS time, but possibly another, such as the Unix epoch. Use `GpsTimestamp` for GPS time only.
+ * With a receiver as the source of the PPS (`3dm.PpsSourceControl`), it is GPS time, and valid only while that receiver
+ * has a fix.
  *
  * - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
  * - 3dm-cv7-gnss-ins: Timestamps

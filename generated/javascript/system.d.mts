@@ -51,9 +51,9 @@ export declare class InterfaceControlResponse extends Response {
     constructor(values: Values<InterfaceControlResponse>);
     /** Port whose protocols are set or read. Uncertain: Whether write and read accept `all`. */
     port: types.CommInterface;
-    /** Protocols that it receives. */
+    /** Protocols that the port receives. */
     protocolsIncoming: CommProtocols;
-    /** Protocols that it sends. */
+    /** Protocols that the port sends. */
     protocolsOutgoing: CommProtocols;
 }
 
@@ -80,9 +80,9 @@ export declare class CommModeResponse extends Response {
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions. The change takes effect before the
  * ACK, which is sent on the main port. Bytes that arrive during the change may be lost. The device rejects protocols
- * that it or the port does not have, and more parsers than it has; then nothing is changed. Replies to an incoming
- * protocol are sent on the same port, even if the protocol is not an outgoing one. Devices differ in how many protocols
- * they receive and send at a time.
+ * that it or the port does not support, and settings that need more parsers than it has. A rejected command changes
+ * nothing. Replies to an incoming protocol are sent on the same port, even if the protocol is not an outgoing one.
+ * Devices differ in how many protocols they receive and send at a time.
  *
  * - mip-sdk-4: Interface control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
@@ -93,9 +93,9 @@ export declare class InterfaceControl<R extends Response | undefined = undefined
     function: FunctionSelector;
     /** Port whose protocols are set or read. Uncertain: Whether write and read accept `all`. */
     port?: types.CommInterface;
-    /** Protocols that it receives. Required for `write`. */
+    /** Protocols that the port receives. Required for `write`. */
     protocolsIncoming?: CommProtocols;
-    /** Protocols that it sends. Required for `write`. */
+    /** Protocols that the port sends. Required for `write`. */
     protocolsOutgoing?: CommProtocols;
     /** Apply the new setting. */
     static write(values: { port: types.CommInterface; protocolsIncoming: CommProtocols; protocolsOutgoing: CommProtocols }): InterfaceControl<undefined>;

@@ -437,11 +437,11 @@ export type EventTriggerStatus = Flavor<number, "event_trigger_status">;
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 export declare const EventTriggerStatus: Bitfield<EventTriggerStatus> & {
-    /** Active now, by its condition or by a test mode. Bit 0. */
+    /** The trigger is active, because of its condition or a test mode. Bit 0. */
     readonly ACTIVE: EventTriggerStatus;
     /** The trigger is enabled. Bit 1. */
     readonly ENABLED: EventTriggerStatus;
-    /** In a test mode. Bit 2. */
+    /** The trigger is in a test mode. Bit 2. */
     readonly TEST: EventTriggerStatus;
 };
 
@@ -890,7 +890,7 @@ export declare const GpioUartBehavior: Enumeration<GpioUartBehavior> & {
 
 export type GpioPinMode = Flavor<number, "gpio_pin_mode">;
 /**
- * Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and behavior.
+ * Electrical options of a GPIO pin. The allowed ones depend on the device, the pin, the feature and the behavior.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  * - 3dm-cv7-gnss-ins: Pin Mode
@@ -994,9 +994,9 @@ export declare const CommInterface: Enumeration<CommInterface> & {
     readonly UART_2: CommInterface & 18;
     /** The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models. */
     readonly UART_3: CommInterface & 19;
-    /** First virtual serial port of USB. */
+    /** First USB virtual serial port. */
     readonly USB_1: CommInterface & 33;
-    /** Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM. */
+    /** Second USB virtual serial port; on GNSS/INS models, intended for NMEA and RTCM. */
     readonly USB_2: CommInterface & 34;
 };
 
@@ -1013,7 +1013,7 @@ export type RtkStatusFlags = Flavor<number, "rtk_status_flags">;
 export declare const RtkStatusFlags: Bitfield<RtkStatusFlags> & {
     /** State of the modem. Bits 0 to 3. */
     readonly MODEM_STATE: RtkStatusFlags;
-    /** Kind of the cellular connection. Bits 4 to 7. */
+    /** Kind of cellular connection. Bits 4 to 7. */
     readonly CONNECTION_TYPE: RtkStatusFlags;
     /**
      * Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of the vendor treats it as
@@ -1022,7 +1022,7 @@ export declare const RtkStatusFlags: Bitfield<RtkStatusFlags> & {
     readonly RSSI: RtkStatusFlags;
     /** Quality of the modem's radio signal. Bits 16 to 19. */
     readonly SIGNAL_QUALITY: RtkStatusFlags;
-    /** Changes of the cell tower. Bits 20 to 23. */
+    /** Cell tower changes. Bits 20 to 23. */
     readonly TOWER_CHANGE_INDICATOR: RtkStatusFlags;
     /** No NMEA was received from the device in time. Bit 24. */
     readonly NMEA_TIMEOUT: RtkStatusFlags;
@@ -1056,7 +1056,7 @@ export declare const RtkStatusFlagsLegacy: Bitfield<RtkStatusFlagsLegacy> & {
     readonly CONTROLLER_STATUS_CODE: RtkStatusFlagsLegacy;
     /** Status code of the platform. Bits 11 to 13. */
     readonly PLATFORM_STATUS_CODE: RtkStatusFlagsLegacy;
-    /** Reason of the last reset. Bits 14 to 15. */
+    /** Reason for the last reset. Bits 14 to 15. */
     readonly RESET_CODE: RtkStatusFlagsLegacy;
     /** Quality of the modem's radio signal. Bits 16 to 19. */
     readonly SIGNAL_QUALITY: RtkStatusFlagsLegacy;

@@ -1404,20 +1404,20 @@ types:
         type: b5
       - id: test
         type: b1
-        doc: In a test mode.
+        doc: The trigger is in a test mode.
       - id: enabled
         type: b1
         doc: The trigger is enabled.
       - id: active
         type: b1
-        doc: Active now, by its condition or by a test mode.
+        doc: The trigger is active, because of its condition or a test mode.
     instances:
       number:
         value: "(active ? 1 : 0) + (enabled ? 2 : 0) + (test ? 4 : 0) + (unused_3 * 8)"
         doc: All bits as a number.
   gpio_pin_mode:
     -kind: bits
-    doc: Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and behavior.
+    doc: Electrical options of a GPIO pin. The allowed ones depend on the device, the pin, the feature and the behavior.
     seq:
       - id: unused_3
         type: b5
@@ -1460,7 +1460,7 @@ types:
         doc: No NMEA was received from the device in time.
       - id: tower_change_indicator
         type: b4
-        doc: Changes of the cell tower.
+        doc: Cell tower changes.
       - id: signal_quality
         type: b4
         doc: "Quality of the modem's radio signal."
@@ -1469,7 +1469,7 @@ types:
         doc: Received signal strength.
       - id: connection_type
         type: b4
-        doc: Kind of the cellular connection.
+        doc: Kind of cellular connection.
       - id: modem_state
         type: b4
         doc: State of the modem.
@@ -1498,7 +1498,7 @@ types:
         doc: "Quality of the modem's radio signal."
       - id: reset_code
         type: b2
-        doc: Reason of the last reset.
+        doc: Reason for the last reset.
       - id: platform_status_code
         type: b3
         doc: Status code of the platform.
@@ -1602,10 +1602,10 @@ types:
         doc: Computes the quaternion.
       - id: disable_up_compensation
         type: b1
-        doc: Disables the correction of pitch and roll.
+        doc: Disables the pitch and roll correction.
       - id: disable_north_compensation
         type: b1
-        doc: Disables the correction of the heading.
+        doc: Disables the heading correction.
       - id: mag_low_power
         type: b1
         doc: Reduces the power of the magnetometer.
@@ -1616,7 +1616,7 @@ types:
         type: b1
       - id: finite_size_correction
         type: b1
-        doc: Corrects the distance between the accelerometers.
+        doc: Compensates for the distance between the accelerometers.
       - id: nan_suppressed
         type: b1
         doc: Suppresses values that are NaN (not a number).
@@ -1931,7 +1931,7 @@ types:
         doc: All bits as a number.
   gnss_data_llh_position_flags:
     -kind: bits
-    doc: Valid parts of the position.
+    doc: Validity flags for the position.
     seq:
       - id: unused_5
         type: b11
@@ -1959,7 +1959,7 @@ types:
         doc: All values are valid.
   gnss_data_ecef_position_flags:
     -kind: bits
-    doc: Valid parts of the position.
+    doc: Validity flags for the position.
     seq:
       - id: unused_2
         type: b14
@@ -1978,7 +1978,7 @@ types:
         doc: All values are valid.
   gnss_data_ned_velocity_flags:
     -kind: bits
-    doc: Valid parts of the velocity.
+    doc: Validity flags for the velocity.
     seq:
       - id: unused_6
         type: b10
@@ -2009,7 +2009,7 @@ types:
         doc: All values are valid.
   gnss_data_ecef_velocity_flags:
     -kind: bits
-    doc: Valid parts of the velocity.
+    doc: Validity flags for the velocity.
     seq:
       - id: unused_2
         type: b14
@@ -2028,7 +2028,7 @@ types:
         doc: All values are valid.
   gnss_data_dop_flags:
     -kind: bits
-    doc: Valid dilutions of precision.
+    doc: Validity flags for the dilutions of precision.
     seq:
       - id: unused_7
         type: b9
@@ -2062,7 +2062,7 @@ types:
         doc: All values are valid.
   gnss_data_utc_time_flags:
     -kind: bits
-    doc: Valid parts of the UTC time.
+    doc: Validity flags for the UTC time.
     seq:
       - id: unused_2
         type: b14
@@ -2081,7 +2081,7 @@ types:
         doc: All values are valid.
   gnss_data_gps_time_flags:
     -kind: bits
-    doc: Valid parts of the time.
+    doc: Validity flags for the time.
     seq:
       - id: unused_2
         type: b14
@@ -2100,7 +2100,7 @@ types:
         doc: All values are valid.
   gnss_data_clock_info_flags:
     -kind: bits
-    doc: Valid clock parameters.
+    doc: Validity flags for the clock parameters.
     seq:
       - id: unused_3
         type: b13
@@ -2138,7 +2138,7 @@ types:
         doc: All bits as a number.
   gnss_data_fix_info_flags:
     -kind: bits
-    doc: Valid parts of the fix information.
+    doc: Validity flags for the fix information.
     seq:
       - id: unused_3
         type: b13
@@ -2176,7 +2176,7 @@ types:
         doc: All bits as a number.
   gnss_data_sv_info_flags:
     -kind: bits
-    doc: Valid parts of the satellite info.
+    doc: Validity flags for the satellite info.
     seq:
       - id: unused_6
         type: b10
@@ -2207,7 +2207,7 @@ types:
         doc: All values are valid.
   gnss_data_hardware_status_flags:
     -kind: bits
-    doc: Valid parts of the hardware status.
+    doc: Validity flags for the hardware status.
     seq:
       - id: unused_3
         type: b13
@@ -2229,7 +2229,7 @@ types:
         doc: All values are valid.
   gnss_data_dgps_info_flags:
     -kind: bits
-    doc: Valid parts of the state of the corrections.
+    doc: Validity flags for the state of the corrections.
     seq:
       - id: unused_4
         type: b12
@@ -2254,7 +2254,7 @@ types:
         doc: All values are valid.
   gnss_data_dgps_channel_flags:
     -kind: bits
-    doc: Valid parts of a differential correction.
+    doc: Validity flags for a differential correction.
     seq:
       - id: unused_4
         type: b12
@@ -2279,7 +2279,7 @@ types:
         doc: All values are valid.
   gnss_data_clock_info_2_flags:
     -kind: bits
-    doc: Valid clock parameters.
+    doc: Validity flags for the clock parameters.
     seq:
       - id: unused_4
         type: b12
@@ -2341,7 +2341,7 @@ types:
         doc: All bits as a number.
   gnss_data_sbas_info_flags:
     -kind: bits
-    doc: Valid parts of the SBAS status.
+    doc: Validity flags for the SBAS status.
     seq:
       - id: unused_6
         type: b10
@@ -2372,7 +2372,7 @@ types:
         doc: All values are valid.
   gnss_data_sbas_correction_flags:
     -kind: bits
-    doc: Valid parts of an SBAS correction.
+    doc: Validity flags for an SBAS correction.
     seq:
       - id: unused_3
         type: b13
@@ -2394,7 +2394,7 @@ types:
         doc: All values are valid.
   gnss_data_rf_error_detection_flags:
     -kind: bits
-    doc: Valid parts of the detection.
+    doc: Validity flags for the detection.
     seq:
       - id: unused_4
         type: b12
@@ -2419,7 +2419,7 @@ types:
         doc: All values are valid.
   gnss_data_heading_flags:
     -kind: bits
-    doc: Valid parts of the heading.
+    doc: Validity flags for the heading.
     seq:
       - id: unused_3
         type: b13
@@ -2441,7 +2441,7 @@ types:
         doc: All values are valid.
   gnss_data_satellite_status_flags:
     -kind: bits
-    doc: Valid parts of the satellite status.
+    doc: Validity flags for the satellite status.
     seq:
       - id: unused_7
         type: b9
@@ -2475,7 +2475,7 @@ types:
         doc: All values are valid.
   gnss_data_raw_flags:
     -kind: bits
-    doc: Valid parts of the observation.
+    doc: Validity flags for the observation.
     seq:
       - id: lock_time
         type: b1
@@ -2676,7 +2676,7 @@ types:
         doc: All values are valid.
   gnss_data_ephemeris_flags:
     -kind: bits
-    doc: Contents of an ephemeris of GPS, Galileo or BeiDou.
+    doc: Contents of a GPS, Galileo or BeiDou ephemeris.
     seq:
       - id: unused_3
         type: b13
@@ -2714,7 +2714,7 @@ types:
         doc: All values are valid.
   gnss_data_gps_iono_correction_flags:
     -kind: bits
-    doc: Valid parts of the model.
+    doc: Validity flags for the model.
     seq:
       - id: unused_4
         type: b12
@@ -2739,7 +2739,7 @@ types:
         doc: All values are valid.
   gnss_data_galileo_iono_correction_flags:
     -kind: bits
-    doc: Valid parts of the model.
+    doc: Validity flags for the model.
     seq:
       - id: unused_4
         type: b12
@@ -2764,7 +2764,7 @@ types:
         doc: All values are valid.
   gnss_data_beidou_iono_correction_flags:
     -kind: bits
-    doc: Valid parts of the model.
+    doc: Validity flags for the model.
     seq:
       - id: unused_5
         type: b11
@@ -2867,13 +2867,13 @@ types:
         doc: GPS L1 is used.
       - id: integer_fix
         type: b1
-        doc: There is an RTK integer fix, with the most accurate position.
+        doc: The receiver has an RTK integer fix, the most accurate kind.
       - id: differential
         type: b1
         doc: RTK corrections are used.
       - id: tight_coupling
         type: b1
-        doc: Raw ranges of the receiver are used.
+        doc: "The receiver's raw ranges are used."
     instances:
       number:
         value: "(tight_coupling ? 1 : 0) + (differential ? 2 : 0) + (integer_fix ? 4 : 0) + (gps_l1 ? 8 : 0) + (gps_l2 ? 16 : 0) + (gps_l5 ? 32 : 0) + (glonass_l1 ? 64 : 0) + (glonass_l2 ? 128 : 0) + (galileo_e1 ? 256 : 0) + (galileo_e5 ? 512 : 0) + (galileo_e6 ? 1024 : 0) + (beidou_b1 ? 2048 : 0) + (beidou_b2 ? 4096 : 0) + (beidou_b3 ? 8192 : 0) + (no_fix ? 16384 : 0) + (config_error ? 32768 : 0)"
@@ -2889,16 +2889,16 @@ types:
         doc: There are more measurements than the filter can process.
       - id: config_error
         type: b1
-        doc: Its configuration is wrong.
+        doc: The configuration of the measurement is wrong.
       - id: sample_time_warning
         type: b1
-        doc: Its time is doubtful.
+        doc: The time of the measurement is doubtful.
       - id: residual_high_warning
         type: b1
-        doc: It disagrees with the estimate.
+        doc: The measurement disagrees with the estimate.
       - id: used
         type: b1
-        doc: The filter used it.
+        doc: The filter used the measurement.
       - id: enabled
         type: b1
         doc: The measurement is enabled.
@@ -2908,7 +2908,7 @@ types:
         doc: All bits as a number.
   filter_data_dual_antenna_status_flags:
     -kind: bits
-    doc: Inputs available to the heading solution of two antennas.
+    doc: Inputs available to the dual-antenna heading solution.
     seq:
       - id: unused_3
         type: b13
@@ -2967,7 +2967,7 @@ types:
         doc: A position covariance is above its normal limit.
       - id: run_matrix_singularity
         type: b1
-        doc: A matrix of the computation is singular.
+        doc: A matrix in the computation is singular.
       - id: unused_2
         type: b1
       - id: run_gps_unavailable
@@ -3032,7 +3032,7 @@ types:
         doc: All bits as a number.
   displacement_data_timestamp_flags:
     -kind: bits
-    doc: Validity of the time of displacement data.
+    doc: Validity of the displacement timestamp.
     seq:
       - id: unused_1
         type: b7
@@ -3067,7 +3067,7 @@ types:
         doc: All bits as a number.
   shared_gps_timestamp_flags:
     -kind: bits
-    doc: Valid parts of the GPS time.
+    doc: Validity flags for the GPS time.
     seq:
       - id: unused_2
         type: b14
@@ -3083,7 +3083,7 @@ types:
         doc: All bits as a number.
       time_valid:
         value: "(tow ? 1 : 0) + (week_number ? 2 : 0)"
-        doc: Both are set.
+        doc: The time of week and the week number have been set.
   shared_external_timestamp_flags:
     -kind: bits
     doc: Validity of the external time.
@@ -3099,7 +3099,7 @@ types:
         doc: All bits as a number.
   shared_external_time_delta_flags:
     -kind: bits
-    doc: Validity of the difference of external time.
+    doc: Validity of the external time difference.
     seq:
       - id: unused_1
         type: b15
@@ -3252,7 +3252,7 @@ types:
       - id: serial_number
         type: str
         size: 16
-        doc: Number of this device, which begins with the model number.
+        doc: Serial number, which begins with the model number.
       - id: lot_number
         type: str
         size: 16
@@ -3279,13 +3279,13 @@ types:
         doc: Constellation that this entry configures.
       - id: enable
         type: u1
-        doc: "1 switches it on, 0 off. Range: 0 to 1."
+        doc: "1 enables the constellation, 0 disables it. Range: 0 to 1."
       - id: reserved_channels
         type: u1
-        doc: "Number of channels reserved for it. Unit: 1. Range: 0 to 32."
+        doc: "Number of channels reserved for the constellation. Unit: 1. Range: 0 to 32."
       - id: max_channels
         type: u1
-        doc: "Maximum number of channels that it uses. Unit: 1. Range: 0 to 32."
+        doc: "Maximum number of channels for the constellation. Unit: 1. Range: 0 to 32."
       - id: option_flags
         type: mip_3dm_constellation_options
         doc: Options of this constellation.
@@ -3294,7 +3294,7 @@ types:
     seq:
       - id: type
         type: u1
-        doc: Type of triggers, or of actions.
+        doc: Trigger type or action type.
       - id: count
         type: u1
         doc: "Maximum number of instances of this type. Unit: 1."
@@ -3329,14 +3329,14 @@ types:
         type: f4
         doc: Largest measurable value.
   gnss_receiver_info_entry:
-    doc: One GNSS receiver.
+    doc: Description of a GNSS receiver.
     seq:
       - id: receiver_id
         type: u1
         doc: "Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at least 1."
       - id: mip_data_descriptor_set
         type: u1
-        doc: "Descriptor set of the data of this receiver. Range: 0x80 to 0xFE."
+        doc: "Descriptor set of this receiver's data. Range: 0x80 to 0xFE."
       - id: description
         type: str
         size: 32
@@ -3347,7 +3347,7 @@ types:
       - id: timebase
         type: u1
         enum: aiding_timebase
-        doc: Clock of the time.
+        doc: Clock that the time refers to.
       - id: reserved
         type: u1
         doc: "Reserved: send 1."
@@ -3360,7 +3360,7 @@ types:
     seq:
       - id: command
         type: u1
-        doc: Descriptor of the command that this replies to.
+        doc: Descriptor of the acknowledged command.
       - id: code
         type: u1
         enum: ack_code
@@ -3405,7 +3405,7 @@ types:
       - id: baud
         type: u4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Baud rate; one that the port supports. Unit: Bd."
+        doc: "Baud rate that the port supports. Unit: Bd."
   base_gps_time_update:
     -orig-id: base.gps_time_update
     doc: GPS time update. Sets the week number or the time of week of the external (GPS) time.
@@ -3788,7 +3788,7 @@ types:
       - id: enable_sbas
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "1 switches SBAS on, 0 off. Range: 0 to 1."
+        doc: "1 enables SBAS, 0 disables it. Range: 0 to 1."
       - id: sbas_options
         type: mip_3dm_sbas_options
         if: function_value == function_selector::write or _io.size >= 4
@@ -3860,7 +3860,7 @@ types:
         doc: Source of the pulse.
   mip_3dm_get_event_support:
     -orig-id: 3dm.get_event_support
-    doc: Get Supported Events. Gets the types of event triggers or actions that the device has, and how many of each.
+    doc: Get Supported Events. Gets the types of event triggers or actions that the device supports, and the number of each.
     seq:
       - id: query
         type: u1
@@ -4123,7 +4123,7 @@ types:
       - id: time
         type: u4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Value of the counter, in the unit that `selector` states."
+        doc: "Value of the counter, in the unit that `selector` selects."
   mip_3dm_accel_bias:
     -orig-id: 3dm.accel_bias
     doc: Accelerometer Bias Configuration. Sets the bias that is subtracted from the scaled acceleration.
@@ -4185,7 +4185,7 @@ types:
         doc: "Soft iron matrix in row-major order. Unit: 1. Frame: sensor."
   mip_3dm_coning_sculling_enable:
     -orig-id: 3dm.coning_sculling_enable
-    doc: Coning and Sculling Enable. Switches the compensation of coning and sculling on or off.
+    doc: Coning and Sculling Enable. Enables or disables coning and sculling compensation.
     seq:
       - id: function_value
         -orig-id: function
@@ -4208,7 +4208,7 @@ types:
       - id: baud
         type: u4
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "Baud rate, one of those that the port supports. Unit: Bd."
+        doc: "Baud rate that the port supports. Unit: Bd."
   mip_3dm_gpio_config:
     -orig-id: 3dm.gpio_config
     doc: GPIO Configuration. Sets the use of a GPIO pin.
@@ -4251,7 +4251,7 @@ types:
       - id: state
         type: u1
         if: function_value == function_selector::write or _io.size >= 3
-        doc: True is high.
+        doc: True means high.
   mip_3dm_odometer_config:
     -orig-id: 3dm.odometer_config
     doc: Odometer Configuration. Configures the input from a wheel encoder.
@@ -4276,7 +4276,7 @@ types:
         doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0."
   mip_3dm_imu_low_pass_filter:
     -orig-id: 3dm.imu_low_pass_filter
-    doc: Advanced Low-Pass Filter Settings. Configures the low-pass filter of one quantity of the sensor data.
+    doc: Advanced Low-Pass Filter Settings. Configures the low-pass filter of one sensor data quantity.
     seq:
       - id: function_value
         -orig-id: function
@@ -4503,7 +4503,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: The stream that the command names.
+        doc: Stream specified in the command.
       - id: enabled
         type: u1
         doc: True if the stream is sent.
@@ -4542,7 +4542,7 @@ types:
     seq:
       - id: baud
         type: u4
-        doc: "Baud rate, one of those that the port supports. Unit: Bd."
+        doc: "Baud rate that the port supports. Unit: Bd."
   mip_3dm_data_stream_format_response:
     -orig-id: 3dm.data_stream_format_response
     doc: "Data stream format response. "
@@ -4735,13 +4735,13 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
       - id: imu_parser_errors
         type: u4
-        doc: "Messages of the IMU that could not be parsed. Unit: 1."
+        doc: "IMU messages that could not be parsed. Unit: 1."
       - id: imu_message_count
         type: u4
-        doc: "Messages of the IMU that were read. Unit: 1."
+        doc: "IMU messages that were read. Unit: 1."
       - id: imu_last_message_time
         type: u4
-        doc: "System timer at the last message of the IMU. Unit: ms."
+        doc: "System timer at the last IMU message. Unit: ms."
   mip_3dm_device_status_diagnostic_gnss_response:
     -orig-id: 3dm.device_status_diagnostic_gnss_response
     doc: Diagnostic Device Status with GNSS. State, timer, and the counters of pulses, streams, port and receiver.
@@ -4803,22 +4803,22 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
       - id: imu_parser_errors
         type: u4
-        doc: "Messages of the IMU that could not be parsed. Unit: 1."
+        doc: "IMU messages that could not be parsed. Unit: 1."
       - id: imu_message_count
         type: u4
-        doc: "Messages of the IMU that were read. Unit: 1."
+        doc: "IMU messages that were read. Unit: 1."
       - id: imu_last_message_time
         type: u4
-        doc: "System timer at the last message of the IMU. Unit: ms."
+        doc: "System timer at the last IMU message. Unit: ms."
       - id: gnss_parser_errors
         type: u4
-        doc: "Messages of the receiver that could not be parsed. Unit: 1."
+        doc: "Receiver messages that could not be parsed. Unit: 1."
       - id: gnss_message_count
         type: u4
-        doc: "Messages of the receiver that were read. Unit: 1."
+        doc: "Receiver messages that were read. Unit: 1."
       - id: gnss_last_message_time
         type: u4
-        doc: "System timer at the last message of the receiver. Unit: ms."
+        doc: "System timer at the last receiver message. Unit: ms."
   mip_3dm_device_status_diagnostic_gq4_45_response:
     -orig-id: 3dm.device_status_diagnostic_gq4_45_response
     doc: Diagnostic Device Status of the 3DM-GQ4-45. The layout with GNSS, plus flags for parts that could not be started.
@@ -4880,22 +4880,22 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
       - id: imu_parser_errors
         type: u4
-        doc: "Messages of the IMU that could not be parsed. Unit: 1."
+        doc: "IMU messages that could not be parsed. Unit: 1."
       - id: imu_message_count
         type: u4
-        doc: "Messages of the IMU that were read. Unit: 1."
+        doc: "IMU messages that were read. Unit: 1."
       - id: imu_last_message_time
         type: u4
-        doc: "System timer at the last message of the IMU. Unit: ms."
+        doc: "System timer at the last IMU message. Unit: ms."
       - id: gnss_parser_errors
         type: u4
-        doc: "Messages of the receiver that could not be parsed. Unit: 1."
+        doc: "Receiver messages that could not be parsed. Unit: 1."
       - id: gnss_message_count
         type: u4
-        doc: "Messages of the receiver that were read. Unit: 1."
+        doc: "Receiver messages that were read. Unit: 1."
       - id: gnss_last_message_time
         type: u4
-        doc: "System timer at the last message of the receiver. Unit: ms."
+        doc: "System timer at the last receiver message. Unit: ms."
       - id: mag_init_failed
         type: u1
         doc: True if the magnetometer could not be started.
@@ -4975,22 +4975,22 @@ types:
         doc: "Overruns while reading from the port. Unit: 1."
       - id: imu_parser_errors
         type: u4
-        doc: "Messages of the IMU that could not be parsed. Unit: 1."
+        doc: "IMU messages that could not be parsed. Unit: 1."
       - id: imu_message_count
         type: u4
-        doc: "Messages of the IMU that were read. Unit: 1."
+        doc: "IMU messages that were read. Unit: 1."
       - id: imu_last_message_time
         type: u4
-        doc: "System timer at the last message of the IMU. Unit: ms."
+        doc: "System timer at the last IMU message. Unit: ms."
       - id: gnss_parser_errors
         type: u4
-        doc: "Messages of the receiver that could not be parsed. Unit: 1."
+        doc: "Receiver messages that could not be parsed. Unit: 1."
       - id: gnss_message_count
         type: u4
-        doc: "Messages of the receiver that were read. Unit: 1."
+        doc: "Receiver messages that were read. Unit: 1."
       - id: gnss_last_message_time
         type: u4
-        doc: "System timer at the last message of the receiver. Unit: ms."
+        doc: "System timer at the last receiver message. Unit: ms."
   mip_3dm_device_status_diagnostic_gx4_response:
     -orig-id: 3dm.device_status_diagnostic_gx4_response
     doc: Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25. Timer, and counters of pulses, streams, port and USB.
@@ -5052,13 +5052,13 @@ types:
         doc: "Overruns while reading from USB. Unit: 1."
       - id: imu_parser_errors
         type: u4
-        doc: "Messages of the IMU that could not be parsed. Unit: 1."
+        doc: "IMU messages that could not be parsed. Unit: 1."
       - id: imu_message_count
         type: u4
-        doc: "Messages of the IMU that were read. Unit: 1."
+        doc: "IMU messages that were read. Unit: 1."
       - id: imu_last_message_time
         type: u4
-        doc: "System timer at the last message of the IMU. Unit: ms."
+        doc: "System timer at the last IMU message. Unit: ms."
   mip_3dm_device_status_diagnostic_imu_response:
     -orig-id: 3dm.device_status_diagnostic_imu_response
     doc: Diagnostic Device Status of an IMU. Timer, available sensors, temperature, and the counters of pulses, stream and port.
@@ -5078,10 +5078,10 @@ types:
         doc: "Time since start-up. Unit: ms."
       - id: has_mag
         type: u1
-        doc: True if it has a magnetometer.
+        doc: True if the device has a magnetometer.
       - id: has_pressure
         type: u1
-        doc: True if it has a pressure sensor.
+        doc: True if the device has a pressure sensor.
       - id: power_state
         type: u1
         doc: Power state of the sensors.
@@ -5146,10 +5146,10 @@ types:
         doc: "Time since start-up. Unit: ms."
       - id: has_mag
         type: u1
-        doc: True if it has a magnetometer.
+        doc: True if the device has a magnetometer.
       - id: has_pressure
         type: u1
-        doc: True if it has a pressure sensor.
+        doc: True if the device has a pressure sensor.
       - id: gyro_range
         type: u2
         doc: Largest angular rate that can be measured.
@@ -5356,10 +5356,10 @@ types:
         doc: "Overruns while reading from the receiver. Unit: 1."
       - id: gnss_message_count
         type: u4
-        doc: "Messages of the receiver that were read. Unit: 1."
+        doc: "Receiver messages that were read. Unit: 1."
       - id: gnss_delayed_message_count
         type: u4
-        doc: "Messages of the receiver that arrived late. Unit: 1."
+        doc: "Receiver messages that arrived late. Unit: 1."
       - id: imu_driver_state
         type: u2
         doc: "State of the IMU's driver; the meaning of its values is not known."
@@ -5380,10 +5380,10 @@ types:
         doc: "Overruns while reading from the IMU. Unit: 1."
       - id: imu_message_count
         type: u4
-        doc: "Messages of the IMU that were read. Unit: 1."
+        doc: "IMU messages that were read. Unit: 1."
       - id: imu_delayed_message_count
         type: u4
-        doc: "Messages of the IMU that arrived late. Unit: 1."
+        doc: "IMU messages that arrived late. Unit: 1."
   mip_3dm_gps_dynamics_mode_response:
     -orig-id: 3dm.gps_dynamics_mode_response
     doc: "GPS dynamics mode response. "
@@ -5402,7 +5402,7 @@ types:
         doc: Counter to set or read.
       - id: time
         type: u4
-        doc: "Value of the counter, in the unit that `selector` states."
+        doc: "Value of the counter, in the unit that `selector` selects."
   mip_3dm_complementary_filter_response:
     -orig-id: 3dm.complementary_filter_response
     doc: "Complementary Filter Configuration response. "
@@ -5460,7 +5460,7 @@ types:
     seq:
       - id: max_channels_available
         type: u2
-        doc: "Channels that the receiver has. Unit: 1."
+        doc: "Number of channels of the receiver. Unit: 1."
       - id: max_channels_use
         type: u2
         doc: "Maximum number of channels in use. Unit: 1."
@@ -5480,7 +5480,7 @@ types:
     seq:
       - id: enable_sbas
         type: u1
-        doc: "1 switches SBAS on, 0 off. Range: 0 to 1."
+        doc: "1 enables SBAS, 0 disables it. Range: 0 to 1."
       - id: sbas_options
         type: mip_3dm_sbas_options
         doc: Purposes of SBAS.
@@ -5698,7 +5698,7 @@ types:
         doc: "GPIO pin, counted from 1. Range: at least 1."
       - id: state
         type: u1
-        doc: True is high.
+        doc: True means high.
   mip_3dm_odometer_config_response:
     -orig-id: 3dm.odometer_config_response
     doc: "Odometer Configuration response. "
@@ -5741,7 +5741,7 @@ types:
         type: mip_3dm_sensor_range_entry
         repeat: expr
         repeat-expr: num_ranges
-        doc: Each range that the sensor is calibrated for.
+        doc: Ranges for which the sensor is calibrated.
   mip_3dm_low_pass_filter_response:
     -orig-id: 3dm.low_pass_filter_response
     doc: "Low-Pass Anti-Aliasing Filter response. "
@@ -5766,7 +5766,7 @@ types:
     doc: Reset navigation filter. Returns the filter to its initialization state.
   filter_set_initial_attitude:
     -orig-id: filter.set_initial_attitude
-    doc: Set initial attitude. Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
+    doc: "Set initial attitude. Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame."
     seq:
       - id: roll
         type: f4
@@ -5786,7 +5786,7 @@ types:
         doc: "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
   filter_set_initial_attitude_from_imu:
     -orig-id: filter.set_initial_attitude_from_imu
-    doc: Set initial attitude from IMU. Initializes the attitude of the filter with that of the complementary filter.
+    doc: "Set initial attitude from IMU. Initializes the filter's attitude from the complementary filter."
     seq:
       - id: declination
         type: f4
@@ -5841,7 +5841,7 @@ types:
       - id: offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
-        doc: "From the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10."
+        doc: "Vector from the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10."
   filter_antenna_offset:
     -orig-id: filter.antenna_offset
     doc: GNSS antenna offset. Sets the position of the GNSS antenna relative to the origin of the sensor.
@@ -5854,7 +5854,7 @@ types:
       - id: offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 13
-        doc: "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_estimation_control:
     -orig-id: filter.estimation_control
     doc: Estimation control flags. Selects the states that the filter estimates.
@@ -5916,10 +5916,10 @@ types:
     seq:
       - id: heading
         type: f4
-        doc: "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
       - id: heading_uncertainty
         type: f4
-        doc: "Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0."
+        doc: "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0."
       - id: type
         type: u1
         enum: filter_heading_type
@@ -6040,10 +6040,10 @@ types:
         doc: "GPS week, counted without rollover. Unit: week."
       - id: heading
         type: f4
-        doc: "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
+        doc: "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
       - id: heading_uncertainty
         type: f4
-        doc: "Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0."
+        doc: "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0."
       - id: type
         type: u1
         enum: filter_heading_type
@@ -6532,7 +6532,7 @@ types:
       - id: antenna_offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "From the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Vector from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_relative_position_config:
     -orig-id: filter.relative_position_config
     doc: Relative position configuration. Sets the reference point of the relative position that the filter reports.
@@ -6573,7 +6573,7 @@ types:
       - id: lever_arm_offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Vector from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_speed_measurement:
     -orig-id: filter.speed_measurement
     doc: Speed measurement. Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.
@@ -6592,7 +6592,7 @@ types:
         doc: "Standard deviation of the speed. Unit: m/s. Range: at least 0."
   filter_speed_lever_arm:
     -orig-id: filter.speed_lever_arm
-    doc: Speed measurement lever arm. Sets the position of the point whose speed is measured, such as the wheel that an odometer is on.
+    doc: Speed measurement lever arm. Sets the position of the point whose speed is measured, such as the wheel that drives the odometer.
     seq:
       - id: function_value
         -orig-id: function
@@ -6606,7 +6606,7 @@ types:
       - id: lever_arm_offset
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 14
-        doc: "From the sensor to the point of measurement. Unit: m. Frame: vehicle."
+        doc: "Vector from the sensor to the point of measurement. Unit: m. Frame: vehicle."
   filter_vertical_gyro_constraint_control:
     -orig-id: filter.vertical_gyro_constraint_control
     doc: Vertical gyro constraint. Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
@@ -6677,14 +6677,14 @@ types:
     seq:
       - id: offset
         type: vector3f
-        doc: "From the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10."
+        doc: "Vector from the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10."
   filter_antenna_offset_response:
     -orig-id: filter.antenna_offset_response
     doc: "GNSS antenna offset response. "
     seq:
       - id: offset
         type: vector3f
-        doc: "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_estimation_control_response:
     -orig-id: filter.estimation_control_response
     doc: "Estimation control flags response. "
@@ -7048,7 +7048,7 @@ types:
         doc: "Number of the receiver, from 1. Range: at least 1."
       - id: antenna_offset
         type: vector3f
-        doc: "From the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Vector from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_relative_position_config_response:
     -orig-id: filter.relative_position_config_response
     doc: "Relative position configuration response. "
@@ -7074,7 +7074,7 @@ types:
         doc: Point whose lever arm follows.
       - id: lever_arm_offset
         type: vector3f
-        doc: "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
+        doc: "Vector from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10."
   filter_speed_lever_arm_response:
     -orig-id: filter.speed_lever_arm_response
     doc: "Speed measurement lever arm response. "
@@ -7084,7 +7084,7 @@ types:
         doc: Reserved.
       - id: lever_arm_offset
         type: vector3f
-        doc: "From the sensor to the point of measurement. Unit: m. Frame: vehicle."
+        doc: "Vector from the sensor to the point of measurement. Unit: m. Frame: vehicle."
   filter_vertical_gyro_constraint_control_response:
     -orig-id: filter.vertical_gyro_constraint_control_response
     doc: "Vertical gyro constraint response. "
@@ -7168,7 +7168,7 @@ types:
         type: u1
         enum: gnss_ambiguity_fix_mode
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Readiness to fix ambiguities.
+        doc: Strategy for fixing ambiguities.
       - id: reserved
         type: u1
         repeat: expr
@@ -7282,7 +7282,7 @@ types:
       - id: ambiguity_fix_mode
         type: u1
         enum: gnss_ambiguity_fix_mode
-        doc: Readiness to fix ambiguities.
+        doc: Strategy for fixing ambiguities.
       - id: reserved
         type: u1
         repeat: expr
@@ -7350,7 +7350,7 @@ types:
     doc: Get RSSI. Gets the strength of the cellular signal.
   rtk_connected_device_type:
     -orig-id: rtk.connected_device_type
-    doc: Connected device type. Sets the device that the modem serves.
+    doc: Connected device type. Sets the type of device that the modem is connected to.
     seq:
       - id: function_value
         -orig-id: function
@@ -7361,7 +7361,7 @@ types:
         type: u1
         enum: rtk_connected_device
         if: function_value == function_selector::write or _io.size >= 2
-        doc: Device that the modem is connected to.
+        doc: Type of device that the modem is connected to.
   rtk_get_activation_code:
     -orig-id: rtk.get_activation_code
     doc: Get activation code. Reads the code that activates the modem for its service.
@@ -7461,7 +7461,7 @@ types:
       - id: device_type
         type: u1
         enum: rtk_connected_device
-        doc: Device that the modem is connected to.
+        doc: Type of device that the modem is connected to.
   rtk_get_activation_code_response:
     -orig-id: rtk.get_activation_code_response
     doc: "Get activation code response. "
@@ -7487,16 +7487,16 @@ types:
         doc: State of the service.
       - id: received_bytes
         type: u4
-        doc: "Bytes of corrections that the service has sent. Unit: byte."
+        doc: "Number of correction bytes that the service has sent. Unit: byte."
       - id: last_bytes
         type: u4
-        doc: "Bytes of the last transfer. Unit: byte."
+        doc: "Number of bytes in the last transfer. Unit: byte."
       - id: last_bytes_time
         type: u8
         doc: Time of the last transfer.
   displacement_get_calibration:
     -orig-id: displacement.get_calibration
-    doc: Get Analog to Displacement Calibration. Reads the linear function with which the device converts the counts of its converter to a displacement.
+    doc: Get Analog to Displacement Calibration. Reads the slope and offset with which the device converts ADC counts to displacement.
   displacement_output_rate:
     -orig-id: displacement.output_rate
     doc: Displacement Output Data Rate. Reads the rate at which displacement is measured.
@@ -7525,7 +7525,7 @@ types:
     seq:
       - id: slope
         type: f4
-        doc: Displacement per count of the converter.
+        doc: Displacement per ADC count.
       - id: offset
         type: f4
         doc: Displacement at zero counts.
@@ -7561,7 +7561,7 @@ types:
       - id: translation
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 16
-        doc: "Origin of the frame in the vehicle. Unit: m. Frame: vehicle."
+        doc: "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle."
       - id: rotation
         type: rotation_cases
         if: function_value == function_selector::write or (_io.size > 16 and ((format == aiding_aiding_frame_format::euler and _io.size >= 28) or (format == aiding_aiding_frame_format::quaternion and _io.size >= 32)))
@@ -7601,7 +7601,7 @@ types:
         doc: Time of the measurement.
       - id: frame_id
         type: u1
-        doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: position
         type: vector3d
         doc: "Position of the origin of the frame. Unit: m. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -7620,7 +7620,7 @@ types:
         doc: Time of the measurement.
       - id: frame_id
         type: u1
-        doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: latitude
         type: f8
         doc: "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Valid if `valid_flags.latitude` is set."
@@ -7645,7 +7645,7 @@ types:
         doc: Time of the measurement.
       - id: frame_id
         type: u1
-        doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: height
         type: f4
         doc: "Height above the ellipsoid. Unit: m. Frame: llh."
@@ -7654,7 +7654,7 @@ types:
         doc: "Uncertainty of the height. Unit: m. Range: at least 0."
       - id: valid_flags
         type: u2
-        doc: "Not 0: the measurement is valid."
+        doc: Nonzero if the measurement is valid.
   aiding_ecef_velocity:
     -orig-id: aiding.ecef_velocity
     doc: ECEF velocity. Sends a measured velocity in Earth-fixed coordinates.
@@ -7664,7 +7664,7 @@ types:
         doc: Time of the measurement.
       - id: frame_id
         type: u1
-        doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: velocity
         type: vector3f
         doc: "Velocity of the origin of the frame. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -7683,7 +7683,7 @@ types:
         doc: Time of the measurement.
       - id: frame_id
         type: u1
-        doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: velocity
         type: ned3f
         doc: "Velocity of the origin of the frame. Unit: m/s. Frame: ned. Each element has its own valid flag. north: `valid_flags.x`, east: `valid_flags.y`, down: `valid_flags.z`."
@@ -7702,7 +7702,7 @@ types:
         doc: Time of the measurement.
       - id: frame_id
         type: u1
-        doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: velocity
         type: vector3f
         doc: "Velocity of the origin of the frame. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -7721,7 +7721,7 @@ types:
         doc: Time of the measurement.
       - id: frame_id
         type: u1
-        doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: heading
         type: f4
         doc: "Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
@@ -7730,7 +7730,7 @@ types:
         doc: "Uncertainty of the heading. Unit: rad. Range: greater than 0."
       - id: valid_flags
         type: u2
-        doc: "Not 0: the measurement is valid."
+        doc: Nonzero if the measurement is valid.
   aiding_magnetic_field:
     -orig-id: aiding.magnetic_field
     doc: Magnetic field. Sends a magnetic field measured by an external magnetometer.
@@ -7740,7 +7740,7 @@ types:
         doc: Time of the measurement.
       - id: frame_id
         type: u1
-        doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: magnetic_field
         type: vector3f
         doc: "Calibrated magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: `valid_flags.x`, y: `valid_flags.y`, z: `valid_flags.z`."
@@ -7759,7 +7759,7 @@ types:
         doc: Time of the measurement.
       - id: frame_id
         type: u1
-        doc: "Frame of the sensor, as `aiding_frame_config` defines it. Range: 1 to 4."
+        doc: "Sensor frame, defined by `aiding_frame_config`. Range: 1 to 4."
       - id: pressure
         type: f4
         doc: "Air pressure. Unit: mbar."
@@ -7768,7 +7768,7 @@ types:
         doc: "Standard deviation of the pressure. Unit: mbar. Range: greater than 0."
       - id: valid_flags
         type: u2
-        doc: "Not 0: the measurement is valid."
+        doc: Nonzero if the measurement is valid.
   aiding_frame_config_response:
     -orig-id: aiding.frame_config_response
     doc: "Frame configuration response. "
@@ -7785,7 +7785,7 @@ types:
         doc: True if the filter estimates the errors of the frame.
       - id: translation
         type: vector3f
-        doc: "Origin of the frame in the vehicle. Unit: m. Frame: vehicle."
+        doc: "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle."
       - id: rotation
         type: rotation_cases
         doc: Rotation from the frame to the vehicle.
@@ -7826,11 +7826,11 @@ types:
       - id: protocols_incoming
         type: system_comm_protocols
         if: function_value == function_selector::write or _io.size >= 6
-        doc: Protocols that it receives.
+        doc: Protocols that the port receives.
       - id: protocols_outgoing
         type: system_comm_protocols
         if: function_value == function_selector::write or _io.size >= 10
-        doc: Protocols that it sends.
+        doc: Protocols that the port sends.
   system_comm_mode:
     -orig-id: system.comm_mode
     doc: Communication mode. Switches the port between the device and one of its internal sensors.
@@ -7855,10 +7855,10 @@ types:
         doc: Port whose protocols are set or read.
       - id: protocols_incoming
         type: system_comm_protocols
-        doc: Protocols that it receives.
+        doc: Protocols that the port receives.
       - id: protocols_outgoing
         type: system_comm_protocols
-        doc: Protocols that it sends.
+        doc: Protocols that the port sends.
   system_comm_mode_response:
     -orig-id: system.comm_mode_response
     doc: "Communication mode response. "
@@ -7911,14 +7911,14 @@ types:
         doc: "Magnetic field. Unit: gauss. Frame: vehicle."
   sensor_delta_theta:
     -orig-id: sensor.delta_theta
-    doc: Delta theta. Time integral of the angular rate over the period that the message format sets.
+    doc: Delta theta. Time integral of the angular rate over the period set by the message format.
     seq:
       - id: delta_theta
         type: vector3f
         doc: "Integral of the angular rate. Unit: rad. Frame: vehicle."
   sensor_delta_velocity:
     -orig-id: sensor.delta_velocity
-    doc: Delta velocity. Time integral of the acceleration over the period that the message format sets.
+    doc: Delta velocity. Time integral of the acceleration over the period set by the message format.
     seq:
       - id: delta_velocity
         type: vector3f
@@ -7939,7 +7939,7 @@ types:
         doc: "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned."
   sensor_comp_orientation_update_matrix:
     -orig-id: sensor.comp_orientation_update_matrix
-    doc: Complementary filter orientation update matrix. Change of the attitude from the complementary filter as a matrix.
+    doc: "Complementary filter orientation update matrix. Change in the complementary filter's attitude, as a matrix."
     seq:
       - id: m
         type: matrix3f
@@ -8009,7 +8009,7 @@ types:
     seq:
       - id: stabilized_accel
         type: vector3f
-        doc: "The inverse of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor."
+        doc: "Opposite of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor."
   sensor_gps_timestamp:
     -orig-id: sensor.gps_timestamp
     doc: GPS timestamp. GPS time of the sensor data.
@@ -8094,7 +8094,7 @@ types:
         doc: "Estimated error of the heights. Unit: m. Range: at least 0. Valid if `valid_flags.vertical_accuracy` is set."
       - id: valid_flags
         type: gnss_data_llh_position_flags
-        doc: Valid parts of the position.
+        doc: Validity flags for the position.
   gnss_data_ecef_position:
     -orig-id: gnss_data.ecef_position
     doc: GNSS ECEF position. GNSS position in Earth-fixed coordinates.
@@ -8107,7 +8107,7 @@ types:
         doc: "Estimated error of the position. Unit: m. Range: at least 0. Valid if `valid_flags.position_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_position_flags
-        doc: Valid parts of the position.
+        doc: Validity flags for the position.
   gnss_data_ned_velocity:
     -orig-id: gnss_data.ned_velocity
     doc: NED velocity. GNSS velocity in the local level frame.
@@ -8132,7 +8132,7 @@ types:
         doc: "Estimated error of the heading. Unit: deg. Range: at least 0. Valid if `valid_flags.heading_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ned_velocity_flags
-        doc: Valid parts of the velocity.
+        doc: Validity flags for the velocity.
   gnss_data_ecef_velocity:
     -orig-id: gnss_data.ecef_velocity
     doc: GNSS ECEF velocity. GNSS velocity in Earth-fixed coordinates.
@@ -8145,7 +8145,7 @@ types:
         doc: "Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if `valid_flags.velocity_accuracy` is set."
       - id: valid_flags
         type: gnss_data_ecef_velocity_flags
-        doc: Valid parts of the velocity.
+        doc: Validity flags for the velocity.
   gnss_data_dop:
     -orig-id: gnss_data.dop
     doc: DOP. Dilution of precision of the satellite geometry.
@@ -8173,7 +8173,7 @@ types:
         doc: "Easting dilution. Unit: 1. Range: at least 0. Valid if `valid_flags.edop` is set."
       - id: valid_flags
         type: gnss_data_dop_flags
-        doc: Valid dilutions of precision.
+        doc: Validity flags for the dilutions of precision.
   gnss_data_utc_time:
     -orig-id: gnss_data.utc_time
     doc: UTC time. Coordinated universal time (UTC) according to the receiver.
@@ -8201,7 +8201,7 @@ types:
         doc: "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if `valid_flags.gnss_date_time` is set."
       - id: valid_flags
         type: gnss_data_utc_time_flags
-        doc: Valid parts of the time.
+        doc: Validity flags for the time.
   gnss_data_gps_time:
     -orig-id: gnss_data.gps_time
     doc: GPS time. GPS time according to the receiver.
@@ -8214,7 +8214,7 @@ types:
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
       - id: valid_flags
         type: gnss_data_gps_time_flags
-        doc: Valid parts of the time.
+        doc: Validity flags for the time.
   gnss_data_clock_info:
     -orig-id: gnss_data.clock_info
     doc: Clock info. Bias and drift of the receiver clock.
@@ -8230,7 +8230,7 @@ types:
         doc: "Estimated error of the bias. Unit: s. Range: at least 0. Valid if `valid_flags.accuracy_estimate` is set."
       - id: valid_flags
         type: gnss_data_clock_info_flags
-        doc: Valid clock parameters.
+        doc: Validity flags for the clock parameters.
   gnss_data_fix_info:
     -orig-id: gnss_data.fix_info
     doc: Fix info. Type of the position fix, with the satellites and corrections used.
@@ -8247,7 +8247,7 @@ types:
         doc: "Corrections and satellite systems of the fix. Valid if `valid_flags.fix_flags` is set."
       - id: valid_flags
         type: gnss_data_fix_info_flags
-        doc: Valid parts of the fix information.
+        doc: Validity flags for the fix information.
   gnss_data_sv_info:
     -orig-id: gnss_data.sv_info
     doc: Satellite info. State of one tracked satellite.
@@ -8272,7 +8272,7 @@ types:
         doc: "State of the satellite. Valid if `valid_flags.sv_flags` is set."
       - id: valid_flags
         type: gnss_data_sv_info_flags
-        doc: Valid parts of the satellite info.
+        doc: Validity flags for the satellite info.
   gnss_data_hardware_status:
     -orig-id: gnss_data.hardware_status
     doc: GNSS hardware status. State of the receiver and of its antenna.
@@ -8291,7 +8291,7 @@ types:
         doc: "State of the antenna's power supply. Valid if `valid_flags.antenna_power` is set."
       - id: valid_flags
         type: gnss_data_hardware_status_flags
-        doc: Valid parts of the hardware status.
+        doc: Validity flags for the hardware status.
   gnss_data_dgps_info:
     -orig-id: gnss_data.dgps_info
     doc: DGPS info. State of the differential corrections.
@@ -8310,10 +8310,10 @@ types:
         doc: "Number of channels that have corrections. Unit: 1. Valid if `valid_flags.num_channels` is set."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
-        doc: Valid parts of the state of the corrections.
+        doc: Validity flags for the state of the corrections.
   gnss_data_dgps_info_satellite:
     -orig-id: gnss_data.dgps_info_satellite
-    doc: DGPS info for one satellite. Differential correction for one satellite, in the layout that the SDK has for DGPS info.
+    doc: "DGPS info for one satellite. Differential correction for one satellite, in the SDK's layout of DGPS info."
     seq:
       - id: satellite_id
         type: u1
@@ -8329,7 +8329,7 @@ types:
         doc: "Rate of change of the correction. Unit: m/s."
       - id: valid_flags
         type: gnss_data_dgps_info_flags
-        doc: Valid parts of the state of the corrections.
+        doc: Validity flags for the state of the corrections.
   gnss_data_dgps_channel:
     -orig-id: gnss_data.dgps_channel
     doc: DGPS channel. Differential correction for one satellite.
@@ -8348,7 +8348,7 @@ types:
         doc: "Rate of change of the correction. Unit: m/s. Valid if `valid_flags.range_rate_correction` is set."
       - id: valid_flags
         type: gnss_data_dgps_channel_flags
-        doc: Valid parts of a differential correction.
+        doc: Validity flags for a differential correction.
   gnss_data_clock_info_2:
     -orig-id: gnss_data.clock_info_2
     doc: Clock info 2. Bias and drift of the receiver clock.
@@ -8367,7 +8367,7 @@ types:
         doc: "Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if `valid_flags.drift_accuracy` is set."
       - id: valid_flags
         type: gnss_data_clock_info_2_flags
-        doc: Valid clock parameters.
+        doc: Validity flags for the clock parameters.
   gnss_data_gps_leap_seconds:
     -orig-id: gnss_data.gps_leap_seconds
     doc: GPS leap seconds. Difference between GPS time and UTC.
@@ -8403,7 +8403,7 @@ types:
         doc: "Status of the service. Valid if `valid_flags.sbas_status` is set."
       - id: valid_flags
         type: gnss_data_sbas_info_flags
-        doc: Valid parts of the SBAS status.
+        doc: Validity flags for the SBAS status.
   gnss_data_sbas_correction:
     -orig-id: gnss_data.sbas_correction
     doc: SBAS correction. SBAS correction for one satellite.
@@ -8438,7 +8438,7 @@ types:
         doc: "Correction of the ionospheric delay. Unit: m. Valid if `valid_flags.iono_correction` is set."
       - id: valid_flags
         type: gnss_data_sbas_correction_flags
-        doc: Valid parts of an SBAS correction.
+        doc: Validity flags for an SBAS correction.
   gnss_data_rf_error_detection:
     -orig-id: gnss_data.rf_error_detection
     doc: RF error detection. Jamming and spoofing that the receiver detects in one band.
@@ -8465,7 +8465,7 @@ types:
         doc: Reserved.
       - id: valid_flags
         type: gnss_data_rf_error_detection_flags
-        doc: Valid parts of the detection.
+        doc: Validity flags for the detection.
   gnss_data_heading:
     -orig-id: gnss_data.heading
     doc: GNSS heading. Heading that the receiver computes from its antennas.
@@ -8482,7 +8482,7 @@ types:
         doc: "Kind of the fix. Valid if `valid_flags.fix_type` is set."
       - id: valid_flags
         type: gnss_data_heading_flags
-        doc: Valid parts of the heading.
+        doc: Validity flags for the heading.
   gnss_data_satellite_status:
     -orig-id: gnss_data.satellite_status
     doc: Satellite status. Direction to one satellite, and its health.
@@ -8517,7 +8517,7 @@ types:
         doc: "True if the satellite is healthy. Valid if `valid_flags.health` is set."
       - id: valid_flags
         type: gnss_data_satellite_status_flags
-        doc: Valid parts of the satellite status.
+        doc: Validity flags for the satellite status.
   gnss_data_raw:
     -orig-id: gnss_data.raw
     doc: Raw. Raw observation of one signal of one satellite.
@@ -8557,7 +8557,7 @@ types:
       - id: quality
         type: u1
         enum: gnss_data_signal_quality
-        doc: "Quality of the tracking of the signal. Valid if `valid_flags.quality` is set."
+        doc: "Tracking quality of the signal. Valid if `valid_flags.quality` is set."
       - id: pseudorange
         type: f8
         doc: "Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if `valid_flags.pseudorange` is set."
@@ -8581,7 +8581,7 @@ types:
         doc: "Minimum time for which the carrier phase has been locked. Unit: s. Range: at least 0. Valid if `valid_flags.lock_time` is set."
       - id: valid_flags
         type: gnss_data_raw_flags
-        doc: Valid parts of the observation.
+        doc: Validity flags for the observation.
   gnss_data_base_station_info:
     -orig-id: gnss_data.base_station_info
     doc: Base station info. Base station that sends the corrections, from RTCM message 1005 or 1006.
@@ -8798,7 +8798,7 @@ types:
         doc: "Acceleration of the satellite due to perturbations, in PZ-90. Unit: m/s^2. Valid if `valid_flags.ephemeris` is set."
       - id: health
         type: u1
-        doc: "Health (Bn); not 0 if the satellite fails. Valid if `valid_flags.ephemeris` is set."
+        doc: "Health (Bn); nonzero if the satellite is malfunctioning. Valid if `valid_flags.ephemeris` is set."
       - id: p
         type: u1
         doc: "Mode of operation of the satellite. Valid if `valid_flags.ephemeris` is set."
@@ -9063,7 +9063,7 @@ types:
         doc: "Coefficients beta 0 to 3. Valid if `valid_flags.beta` is set."
       - id: valid_flags
         type: gnss_data_gps_iono_correction_flags
-        doc: Valid parts of the model.
+        doc: Validity flags for the model.
   gnss_data_galileo_iono_correction:
     -orig-id: gnss_data.galileo_iono_correction
     doc: Galileo ionospheric correction. Ionospheric model that Galileo broadcasts.
@@ -9084,7 +9084,7 @@ types:
         doc: "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if `valid_flags.disturbance_flags` is set."
       - id: valid_flags
         type: gnss_data_galileo_iono_correction_flags
-        doc: Valid parts of the model.
+        doc: Validity flags for the model.
   gnss_data_beidou_iono_correction:
     -orig-id: gnss_data.beidou_iono_correction
     doc: BeiDou ionospheric correction. Ionospheric model that BeiDou broadcasts.
@@ -9112,7 +9112,7 @@ types:
         doc: "Nine further coefficients of the delay. Valid if `valid_flags.alpha_correction` is set."
       - id: valid_flags
         type: gnss_data_beidou_iono_correction_flags
-        doc: Valid parts of the model.
+        doc: Validity flags for the model.
   filter_data_llh_position:
     -orig-id: filter_data.llh_position
     doc: LLH position. Estimated position as latitude, longitude and height.
@@ -9207,13 +9207,13 @@ types:
     seq:
       - id: north
         type: f4
-        doc: "Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "North standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: east
         type: f4
-        doc: "Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "East standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: down
         type: f4
-        doc: "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "Down standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9223,13 +9223,13 @@ types:
     seq:
       - id: north
         type: f4
-        doc: "Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "North standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: east
         type: f4
-        doc: "Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "East standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: down
         type: f4
-        doc: "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "Down standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9281,7 +9281,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_comp_angular_rate:
     -orig-id: filter_data.comp_angular_rate
-    doc: Compensated angular rate. Angular rate without the estimated bias.
+    doc: Compensated angular rate. Angular rate with the estimated bias removed.
     seq:
       - id: gyro
         type: vector3f
@@ -9341,7 +9341,7 @@ types:
     seq:
       - id: gravity
         type: vector3f
-        doc: "Gravity, which points down. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Gravity vector, which points down. Unit: m/s^2. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9367,13 +9367,13 @@ types:
     seq:
       - id: intensity_north
         type: f4
-        doc: "Northward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "North component of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: intensity_east
         type: f4
-        doc: "Eastward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "East component of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: intensity_down
         type: f4
-        doc: "Downward part of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
+        doc: "Down component of the field. Unit: gauss. Frame: ned. Valid if `valid_flags.valid` is set."
       - id: inclination
         type: f4
         doc: "Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if `valid_flags.valid` is set."
@@ -9445,7 +9445,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_comp_accel:
     -orig-id: filter_data.comp_accel
-    doc: Compensated acceleration. Acceleration without the estimated bias. It includes gravity.
+    doc: Compensated acceleration. Acceleration with the estimated bias removed. It includes gravity.
     seq:
       - id: accel
         type: vector3f
@@ -9455,7 +9455,7 @@ types:
         doc: Validity of the values of a field.
   filter_data_standard_atmosphere:
     -orig-id: filter_data.standard_atmosphere
-    doc: Standard atmosphere. US Standard Atmosphere of 1976 at the altitude of the device.
+    doc: "Standard atmosphere. US Standard Atmosphere of 1976 at the device's altitude."
     seq:
       - id: geometric_altitude
         type: f4
@@ -9465,13 +9465,13 @@ types:
         doc: "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if `valid_flags.valid` is set."
       - id: standard_temperature
         type: f4
-        doc: "Temperature that the model has at this altitude. Unit: degC. Valid if `valid_flags.valid` is set."
+        doc: "Temperature at this altitude according to the model. Unit: degC. Valid if `valid_flags.valid` is set."
       - id: standard_pressure
         type: f4
         doc: "Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: standard_density
         type: f4
-        doc: "Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if `valid_flags.valid` is set."
+        doc: "Air density at this altitude according to the model. Unit: kg/m^3. Range: at least 0. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9551,7 +9551,7 @@ types:
     seq:
       - id: residual
         type: vector3f
-        doc: "Difference between the measured magnetic field and the one that the filter expects. Unit: gauss. Frame: vehicle. Valid if `valid_flags.valid` is set."
+        doc: "Difference between the measured and the expected magnetic field. Unit: gauss. Frame: vehicle. Valid if `valid_flags.valid` is set."
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values of a field.
@@ -9807,7 +9807,7 @@ types:
         doc: "Estimated error of the rotation. Unit: 1."
   filter_data_aiding_frame_config_error_uncertainty:
     -orig-id: filter_data.aiding_frame_config_error_uncertainty
-    doc: "Aiding frame configuration error uncertainty. Uncertainty of the error that `filter_data_aiding_frame_config_error` estimates."
+    doc: "Aiding frame configuration error uncertainty. Uncertainty of the error in `filter_data_aiding_frame_config_error`."
     seq:
       - id: frame_id
         type: u1
@@ -9820,7 +9820,7 @@ types:
         doc: "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0."
   displacement_data_displacement_raw:
     -orig-id: displacement_data.displacement_raw
-    doc: Raw displacement. Displacement in counts of the converter.
+    doc: Raw displacement. Displacement in ADC counts.
     seq:
       - id: counts
         type: u4
@@ -9838,7 +9838,7 @@ types:
     seq:
       - id: flags
         type: displacement_data_timestamp_flags
-        doc: Validity of the time of displacement data.
+        doc: Validity of the displacement timestamp.
       - id: time
         type: u8
         doc: "UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if `flags.time` is set."
@@ -9911,7 +9911,7 @@ types:
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
       - id: valid_flags
         type: shared_gps_timestamp_flags
-        doc: Valid parts of the timestamp.
+        doc: Validity flags for the timestamp.
   shared_delta_time:
     -orig-id: shared.delta_time
     doc: Delta time. External time since this field was last sent in the same set and event instance.
@@ -13150,10 +13150,10 @@ enums:
       doc: The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models.
     33:
       id: usb_1
-      doc: First virtual serial port of USB.
+      doc: First USB virtual serial port.
     34:
       id: usb_2
-      doc: Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM.
+      doc: Second USB virtual serial port; on GNSS/INS models, intended for NMEA and RTCM.
   ack_code:
     0:
       id: ok
@@ -13214,7 +13214,7 @@ enums:
     0:
       id: none_value
       -orig-id: none
-      doc: The receiver starts without it.
+      doc: The receiver ignores its last fix.
     1:
       id: enabled
       doc: The receiver starts from its last fix.
@@ -13315,7 +13315,7 @@ enums:
       doc: MIP data fields.
     2:
       id: wrapped_raw
-      doc: Packets of the sensor itself, each in a MIP field.
+      doc: "The sensor's own packets, each in a MIP field."
   mip_3dm_sensor_power_state:
     1:
       id: "on"
@@ -13463,7 +13463,7 @@ enums:
       doc: Position and velocity of the GNSS receivers.
     1:
       id: gnss_heading
-      doc: GNSS heading of two antennas.
+      doc: GNSS heading from two antennas.
     2:
       id: altimeter
       doc: Built-in pressure altimeter.
@@ -13595,7 +13595,7 @@ enums:
       doc: Never fixes them. The solution remains a float solution.
     2:
       id: conservative
-      doc: Fixes them late and with few wrong fixes.
+      doc: Fixes them late, so that few fixes are wrong.
     3:
       id: moderate
       doc: Between conservative and aggressive.
@@ -13781,7 +13781,7 @@ enums:
       doc: The signal is found but cannot be used.
     4:
       id: time_locked
-      doc: Locked in time.
+      doc: The signal is locked in time.
     5: fully_locked
   gnss_data_glonass_satellite_type:
     0: glonass
@@ -13799,7 +13799,7 @@ enums:
       doc: GNSS position and velocity.
     2:
       id: dual_antenna
-      doc: GNSS heading of two antennas.
+      doc: GNSS heading from two antennas.
     3: heading
     4:
       id: pressure
@@ -13810,31 +13810,31 @@ enums:
       doc: Speed or odometer.
     33:
       id: aiding_ecef_position
-      doc: ECEF position by command.
+      doc: ECEF position, sent by command.
     34:
       id: aiding_llh_position
-      doc: Latitude, longitude and height by command.
+      doc: Latitude, longitude and height, sent by command.
     35:
       id: aiding_height_above_ellipsoid
-      doc: Height above the ellipsoid by command.
+      doc: Height above the ellipsoid, sent by command.
     40:
       id: aiding_ecef_velocity
-      doc: ECEF velocity by command.
+      doc: ECEF velocity, sent by command.
     41:
       id: aiding_ned_velocity
-      doc: NED velocity by command.
+      doc: NED velocity, sent by command.
     42:
       id: aiding_body_frame_velocity
-      doc: Body frame velocity by command.
+      doc: Body frame velocity, sent by command.
     49:
       id: aiding_true_heading
-      doc: True heading by command.
+      doc: True heading, sent by command.
     50:
       id: aiding_magnetic_field
-      doc: Magnetic field by command.
+      doc: Magnetic field, sent by command.
     51:
       id: aiding_pressure
-      doc: Pressure by command.
+      doc: Pressure, sent by command.
   filter_data_dual_antenna_fix_type:
     0:
       id: fix_none

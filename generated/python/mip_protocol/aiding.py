@@ -43,7 +43,7 @@ class AidingEchoMode(codec.OpenEnum):
 
 
 class Timebase(codec.OpenEnum):
-    """Clock of the time of a measurement."""
+    """Clock that the time of a measurement refers to."""
 
     INTERNAL_REFERENCE = 1
     """Internal reference clock of the device."""
@@ -62,7 +62,7 @@ class MeasurementTime(Structure):
     _LAYOUT = (("timebase", "B", Timebase), ("reserved", "B", None), ("nanoseconds", "Q", None))
 
     timebase: Timebase
-    """Clock of the time."""
+    """Clock that the time refers to."""
     reserved: int
     """Reserved: send 1."""
     nanoseconds: int
@@ -139,7 +139,9 @@ class FrameConfigResponse(Response):
     tracking_enabled: bool
     """True if the filter estimates the errors of the frame."""
     translation: types.Vector3f
-    """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle."""
+    """Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    vehicle.
+    """
     rotation: types.Vector3f | types.Quatf | None
     """Rotation from the frame to the vehicle. Selected by `format`.
 
@@ -200,10 +202,10 @@ class FrameConfig(Command[R]):
     `filter_data.AidingFrameConfigErrorUncertainty`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS and 3DM-CV7-INS.
 
-    Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
+    Aiding measurements refer to the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. For GNSS positions and velocities the rotation does not
-    matter. Send the identity: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0. A read selects the
-    format of the reply.
+    matter. Send the identity: Euler angles 0, 0, 0 or the quaternion 1, 0, 0, 0. In a read,
+    `format` selects the format of the rotation in the reply.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -254,8 +256,8 @@ class FrameConfig(Command[R]):
     tracking_enabled: bool | None
     """True if the filter estimates the errors of the frame. Required for `write`."""
     translation: types.Vector3f | None
-    """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
-    `write`.
+    """Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Required for `write`.
     """
     rotation: types.Vector3f | types.Quatf | None
     """Rotation from the frame to the vehicle. Selected by `format`. Required for `write`.
@@ -435,7 +437,7 @@ class EcefPosition(Command[None]):
     time: MeasurementTime
     """Time of the measurement."""
     frame_id: int
-    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
+    """Sensor frame, defined by `FrameConfig`. Range: 1 to 4."""
     position: types.Vector3d
     """Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each element
     has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z:
@@ -521,7 +523,7 @@ class LlhPosition(Command[None]):
     time: MeasurementTime
     """Time of the measurement."""
     frame_id: int
-    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
+    """Sensor frame, defined by `FrameConfig`. Range: 1 to 4."""
     latitude: float
     """Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
     `LlhAxisFlags.LATITUDE` of `valid_flags` is set.
@@ -595,13 +597,13 @@ class HeightAboveEllipsoid(Command[None]):
     time: MeasurementTime
     """Time of the measurement."""
     frame_id: int
-    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
+    """Sensor frame, defined by `FrameConfig`. Range: 1 to 4."""
     height: float
     """Height above the ellipsoid. Unit: m. Frame: llh."""
     uncertainty: float
     """Uncertainty of the height. Unit: m. Range: at least 0."""
     valid_flags: int
-    """Not 0: the measurement is valid."""
+    """Nonzero if the measurement is valid."""
 
     def __init__(
         self,
@@ -656,7 +658,7 @@ class EcefVelocity(Command[None]):
     time: MeasurementTime
     """Time of the measurement."""
     frame_id: int
-    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
+    """Sensor frame, defined by `FrameConfig`. Range: 1 to 4."""
     velocity: types.Vector3f
     """Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element
     has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z:
@@ -723,7 +725,7 @@ class NedVelocity(Command[None]):
     time: MeasurementTime
     """Time of the measurement."""
     frame_id: int
-    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
+    """Sensor frame, defined by `FrameConfig`. Range: 1 to 4."""
     velocity: types.Ned3f
     """Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame: ned. Each
     element has its own valid flag. north: `AxisFlags.X` of `valid_flags`, east: `AxisFlags.Y` of
@@ -762,8 +764,8 @@ class BodyFrameVelocity(Command[None]):
 
     The device supports up to four sensors of this kind. For a wheeled vehicle constraint, send a
     velocity of 0 with only y valid, at least once per second. With z also valid and 0, motion is
-    constrained to a plane (2D mode). A zero velocity update is a velocity of 0, sent while the GNSS
-    speed is below a threshold that you choose. In mode `response` of `EchoControl`, the device
+    constrained to a plane (2D mode). For a zero velocity update, send a velocity of 0 while the
+    GNSS speed is below a threshold that you choose. In mode `response` of `EchoControl`, the device
     sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
@@ -793,7 +795,7 @@ class BodyFrameVelocity(Command[None]):
     time: MeasurementTime
     """Time of the measurement."""
     frame_id: int
-    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
+    """Sensor frame, defined by `FrameConfig`. Range: 1 to 4."""
     velocity: types.Vector3f
     """Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding. Each
     element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
@@ -857,7 +859,7 @@ class TrueHeading(Command[None]):
     time: MeasurementTime
     """Time of the measurement."""
     frame_id: int
-    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
+    """Sensor frame, defined by `FrameConfig`. Range: 1 to 4."""
     heading: float
     """Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
     3.141592653589793. Positive: clockwise seen from above.
@@ -865,7 +867,7 @@ class TrueHeading(Command[None]):
     uncertainty: float
     """Uncertainty of the heading. Unit: rad. Range: greater than 0."""
     valid_flags: int
-    """Not 0: the measurement is valid."""
+    """Nonzero if the measurement is valid."""
 
     def __init__(
         self,
@@ -919,7 +921,7 @@ class MagneticField(Command[None]):
     time: MeasurementTime
     """Time of the measurement."""
     frame_id: int
-    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
+    """Sensor frame, defined by `FrameConfig`. Range: 1 to 4."""
     magnetic_field: types.Vector3f
     """Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has
     its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z:
@@ -983,13 +985,13 @@ class Pressure(Command[None]):
     time: MeasurementTime
     """Time of the measurement."""
     frame_id: int
-    """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
+    """Sensor frame, defined by `FrameConfig`. Range: 1 to 4."""
     pressure: float
     """Air pressure. Unit: mbar."""
     uncertainty: float
     """Standard deviation of the pressure. Unit: mbar. Range: greater than 0."""
     valid_flags: int
-    """Not 0: the measurement is valid."""
+    """Nonzero if the measurement is valid."""
 
     def __init__(
         self,

@@ -56,7 +56,7 @@ class BaseDeviceInfo(Structure):
     model_number: str
     """Part number of the model."""
     serial_number: str
-    """Number of this device, which begins with the model number."""
+    """Serial number, which begins with the model number."""
     lot_number: str
     """Lot number; reserved and blank on some devices."""
     device_options: str
@@ -591,7 +591,7 @@ class CommSpeed(Command[R]):
     - On the 3DM-RTK: the values are unknown.
     """
     baud: int | None
-    """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
+    """Baud rate that the port supports. Unit: Bd. Required for `write`."""
 
     def __init__(
         self, function: FunctionSelector, port: int | None = None, baud: int | None = None
@@ -643,12 +643,12 @@ class GpsTimeUpdate(Command[R]):
     3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: `write` only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. On the
-    3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix time;
+    3DM-CV7-GNSS/INS, the time may have a different epoch from GPS time, for example the Unix epoch;
     `shared.ExternalTimestamp` then has the same epoch. The PPS supplies the fraction of the second;
     send the whole second that began at its last edge. Send it within 250 ms after the rising edge
     of the PPS. Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at
-    least once. Send it again after a glitch of the PPS. It is usually not needed if an internal
-    GNSS receiver is the PPS source.
+    least once. Send it again after a PPS glitch. It is usually not needed if an internal GNSS
+    receiver is the PPS source.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)

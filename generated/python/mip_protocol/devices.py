@@ -587,7 +587,9 @@ CV7_AHRS = Device(
     ),
     limits={
         "aiding_frames": Limit(
-            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+            4,
+            None,
+            "Number of frames that the aiding frame configuration can define, according to MSCL.",
         ),
         "event_triggers": Limit(12, None, "Total number of triggers.", ">= 1.0.04"),
         "event_gpio_triggers": Limit(4, None, "GPIO triggers.", ">= 1.0.04"),
@@ -612,7 +614,7 @@ CV7_AHRS = Device(
         ),
         "gpio_pins": Note(
             "GPIO pins",
-            "Features of each pin, according to MSCL, and its place on the connector, according to the ROS driver.",
+            "Features of each pin, according to MSCL, and its position on the connector, according to the ROS driver.",
             (
                 ("Pin", "Connector pin", "Features"),
                 ("1", "7", "GPIO, PPS, timestamp"),
@@ -768,7 +770,9 @@ CV7_AR = Device(
     ),
     limits={
         "aiding_frames": Limit(
-            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+            4,
+            None,
+            "Number of frames that the aiding frame configuration can define, according to MSCL.",
         ),
         "event_triggers": Limit(12, None, "Total number of triggers.", ">= 1.0.04"),
         "event_gpio_triggers": Limit(4, None, "GPIO triggers.", ">= 1.0.04"),
@@ -793,7 +797,7 @@ CV7_AR = Device(
         ),
         "gpio_pins": Note(
             "GPIO pins",
-            "Features of each pin, according to MSCL, and its place on the connector, according to the ROS driver.",
+            "Features of each pin, according to MSCL, and its position on the connector, according to the ROS driver.",
             (
                 ("Pin", "Connector pin", "Features"),
                 ("1", "7", "GPIO, PPS, timestamp"),
@@ -907,21 +911,27 @@ CV7_GNSS_INS = Device(
         "event_actions": Limit(12, None, "Total number of actions."),
         "event_gpio_actions": Limit(6, None, "GPIO actions."),
         "event_message_actions": Limit(8, None, "Message actions."),
-        "event_message_fields": Limit(12, None, "Fields in the packet of one message action."),
+        "event_message_fields": Limit(
+            12, None, "Maximum number of fields in the packet of a message action."
+        ),
         "event_tick_rate": Limit(
             1000, "Hz", "Rate of the event cycle; always the base rate of the system data set."
         ),
-        "gpio_pins": Limit(4, None, "User GPIO pins."),
-        "aiding_frames": Limit(4, None, "Frames that the aiding frame configuration can define."),
-        "nmea_rate": Limit(
-            10, "Hz", "Highest rate of an NMEA sentence from the sensor or filter data set."
+        "gpio_pins": Limit(4, None, "Number of user GPIO pins."),
+        "aiding_frames": Limit(
+            4, None, "Number of frames that the aiding frame configuration can define."
         ),
-        "nmea_gnss_rate": Limit(2, "Hz", "Highest rate of an NMEA sentence from a GNSS set."),
-        "mip_input_ports": Limit(2, None, "Ports besides the main port that may accept MIP."),
-        "nmea_input_ports": Limit(1, None, "Ports that may accept NMEA."),
-        "rtcm_input_ports": Limit(1, None, "Ports that may accept RTCM."),
-        "spartn_input_ports": Limit(1, None, "Ports that may accept SPARTN."),
-        "baud_rate_delay": Limit(250, "ms", "Time to wait after a change of the baud rate."),
+        "nmea_rate": Limit(
+            10, "Hz", "Maximum rate of an NMEA sentence from the sensor or filter data set."
+        ),
+        "nmea_gnss_rate": Limit(2, "Hz", "Maximum rate of an NMEA sentence from a GNSS set."),
+        "mip_input_ports": Limit(
+            2, None, "Number of ports, besides the main port, that may accept MIP."
+        ),
+        "nmea_input_ports": Limit(1, None, "Number of ports that may accept NMEA."),
+        "rtcm_input_ports": Limit(1, None, "Number of ports that may accept RTCM."),
+        "spartn_input_ports": Limit(1, None, "Number of ports that may accept SPARTN."),
+        "baud_rate_delay": Limit(250, "ms", "Time to wait after a baud rate change."),
         "time_update_window": Limit(
             250,
             "ms",
@@ -975,7 +985,7 @@ CV7_GNSS_INS = Device(
         ),
         "gpio_pins": Note(
             "GPIO pins",
-            "Features of each pin; all are unused by default. The encoder feature is not available. The asterisk at PPS on pins 2 to 4 is in the manual, which does not explain it.",
+            "Features of each pin; all are unused by default. The encoder feature is not available. The manual marks PPS on pins 2 to 4 with an asterisk, which it does not explain.",
             (
                 ("Pin", "Connector pin", "Features", "UART"),
                 ("1", "7", "GPIO, PPS, timestamp, UART", "UART 2"),
@@ -986,7 +996,7 @@ CV7_GNSS_INS = Device(
         ),
         "gpio_behaviors": Note(
             "GPIO behaviors and pin modes",
-            "Values of the behavior for each feature, and the pin modes that go with it. Two pins cannot have the same direction of the same UART. PPS output from an internal receiver is always push-pull. The asterisk is the one at the features of the pins.",
+            "Values of the behavior for each feature, and the pin modes that go with it. Two pins cannot have the same direction of the same UART. PPS output from an internal receiver is always push-pull. The asterisk is the same as in the table of pin features.",
             (
                 ("Feature", "Behavior", "Pins", "Pin modes"),
                 ("unused (0)", "unused (0)", "1 to 4", "none"),
@@ -1033,7 +1043,7 @@ CV7_GNSS_INS = Device(
         ),
         "nmea_input": Note(
             "NMEA input",
-            "Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL and GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a UART is configured to receive, on that one only. An epoch is processed when a sentence with another time arrives. The manual warns of a known bug of NMEA input; the errata sheet that it refers to is not known.",
+            "Sentences accepted from an external receiver, with any talker: RMC, ZDA, HDT, GGA, VTG, GLL and GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a UART is configured to receive, on that one only. An epoch is processed when a sentence with another time arrives. The manual warns of a known bug of NMEA input; the errata sheet that it refers to is not available.",
             (),
         ),
         "rtcm_input": Note(
@@ -1064,7 +1074,7 @@ CV7_GNSS_INS = Device(
         ),
         "sensor_ranges": Note(
             "Sensor ranges",
-            "Settings of `3dm.sensor_range`. The manual lists them for related models, and its gyroscope column is cut off; `3dm.get_calibrated_sensor_ranges` returns those of the device.",
+            "Settings of `3dm.sensor_range`. The manual lists them for related models, and its gyroscope column is cut off; `3dm.get_calibrated_sensor_ranges` returns the settings that the device supports.",
             (
                 ("Sensor", "Setting", "Range"),
                 ("Accelerometer", "2", "4 g"),
@@ -1212,7 +1222,9 @@ CV7_INS = Device(
     ),
     limits={
         "aiding_frames": Limit(
-            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+            4,
+            None,
+            "Number of frames that the aiding frame configuration can define, according to MSCL.",
         ),
         "antenna_offset": Limit(10, "m", "Maximum distance of the antenna from the device."),
     },
@@ -1685,7 +1697,9 @@ CX7_AHRS = Device(
     ),
     limits={
         "aiding_frames": Limit(
-            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+            4,
+            None,
+            "Number of frames that the aiding frame configuration can define, according to MSCL.",
         )
     },
     notes={
@@ -1795,7 +1809,9 @@ CX7_AR = Device(
     ),
     limits={
         "aiding_frames": Limit(
-            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+            4,
+            None,
+            "Number of frames that the aiding frame configuration can define, according to MSCL.",
         )
     },
     notes={
@@ -1908,7 +1924,9 @@ CX7_INS = Device(
     ),
     limits={
         "aiding_frames": Limit(
-            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+            4,
+            None,
+            "Number of frames that the aiding frame configuration can define, according to MSCL.",
         )
     },
     notes={
@@ -2164,7 +2182,7 @@ GQ7 = Device(
         Port("Main", 1, (115200, 230400, 460800, 921600), ("MIP", "NMEA"), ("MIP", "NMEA")),
         Port("Aux", 2, (), ("MIP",), ("MIP",)),
     ),
-    limits={"nmea_rate": Limit(10, "Hz", "Highest rate of an NMEA sentence, according to MSCL.")},
+    limits={"nmea_rate": Limit(10, "Hz", "Maximum rate of an NMEA sentence, according to MSCL.")},
     notes={
         "anti_aliasing": Note(
             "Anti-aliasing low-pass filter",
@@ -2312,7 +2330,9 @@ GV7_AHRS = Device(
     ),
     limits={
         "aiding_frames": Limit(
-            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+            4,
+            None,
+            "Number of frames that the aiding frame configuration can define, according to MSCL.",
         )
     },
     notes={
@@ -2432,7 +2452,9 @@ GV7_AR = Device(
     ),
     limits={
         "aiding_frames": Limit(
-            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+            4,
+            None,
+            "Number of frames that the aiding frame configuration can define, according to MSCL.",
         )
     },
     notes={
@@ -2562,7 +2584,9 @@ GV7_INS = Device(
     ),
     limits={
         "aiding_frames": Limit(
-            4, None, "Frames that the aiding frame configuration can define, according to MSCL."
+            4,
+            None,
+            "Number of frames that the aiding frame configuration can define, according to MSCL.",
         )
     },
     notes={
@@ -3148,10 +3172,10 @@ GX5_15 = Device(
         Port("USB", None, (), ("MIP",), ("MIP",)),
     ),
     limits={
-        "low_pass_cutoff": Limit(250, "Hz", "Highest cutoff of the low-pass filters."),
-        "external_heading_rate": Limit(20, "Hz", "Highest rate of external heading updates."),
+        "low_pass_cutoff": Limit(250, "Hz", "Maximum cutoff frequency of the low-pass filters."),
+        "external_heading_rate": Limit(20, "Hz", "Maximum rate of external heading updates."),
         "zero_angular_rate_update_rate": Limit(
-            10, "Hz", "Highest rate of commanded zero angular rate updates."
+            10, "Hz", "Maximum rate of commanded zero angular rate updates."
         ),
         "baud_rate_delay": Limit(
             250,

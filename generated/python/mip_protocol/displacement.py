@@ -1,6 +1,6 @@
 """Displacement commands (0x11).
 
-Commands of the DEMOD-DC, a demodulator for displacement sensors. Inertial sensors have none of
+Commands of the DEMOD-DC, a demodulator for displacement sensors. Inertial sensors do not support
 them.
 
 - mscl: Displacement Commands (0x11)
@@ -33,7 +33,7 @@ class GetCalibrationResponse(Response):
     _LAYOUT = (("slope", "f", None), ("offset", "f", None))
 
     slope: float
-    """Displacement per count of the converter. Uncertain: The unit; mm per count is likely."""
+    """Displacement per ADC count. Uncertain: The unit; mm per count is likely."""
     offset: float
     """Displacement at zero counts. Uncertain: The unit; mm is likely."""
 
@@ -71,8 +71,7 @@ class OutputRateResponse(Response):
 class GetCalibration(Command[GetCalibrationResponse]):
     """Get Analog to Displacement Calibration (0x11,0x01).
 
-    Reads the linear function with which the device converts the counts of its converter to a
-    displacement.
+    Reads the slope and offset with which the device converts ADC counts to displacement.
 
     No device is known for certain to support it. Also called `get_analog_displacement_calibration`.
     Answered by `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.

@@ -15,8 +15,8 @@ from .field import Data, Field
 
 @codec.open_flag(8)
 class TimestampFlags(IntFlag):
-    """Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL considers
-    the time valid if the number is 1.
+    """Validity of the displacement timestamp. Uncertain: That it is a bitfield. MSCL considers the
+    time valid if the number is 1.
     """
 
     TIME = 1 << 0
@@ -26,7 +26,7 @@ class TimestampFlags(IntFlag):
 class DisplacementRaw(Data):
     """Raw displacement (0x90,0x01).
 
-    Displacement in counts of the converter.
+    Displacement in ADC counts.
 
     No device is known for certain to support it. Known only from the MicroStrain Communication
     Library.
@@ -101,7 +101,7 @@ class Timestamp(Data):
     _LAYOUT = (("flags", "B", TimestampFlags), ("time", "Q", None))
 
     flags: TimestampFlags
-    """Validity of the time of displacement data."""
+    """Validity of the displacement timestamp."""
     time: int
     """UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if
     `TimestampFlags.TIME` of `flags` is set.

@@ -177,7 +177,7 @@ class AidingSource(codec.OpenEnum):
     GNSS_POSITION_VELOCITY = 0
     """Position and velocity of the GNSS receivers."""
     GNSS_HEADING = 1
-    """GNSS heading of two antennas."""
+    """GNSS heading from two antennas."""
     ALTIMETER = 2
     """Built-in pressure altimeter."""
     SPEED = 3
@@ -284,7 +284,7 @@ class AdaptiveLevel(codec.OpenEnum):
 
 
 class RelativePositionSource(codec.OpenEnum):
-    """Source of the reference of relative positions."""
+    """Source of the reference point for relative positions."""
 
     AUTO = 0
     """The base station of the RTK corrections."""
@@ -293,7 +293,7 @@ class RelativePositionSource(codec.OpenEnum):
 
 
 class ReferencePoint(codec.OpenEnum):
-    """The end of a lever arm."""
+    """Point that a lever arm moves."""
 
     VEHICLE = 1
     """The origin of the vehicle."""
@@ -377,7 +377,7 @@ class SensorToVehicleOffsetResponse(Response):
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
-    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    """Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
     sensor. Range: magnitude at most 10.
     """
 
@@ -406,8 +406,8 @@ class AntennaOffsetResponse(Response):
     _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
-    """From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-    vehicle. Range: magnitude at most 10.
+    """Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
+    Frame: vehicle. Range: magnitude at most 10.
 
     - On the 3DM-GX5-45: frame sensor.
     """
@@ -1593,8 +1593,8 @@ class MultiAntennaOffsetResponse(Response):
     receiver_id: int
     """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f
-    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
-    at most 10.
+    """Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+    magnitude at most 10.
     """
 
     def __init__(self, receiver_id: int, antenna_offset: types.Vector3f | codec.Numbers) -> None:
@@ -1677,8 +1677,8 @@ class ReferencePointLeverArmResponse(Response):
     reference_point: ReferencePoint
     """Point whose lever arm follows."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
-    most 10.
+    """Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+    magnitude at most 10.
     """
 
     def __init__(
@@ -1711,7 +1711,9 @@ class SpeedLeverArmResponse(Response):
     source: int
     """Reserved."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle."""
+    """Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
+    vehicle.
+    """
 
     def __init__(
         self, lever_arm_offset: types.Vector3f | codec.Numbers, *, source: int = 1
@@ -1828,7 +1830,7 @@ class Reset(Command[None]):
 class SetInitialAttitude(Command[None]):
     """Set initial attitude (0x0D,0x02).
 
-    Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
+    Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.
 
     Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -1905,7 +1907,7 @@ class SetInitialHeading(Command[None]):
 class SetInitialAttitudeFromImu(Command[None]):
     """Set initial attitude from IMU (0x0D,0x04).
 
-    Initializes the attitude of the filter with that of the complementary filter.
+    Initializes the filter's attitude from the complementary filter.
 
     No device is known for certain to support it. Also called `set_initial_heading_from_mag`.
     Changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
@@ -2164,7 +2166,7 @@ class SensorToVehicleOffset(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     offset: types.Vector3f | None
-    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    """Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
     sensor. Range: magnitude at most 10. Required for `write`.
     """
 
@@ -2244,8 +2246,8 @@ class AntennaOffset(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     offset: types.Vector3f | None
-    """From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-    vehicle. Range: magnitude at most 10. Required for `write`.
+    """Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
+    Frame: vehicle. Range: magnitude at most 10. Required for `write`.
 
     - On the 3DM-GX5-45: frame sensor.
     """
@@ -2458,7 +2460,7 @@ class ExternalGnssUpdate(Command[None]):
 
     Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
-    Rejected unless `GnssSource` selects the external source. The highest rate depends on the
+    Rejected unless `GnssSource` selects the external source. The maximum rate depends on the
     device.
 
     - mip-sdk-4: External GNSS update (0x0D,0x16)
@@ -2580,12 +2582,11 @@ class ExternalHeadingUpdate(Command[None]):
     )
 
     heading: float
-    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+    """Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
     """
     heading_uncertainty: float
-    """Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than
-    0.
+    """Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0.
     """
     type: HeadingType
     """North that the heading refers to."""
@@ -2687,7 +2688,7 @@ class AutoInitializationControl(Command[R]):
     Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
-    It needs a valid heading source.
+    Automatic initialization needs a valid heading source.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -3195,12 +3196,11 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     week_number: int
     """GPS week, counted without rollover. Unit: week."""
     heading: float
-    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+    """Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
     """
     heading_uncertainty: float
-    """Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than
-    0.
+    """Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0.
     """
     type: HeadingType
     """North that the heading refers to."""
@@ -3381,7 +3381,7 @@ class CommandedZupt(Command[None]):
     `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
     3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
-    The highest rate depends on the device.
+    The maximum rate depends on the device.
 
     - mip-sdk-4: Commanded Zupt (0x0D,0x22)
     """
@@ -3536,8 +3536,8 @@ class MagCaptureAutoCalibration(Command[None]):
     the MicroStrain MIP SDK.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
-    `mip_3dm.MagSoftIronMatrix`, and resets it. A save does the same as the save of both of these
-    commands.
+    `mip_3dm.MagSoftIronMatrix`, then resets the automatic calibration. A save has the same effect
+    as saving both of these settings.
 
     - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
     """
@@ -5603,8 +5603,8 @@ class MultiAntennaOffset(Command[R]):
     receiver_id: int | None
     """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None
-    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
-    at most 10. Required for `write`.
+    """Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+    magnitude at most 10. Required for `write`.
     """
 
     def __init__(
@@ -5769,7 +5769,8 @@ class ReferencePointLeverArm(Command[R]):
     `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
     `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS.
 
-    The shift of positions depends on the attitude, that of velocities on the angular rate as well.
+    The shift in position depends on the attitude; the shift in velocity also depends on the angular
+    rate.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -5798,8 +5799,8 @@ class ReferencePointLeverArm(Command[R]):
     reference_point: ReferencePoint | None
     """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None
-    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
-    most 10. Required for `write`.
+    """Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+    magnitude at most 10. Required for `write`.
     """
 
     def __init__(
@@ -5862,8 +5863,8 @@ class SpeedMeasurement(Command[None]):
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
     names a response, `filter.speed_measurement_response`, but has no layout of it.
 
-    It must not be used together with the odometer of the device. Single precision resolves the time
-    of week to 0.0625 s at the end of the week.
+    Do not use it together with the device's odometer. Single precision resolves the time of week to
+    0.0625 s at the end of the week.
 
     - mip-sdk-4: Speed measurement (0x0D,0x60)
     """
@@ -5906,8 +5907,8 @@ class SpeedMeasurement(Command[None]):
 class SpeedLeverArm(Command[R]):
     """Speed measurement lever arm (0x0D,0x61).
 
-    Sets the position of the point whose speed is measured, such as the wheel that an odometer is
-    on.
+    Sets the position of the point whose speed is measured, such as the wheel that drives the
+    odometer.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
@@ -5942,8 +5943,8 @@ class SpeedLeverArm(Command[R]):
     source: int | None
     """Reserved: send 1."""
     lever_arm_offset: types.Vector3f | None
-    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
-    Required for `write`.
+    """Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Required for `write`.
     """
 
     def __init__(

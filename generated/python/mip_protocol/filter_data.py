@@ -44,11 +44,11 @@ class GnssAidingStatus(IntFlag):
     """Use of one GNSS receiver by the filter."""
 
     TIGHT_COUPLING = 1 << 0
-    """Raw ranges of the receiver are used. Bit 0."""
+    """The receiver's raw ranges are used. Bit 0."""
     DIFFERENTIAL = 1 << 1
     """RTK corrections are used. Bit 1."""
     INTEGER_FIX = 1 << 2
-    """There is an RTK integer fix, with the most accurate position. Bit 2."""
+    """The receiver has an RTK integer fix, the most accurate kind. Bit 2."""
     GPS_L1 = 1 << 3
     """GPS L1 is used. Bit 3."""
     GPS_L2 = 1 << 4
@@ -90,14 +90,14 @@ class HeadingAidingType(codec.OpenEnum):
 
 
 class AidingMeasurementType(codec.OpenEnum):
-    """Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
+    """Kind of aiding measurement. Values from 0x20 are the descriptors of the commands of set
     `aiding` that send the measurement.
     """
 
     GNSS = 1
     """GNSS position and velocity."""
     DUAL_ANTENNA = 2
-    """GNSS heading of two antennas."""
+    """GNSS heading from two antennas."""
     HEADING = 3
     PRESSURE = 4
     """Pressure altitude."""
@@ -105,23 +105,23 @@ class AidingMeasurementType(codec.OpenEnum):
     SPEED = 6
     """Speed or odometer."""
     AIDING_ECEF_POSITION = 33
-    """ECEF position by command."""
+    """ECEF position, sent by command."""
     AIDING_LLH_POSITION = 34
-    """Latitude, longitude and height by command."""
+    """Latitude, longitude and height, sent by command."""
     AIDING_HEIGHT_ABOVE_ELLIPSOID = 35
-    """Height above the ellipsoid by command."""
+    """Height above the ellipsoid, sent by command."""
     AIDING_ECEF_VELOCITY = 40
-    """ECEF velocity by command."""
+    """ECEF velocity, sent by command."""
     AIDING_NED_VELOCITY = 41
-    """NED velocity by command."""
+    """NED velocity, sent by command."""
     AIDING_BODY_FRAME_VELOCITY = 42
-    """Body frame velocity by command."""
+    """Body frame velocity, sent by command."""
     AIDING_TRUE_HEADING = 49
-    """True heading by command."""
+    """True heading, sent by command."""
     AIDING_MAGNETIC_FIELD = 50
-    """Magnetic field by command."""
+    """Magnetic field, sent by command."""
     AIDING_PRESSURE = 51
-    """Pressure by command."""
+    """Pressure, sent by command."""
 
 
 @codec.open_flag(8)
@@ -131,19 +131,19 @@ class AidingMeasurementIndicator(IntFlag):
     ENABLED = 1 << 0
     """The measurement is enabled. Bit 0."""
     USED = 1 << 1
-    """The filter used it. Bit 1."""
+    """The filter used the measurement. Bit 1."""
     RESIDUAL_HIGH_WARNING = 1 << 2
-    """It disagrees with the estimate. Bit 2."""
+    """The measurement disagrees with the estimate. Bit 2."""
     SAMPLE_TIME_WARNING = 1 << 3
-    """Its time is doubtful. Bit 3."""
+    """The time of the measurement is doubtful. Bit 3."""
     CONFIG_ERROR = 1 << 4
-    """Its configuration is wrong. Bit 4."""
+    """The configuration of the measurement is wrong. Bit 4."""
     MAX_MEASUREMENTS_EXCEEDED = 1 << 5
     """There are more measurements than the filter can process. Bit 5."""
 
 
 class DualAntennaFixType(codec.OpenEnum):
-    """Kind of the heading solution of two antennas."""
+    """Kind of dual-antenna heading solution."""
 
     FIX_NONE = 0
     """No solution."""
@@ -155,7 +155,7 @@ class DualAntennaFixType(codec.OpenEnum):
 
 @codec.open_flag(16)
 class DualAntennaStatusFlags(IntFlag):
-    """Inputs available to the heading solution of two antennas."""
+    """Inputs available to the dual-antenna heading solution."""
 
     RECEIVER_1_DATA_VALID = 1 << 0
     """Data of receiver 1 is valid. Bit 0."""
@@ -231,7 +231,7 @@ class Gx5StatusFlags(IntFlag):
     RUN_GPS_UNAVAILABLE = 1 << 1
     """No GNSS data, on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`."""
     RUN_MATRIX_SINGULARITY = 1 << 3
-    """A matrix of the computation is singular. Bit 3. Concerns `filter.Reset`."""
+    """A matrix in the computation is singular. Bit 3. Concerns `filter.Reset`."""
     RUN_POSITION_COVARIANCE_WARNING = 1 << 4
     """A position covariance is above its normal limit. Bit 4. Concerns `LlhPosition` and
     `LlhPositionUncertainty`.
@@ -275,7 +275,7 @@ class Gx5StatusFlags(IntFlag):
 
 
 class FilterCondition(codec.OpenEnum):
-    """Convergence of the estimates of the filter.
+    """Convergence of the filter's estimates.
 
     - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
     - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
@@ -683,15 +683,15 @@ class LlhPositionUncertainty(Data):
     )
 
     north: float
-    """Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
+    """North standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
     of `valid_flags` is set.
     """
     east: float
-    """Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
+    """East standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
     of `valid_flags` is set.
     """
     down: float
-    """Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
+    """Down standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if `ValidFlags.VALID`
     of `valid_flags` is set.
     """
     valid_flags: ValidFlags
@@ -730,15 +730,15 @@ class NedVelocityUncertainty(Data):
     )
 
     north: float
-    """Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+    """North standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     east: float
-    """Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+    """East standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     down: float
-    """Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+    """Down standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
@@ -914,7 +914,7 @@ class LinearAccel(Data):
 class CompAngularRate(Data):
     """Compensated angular rate (0x82,0x0E).
 
-    Angular rate without the estimated bias.
+    Angular rate with the estimated bias removed.
 
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
     3DM-GX5-45.
@@ -1065,8 +1065,8 @@ class Timestamp(Data):
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     Without PPS the internal clock drives the time, and the time jumps when the PPS returns. Without
-    synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: the
-    field may be withdrawn; `shared.GpsTimestamp` is better.
+    synchronization to a receiver or an external clock it is the internal system time. 3DM-CV7: this
+    field may be withdrawn; prefer `shared.GpsTimestamp`.
 
     - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
     - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
@@ -1157,8 +1157,8 @@ class GravityVector(Data):
     _VECTORS = {"gravity": (types.Vector3f,)}
 
     gravity: types.Vector3f
-    """Gravity, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and
-    level: x 0, y 0, z 9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The
+    """Gravity vector, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
+    and level: x 0, y 0, z 9.8. Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The
     sign, which no source states.
     """
     valid_flags: ValidFlags
@@ -1269,15 +1269,15 @@ class MagneticModel(Data):
     )
 
     intensity_north: float
-    """Northward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
+    """North component of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
     `valid_flags` is set.
     """
     intensity_east: float
-    """Eastward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
+    """East component of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
     `valid_flags` is set.
     """
     intensity_down: float
-    """Downward part of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
+    """Down component of the field. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of
     `valid_flags` is set.
     """
     inclination: float
@@ -1531,7 +1531,7 @@ class MagBiasUncertainty(Data):
 class CompAccel(Data):
     """Compensated acceleration (0x82,0x1C).
 
-    Acceleration without the estimated bias. It includes gravity.
+    Acceleration with the estimated bias removed. It includes gravity.
 
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
@@ -1567,7 +1567,7 @@ class CompAccel(Data):
 class StandardAtmosphere(Data):
     """Standard atmosphere (0x82,0x20).
 
-    US Standard Atmosphere of 1976 at the altitude of the device.
+    US Standard Atmosphere of 1976 at the device's altitude.
 
     No device is known for certain to support it. Known only from the MicroStrain MIP SDK.
 
@@ -1614,16 +1614,16 @@ class StandardAtmosphere(Data):
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     standard_temperature: float
-    """Temperature that the model has at this altitude. Unit: degC. Valid if `ValidFlags.VALID` of
-    `valid_flags` is set.
+    """Temperature at this altitude according to the model. Unit: degC. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
     """
     standard_pressure: float
     """Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if
     `ValidFlags.VALID` of `valid_flags` is set.
     """
     standard_density: float
-    """Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if
-    `ValidFlags.VALID` of `valid_flags` is set.
+    """Air density at this altitude according to the model. Unit: kg/m^3. Range: at least 0. Valid
+    if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -1759,7 +1759,8 @@ class MagMatrix(Data):
     No device is known for certain to support it. Also called `magnetometer_matrix`. Known only from
     the MicroStrain MIP SDK.
 
-    The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
+    The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by this matrix on the
+    right.
 
     - mip-sdk-4: Magnetometer matrix (0x82,0x26)
     """
@@ -1925,8 +1926,8 @@ class MagResidualVector(Data):
     _VECTORS = {"residual": (types.Vector3f,)}
 
     residual: types.Vector3f
-    """Difference between the measured magnetic field and the one that the filter expects. Elements:
-    x, y, z. Unit: gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """Difference between the measured and the expected magnetic field. Elements: x, y, z. Unit:
+    gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values of a field."""
@@ -2734,7 +2735,7 @@ class AidingFrameConfigError(Data):
 class AidingFrameConfigErrorUncertainty(Data):
     """Aiding frame configuration error uncertainty (0x82,0x51).
 
-    Uncertainty of the error that `AidingFrameConfigError` estimates.
+    Uncertainty of the error in `AidingFrameConfigError`.
 
     Supported by 3DM-CV7-GNSS/INS.
 

@@ -17,7 +17,7 @@ from .protocol import FunctionSelector
 
 
 class ReceiverInfoEntry(Structure):
-    """One GNSS receiver.
+    """Description of a GNSS receiver.
 
     - 3dm-cv7-gnss-ins: Info
     - mip-sdk-4: Receiver Info (0x0E,0x01)
@@ -37,7 +37,7 @@ class ReceiverInfoEntry(Structure):
     least 1.
     """
     mip_data_descriptor_set: int
-    """Descriptor set of the data of this receiver. Range: 0x80 to 0xFE."""
+    """Descriptor set of this receiver's data. Range: 0x80 to 0xFE."""
     description: str
     """Module name or model and firmware version, separated by a comma."""
 
@@ -133,7 +133,7 @@ class ReceiverResetType(codec.OpenEnum):
 
 
 class AmbiguityFixMode(codec.OpenEnum):
-    """Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The
+    """Strategy for fixing the RTK carrier phase ambiguities to whole numbers. Uncertain: The
     descriptions of `conservative` and `moderate`, which are inferred from the names.
 
     - mip-sdk-4: Rtk Configuration (0x0E,0x04)
@@ -142,7 +142,7 @@ class AmbiguityFixMode(codec.OpenEnum):
     OFF = 1
     """Never fixes them. The solution remains a float solution."""
     CONSERVATIVE = 2
-    """Fixes them late and with few wrong fixes."""
+    """Fixes them late, so that few fixes are wrong."""
     MODERATE = 3
     """Between conservative and aggressive."""
     AGGRESSIVE = 4
@@ -150,7 +150,7 @@ class AmbiguityFixMode(codec.OpenEnum):
 
 
 class SpartnConnection(codec.OpenEnum):
-    """Channel of SPARTN corrections."""
+    """Channel that delivers SPARTN corrections."""
 
     NONE = 0
     """No connection."""
@@ -262,7 +262,7 @@ class RtkConfigResponse(Response):
     _LAYOUT = (("ambiguity_fix_mode", "B", AmbiguityFixMode), ("reserved", "BBBB", tuple))
 
     ambiguity_fix_mode: AmbiguityFixMode
-    """Readiness to fix ambiguities."""
+    """Strategy for fixing ambiguities."""
     reserved: tuple[int, int, int, int]
     """Reserved."""
 
@@ -418,7 +418,7 @@ class SignalConfig(Command[R]):
     `gnss_data.SatelliteStatus` and `gnss_data.Raw`. Supported by 3DM-CV7-GNSS/INS. On the
     3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
-    A device accepts certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
+    A device accepts only certain combinations. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and
     rejects GPS L1 with BeiDou L1 alone. For GPS and BeiDou it accepts none, L1, or L1 and L5; for
     Galileo none, or L1 and L5; for GLONASS none or L1.
 
@@ -542,7 +542,7 @@ class ReceiverReset(Command[None]):
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
     devices have it. The SDK does not name any.
 
-    Only internal receivers can be reset. Some devices lack some of the reset types.
+    Only internal receivers can be reset. Some devices do not support all reset types.
 
     - mip-sdk-4: Receiver reset (0x0E,0x03)
     """
@@ -603,7 +603,7 @@ class RtkConfig(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     ambiguity_fix_mode: AmbiguityFixMode | None
-    """Readiness to fix ambiguities. Required for `write`."""
+    """Strategy for fixing ambiguities. Required for `write`."""
     reserved: tuple[int, int, int, int] | None
     """Reserved: send 0. Required for `write`."""
 
@@ -742,8 +742,8 @@ class SpartnConfig(Command[R]):
     UART has the digits 0-9 and A-F, the description of the command has "bc" for 0xBC.
 
     A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any
-    time. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,
-    none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each byte.
+    time. While SPARTN corrections are enabled, RTCM corrections are blocked. A key has 16 bytes,
+    none of them 0. Send it as 32 hexadecimal digits in ASCII, two for each byte.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections

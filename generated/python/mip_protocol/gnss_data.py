@@ -29,7 +29,7 @@ from .field import Data, Field, Shared
 
 @codec.open_flag(16)
 class LlhPositionFlags(IntFlag):
-    """Valid parts of the position."""
+    """Validity flags for the position."""
 
     LAT_LON = 1 << 0
     """`latitude` and `longitude` are valid. Bit 0."""
@@ -47,7 +47,7 @@ class LlhPositionFlags(IntFlag):
 
 @codec.open_flag(16)
 class EcefPositionFlags(IntFlag):
-    """Valid parts of the position."""
+    """Validity flags for the position."""
 
     POSITION = 1 << 0
     """`position` is valid. Bit 0."""
@@ -59,7 +59,7 @@ class EcefPositionFlags(IntFlag):
 
 @codec.open_flag(16)
 class NedVelocityFlags(IntFlag):
-    """Valid parts of the velocity."""
+    """Validity flags for the velocity."""
 
     VELOCITY = 1 << 0
     """`velocity` is valid. Bit 0."""
@@ -79,7 +79,7 @@ class NedVelocityFlags(IntFlag):
 
 @codec.open_flag(16)
 class EcefVelocityFlags(IntFlag):
-    """Valid parts of the velocity."""
+    """Validity flags for the velocity."""
 
     VELOCITY = 1 << 0
     """`velocity` is valid. Bit 0."""
@@ -91,7 +91,7 @@ class EcefVelocityFlags(IntFlag):
 
 @codec.open_flag(16)
 class DopFlags(IntFlag):
-    """Valid dilutions of precision."""
+    """Validity flags for the dilutions of precision."""
 
     GDOP = 1 << 0
     """`gdop` is valid. Bit 0."""
@@ -113,7 +113,7 @@ class DopFlags(IntFlag):
 
 @codec.open_flag(16)
 class UtcTimeFlags(IntFlag):
-    """Valid parts of the UTC time."""
+    """Validity flags for the UTC time."""
 
     GNSS_DATE_TIME = 1 << 0
     """Date and time come from GNSS. Bit 0."""
@@ -125,7 +125,7 @@ class UtcTimeFlags(IntFlag):
 
 @codec.open_flag(16)
 class GpsTimeFlags(IntFlag):
-    """Valid parts of the time."""
+    """Validity flags for the time."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -137,7 +137,7 @@ class GpsTimeFlags(IntFlag):
 
 @codec.open_flag(16)
 class ClockInfoFlags(IntFlag):
-    """Valid clock parameters."""
+    """Validity flags for the clock parameters."""
 
     BIAS = 1 << 0
     """`bias` is valid. Bit 0."""
@@ -161,7 +161,7 @@ class FixFlags(IntFlag):
 
 @codec.open_flag(16)
 class FixInfoFlags(IntFlag):
-    """Valid parts of the fix information."""
+    """Validity flags for the fix information."""
 
     FIX_TYPE = 1 << 0
     """`fix_type` is valid. Bit 0."""
@@ -185,7 +185,7 @@ class SvFlags(IntFlag):
 
 @codec.open_flag(16)
 class SvInfoFlags(IntFlag):
-    """Valid parts of the satellite info."""
+    """Validity flags for the satellite info."""
 
     CHANNEL = 1 << 0
     """`channel` is valid. Bit 0."""
@@ -237,7 +237,7 @@ class AntennaPower(codec.OpenEnum):
 
 @codec.open_flag(16)
 class HardwareStatusFlags(IntFlag):
-    """Valid parts of the hardware status."""
+    """Validity flags for the hardware status."""
 
     SENSOR_STATE = 1 << 0
     """`receiver_state` is valid. Bit 0."""
@@ -251,7 +251,7 @@ class HardwareStatusFlags(IntFlag):
 
 @codec.open_flag(16)
 class DgpsInfoFlags(IntFlag):
-    """Valid parts of the state of the corrections."""
+    """Validity flags for the state of the corrections."""
 
     AGE = 1 << 0
     """`age` is valid. Bit 0."""
@@ -267,7 +267,7 @@ class DgpsInfoFlags(IntFlag):
 
 @codec.open_flag(16)
 class DgpsChannelFlags(IntFlag):
-    """Valid parts of a differential correction."""
+    """Validity flags for a differential correction."""
 
     SATELLITE_ID = 1 << 0
     """`satellite_id` is valid. Bit 0."""
@@ -283,7 +283,7 @@ class DgpsChannelFlags(IntFlag):
 
 @codec.open_flag(16)
 class ClockInfo2Flags(IntFlag):
-    """Valid clock parameters."""
+    """Validity flags for the clock parameters."""
 
     BIAS = 1 << 0
     """`bias` is valid. Bit 0."""
@@ -336,7 +336,7 @@ class SbasStatus(IntFlag):
 
 @codec.open_flag(16)
 class SbasInfoFlags(IntFlag):
-    """Valid parts of the SBAS status."""
+    """Validity flags for the SBAS status."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -356,7 +356,7 @@ class SbasInfoFlags(IntFlag):
 
 @codec.open_flag(16)
 class SbasCorrectionFlags(IntFlag):
-    """Valid parts of an SBAS correction."""
+    """Validity flags for an SBAS correction."""
 
     UDREI = 1 << 0
     """`udrei` is valid. Bit 0."""
@@ -406,7 +406,7 @@ class SpoofingState(codec.OpenEnum):
 
 @codec.open_flag(16)
 class RfErrorDetectionFlags(IntFlag):
-    """Valid parts of the detection."""
+    """Validity flags for the detection."""
 
     RF_BAND = 1 << 0
     """`rf_band` is valid. Bit 0."""
@@ -433,7 +433,7 @@ class HeadingFixType(codec.OpenEnum):
 
 @codec.open_flag(16)
 class HeadingFlags(IntFlag):
-    """Valid parts of the heading."""
+    """Validity flags for the heading."""
 
     HEADING = 1 << 0
     """`heading` is valid. Bit 0."""
@@ -447,7 +447,7 @@ class HeadingFlags(IntFlag):
 
 @codec.open_flag(16)
 class SatelliteStatusFlags(IntFlag):
-    """Valid parts of the satellite status."""
+    """Validity flags for the satellite status."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -468,7 +468,7 @@ class SatelliteStatusFlags(IntFlag):
 
 
 class SignalQuality(codec.OpenEnum):
-    """Quality of the tracking of a signal."""
+    """Tracking quality of a signal."""
 
     NONE = 0
     """No signal."""
@@ -479,13 +479,13 @@ class SignalQuality(codec.OpenEnum):
     UNUSABLE = 3
     """The signal is found but cannot be used."""
     TIME_LOCKED = 4
-    """Locked in time."""
+    """The signal is locked in time."""
     FULLY_LOCKED = 5
 
 
 @codec.open_flag(16)
 class RawFlags(IntFlag):
-    """Valid parts of the observation."""
+    """Validity flags for the observation."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -618,7 +618,7 @@ class RtkCorrectionsStatusFlags(IntFlag):
 
 @codec.open_flag(16)
 class EphemerisFlags(IntFlag):
-    """Contents of an ephemeris of GPS, Galileo or BeiDou."""
+    """Contents of a GPS, Galileo or BeiDou ephemeris."""
 
     EPHEMERIS = 1 << 0
     """The ephemeris is valid. Bit 0."""
@@ -649,7 +649,7 @@ class GlonassEphemerisFlags(IntFlag):
 
 @codec.open_flag(16)
 class GpsIonoCorrectionFlags(IntFlag):
-    """Valid parts of the model."""
+    """Validity flags for the model."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -665,7 +665,7 @@ class GpsIonoCorrectionFlags(IntFlag):
 
 @codec.open_flag(16)
 class GalileoIonoCorrectionFlags(IntFlag):
-    """Valid parts of the model."""
+    """Validity flags for the model."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -681,7 +681,7 @@ class GalileoIonoCorrectionFlags(IntFlag):
 
 @codec.open_flag(16)
 class BeidouIonoCorrectionFlags(IntFlag):
-    """Valid parts of the model."""
+    """Validity flags for the model."""
 
     TOW = 1 << 0
     """`tow` is valid. Bit 0."""
@@ -769,7 +769,7 @@ class LlhPosition(Shared, Data):
     `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: LlhPositionFlags
-    """Valid parts of the position."""
+    """Validity flags for the position."""
 
     def __init__(
         self,
@@ -827,7 +827,7 @@ class EcefPosition(Shared, Data):
     `EcefPositionFlags.POSITION_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefPositionFlags
-    """Valid parts of the position."""
+    """Validity flags for the position."""
 
     def __init__(
         self,
@@ -914,7 +914,7 @@ class NedVelocity(Shared, Data):
     `NedVelocityFlags.HEADING_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: NedVelocityFlags
-    """Valid parts of the velocity."""
+    """Validity flags for the velocity."""
 
     def __init__(
         self,
@@ -973,7 +973,7 @@ class EcefVelocity(Shared, Data):
     `EcefVelocityFlags.VELOCITY_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: EcefVelocityFlags
-    """Valid parts of the velocity."""
+    """Validity flags for the velocity."""
 
     def __init__(
         self,
@@ -1044,7 +1044,7 @@ class Dop(Shared, Data):
     set.
     """
     valid_flags: DopFlags
-    """Valid dilutions of precision."""
+    """Validity flags for the dilutions of precision."""
 
     def __init__(
         self,
@@ -1123,7 +1123,7 @@ class UtcTime(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: UtcTimeFlags
-    """Valid parts of the time."""
+    """Validity flags for the time."""
 
     def __init__(
         self,
@@ -1174,7 +1174,7 @@ class GpsTime(Shared, Data):
     week_number: int
     """GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `valid_flags` is set."""
     valid_flags: GpsTimeFlags
-    """Valid parts of the time."""
+    """Validity flags for the time."""
 
     def __init__(self, tow: float, week_number: int, valid_flags: GpsTimeFlags) -> None:
         self.tow = tow
@@ -1219,7 +1219,7 @@ class ClockInfo(Shared, Data):
     `ClockInfoFlags.ACCURACY_ESTIMATE` of `valid_flags` is set.
     """
     valid_flags: ClockInfoFlags
-    """Valid clock parameters."""
+    """Validity flags for the clock parameters."""
 
     def __init__(
         self, bias: float, drift: float, accuracy_estimate: float, valid_flags: ClockInfoFlags
@@ -1271,7 +1271,7 @@ class FixInfo(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: FixInfoFlags
-    """Valid parts of the fix information."""
+    """Validity flags for the fix information."""
 
     def __init__(
         self,
@@ -1354,7 +1354,7 @@ class SvInfo(Shared, Data):
     sv_flags: SvFlags
     """State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `valid_flags` is set."""
     valid_flags: SvInfoFlags
-    """Valid parts of the satellite info."""
+    """Validity flags for the satellite info."""
 
     def __init__(
         self,
@@ -1415,7 +1415,7 @@ class HardwareStatus(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: HardwareStatusFlags
-    """Valid parts of the hardware status."""
+    """Validity flags for the hardware status."""
 
     def __init__(
         self,
@@ -1487,7 +1487,7 @@ class DgpsInfo(Shared, Data):
     `valid_flags` is set.
     """
     valid_flags: DgpsInfoFlags
-    """Valid parts of the state of the corrections."""
+    """Validity flags for the state of the corrections."""
 
     def __init__(
         self,
@@ -1511,7 +1511,7 @@ class DgpsInfo(Shared, Data):
 class DgpsInfoSatellite(Shared, Data):
     """DGPS info for one satellite (0x0E).
 
-    Differential correction for one satellite, in the layout that the SDK has for DGPS info.
+    Differential correction for one satellite, in the SDK's layout of DGPS info.
 
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Distinguished from `DgpsInfo` by the size of its data. Not
@@ -1519,9 +1519,9 @@ class DgpsInfoSatellite(Shared, Data):
     device sends it. The values are those of `DgpsChannel`, but the flags are those of `DgpsInfo`,
     so a mistake in the SDK is likely.
 
-    The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have `DgpsInfo`. The
-    flags of `base_station_id`, `base_station_status` and `num_channels` correspond to no value in
-    this layout.
+    The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document `DgpsInfo`
+    instead. The flags of `base_station_id`, `base_station_status` and `num_channels` correspond to
+    no value in this layout.
 
     - mip-sdk-4: Dgps Info (0x81,0x0E)
     """
@@ -1562,7 +1562,7 @@ class DgpsInfoSatellite(Shared, Data):
     `DgpsChannel`.
     """
     valid_flags: DgpsInfoFlags
-    """Valid parts of the state of the corrections."""
+    """Validity flags for the state of the corrections."""
 
     def __init__(
         self,
@@ -1635,7 +1635,7 @@ class DgpsChannel(Shared, Data):
     `DgpsChannelFlags.RANGE_RATE_CORRECTION` of `valid_flags` is set.
     """
     valid_flags: DgpsChannelFlags
-    """Valid parts of a differential correction."""
+    """Validity flags for a differential correction."""
 
     def __init__(
         self,
@@ -1706,7 +1706,7 @@ class ClockInfo2(Shared, Data):
     `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags` is set.
     """
     valid_flags: ClockInfo2Flags
-    """Valid clock parameters."""
+    """Validity flags for the clock parameters."""
 
     def __init__(
         self,
@@ -1817,7 +1817,7 @@ class SbasInfo(Shared, Data):
     sbas_status: SbasStatus
     """Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `valid_flags` is set."""
     valid_flags: SbasInfoFlags
-    """Valid parts of the SBAS status."""
+    """Validity flags for the SBAS status."""
 
     def __init__(
         self,
@@ -1922,7 +1922,7 @@ class SbasCorrection(Shared, Data):
     of `valid_flags` is set.
     """
     valid_flags: SbasCorrectionFlags
-    """Valid parts of an SBAS correction."""
+    """Validity flags for an SBAS correction."""
 
     def __init__(
         self,
@@ -1958,8 +1958,8 @@ class RfErrorDetection(Shared, Data):
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS. Known only
     from the MicroStrain MIP SDK.
 
-    Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0
-    there and leaves its flag clear.
+    Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware from that time sends 0
+    there and does not set its flag.
 
     - mip-sdk-4: Rf Error Detection (0x81,0x14)
     """
@@ -2006,7 +2006,7 @@ class RfErrorDetection(Shared, Data):
     reserved: tuple[int, int]
     """Reserved."""
     valid_flags: RfErrorDetectionFlags
-    """Valid parts of the detection."""
+    """Validity flags for the detection."""
 
     def __init__(
         self,
@@ -2064,7 +2064,7 @@ class Heading(Shared, Data):
     fix_type: HeadingFixType
     """Kind of the fix. Valid if `HeadingFlags.FIX_TYPE` of `valid_flags` is set."""
     valid_flags: HeadingFlags
-    """Valid parts of the heading."""
+    """Validity flags for the heading."""
 
     def __init__(
         self,
@@ -2167,7 +2167,7 @@ class SatelliteStatus(Shared, Data):
     set.
     """
     valid_flags: SatelliteStatusFlags
-    """Valid parts of the satellite status."""
+    """Validity flags for the satellite status."""
 
     def __init__(
         self,
@@ -2310,8 +2310,7 @@ class Raw(Shared, Data):
     `valid_flags` is set.
     """
     quality: SignalQuality
-    """Quality of the tracking of the signal. Valid if `RawFlags.QUALITY` of `valid_flags` is set.
-    """
+    """Tracking quality of the signal. Valid if `RawFlags.QUALITY` of `valid_flags` is set."""
     pseudorange: float
     """Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least
     0. Valid if `RawFlags.PSEUDORANGE` of `valid_flags` is set.
@@ -2339,7 +2338,7 @@ class Raw(Shared, Data):
     if `RawFlags.LOCK_TIME` of `valid_flags` is set.
     """
     valid_flags: RawFlags
-    """Valid parts of the observation."""
+    """Validity flags for the observation."""
 
     def __init__(
         self,
@@ -3063,8 +3062,8 @@ class GlonassEphemeris(Shared, Data):
     Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     health: int
-    """Health (Bn); not 0 if the satellite fails. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
-    `valid_flags` is set.
+    """Health (Bn); nonzero if the satellite is malfunctioning. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     p: int
     """Mode of operation of the satellite. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
@@ -3168,7 +3167,7 @@ class GalileoEphemeris(Shared, Data):
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
-    The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
+    It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
@@ -3483,7 +3482,7 @@ class BeidouEphemeris(Shared, Data):
     Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93), gnss_external
     (0x94) and gnss_external_2 (0x95). Supported by 3DM-CV7-GNSS/INS.
 
-    The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
+    It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections
     mean here. `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
@@ -3834,7 +3833,7 @@ class GpsIonoCorrection(Shared, Data):
     Uncertain: The units.
     """
     valid_flags: GpsIonoCorrectionFlags
-    """Valid parts of the model."""
+    """Validity flags for the model."""
 
     def __init__(
         self,
@@ -3896,7 +3895,7 @@ class GalileoIonoCorrection(Shared, Data):
     bits count from 0 or from 1, and which region each represents.
     """
     valid_flags: GalileoIonoCorrectionFlags
-    """Valid parts of the model."""
+    """Validity flags for the model."""
 
     def __init__(
         self,
@@ -3962,7 +3961,7 @@ class BeidouIonoCorrection(Shared, Data):
     of `valid_flags` is set. Uncertain: The units.
     """
     valid_flags: BeidouIonoCorrectionFlags
-    """Valid parts of the model."""
+    """Validity flags for the model."""
 
     def __init__(
         self,

@@ -53,8 +53,8 @@ class FactoryStreamingAction(codec.OpenEnum):
 
 
 class ConstellationId(codec.OpenEnum):
-    """Constellation in receiver settings. The values are not those of `types.GnssConstellation`,
-    which GNSS data use.
+    """Constellation in receiver settings. The values differ from those of
+    `types.GnssConstellation`, which GNSS data uses.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     """
@@ -110,11 +110,11 @@ class ConstellationSettingsEntry(Structure):
     constellation_id: ConstellationId
     """Constellation that this entry configures."""
     enable: int
-    """1 switches it on, 0 off. Range: 0 to 1."""
+    """1 enables the constellation, 0 disables it. Range: 0 to 1."""
     reserved_channels: int
-    """Number of channels reserved for it. Unit: 1. Range: 0 to 32."""
+    """Number of channels reserved for the constellation. Unit: 1. Range: 0 to 32."""
     max_channels: int
-    """Maximum number of channels that it uses. Unit: 1. Range: 0 to 32."""
+    """Maximum number of channels for the constellation. Unit: 1. Range: 0 to 32."""
     option_flags: ConstellationOptions
     """Options of this constellation."""
 
@@ -155,7 +155,7 @@ class AssistedFixOption(codec.OpenEnum):
     """
 
     NONE = 0
-    """The receiver starts without it."""
+    """The receiver ignores its last fix."""
     ENABLED = 1
     """The receiver starts from its last fix."""
 
@@ -207,7 +207,7 @@ class EventSupportInfo(Structure):
     _LAYOUT = (("type", "B", None), ("count", "B", None))
 
     type: int
-    """Type of triggers, or of actions."""
+    """Trigger type or action type."""
     count: int
     """Maximum number of instances of this type. Unit: 1."""
 
@@ -307,15 +307,15 @@ class DataConditioningFlags(IntFlag):
     NAN_SUPPRESSED = 1 << 5
     """Suppresses values that are NaN (not a number). Bit 5."""
     FINITE_SIZE_CORRECTION = 1 << 6
-    """Corrects the distance between the accelerometers. Bit 6."""
+    """Compensates for the distance between the accelerometers. Bit 6."""
     DISABLE_MAG = 1 << 8
     """Switches the magnetometer off. Bit 8."""
     MAG_LOW_POWER = 1 << 9
     """Reduces the power of the magnetometer. Bit 9."""
     DISABLE_NORTH_COMPENSATION = 1 << 10
-    """Disables the correction of the heading. Bit 10."""
+    """Disables the heading correction. Bit 10."""
     DISABLE_UP_COMPENSATION = 1 << 11
-    """Disables the correction of pitch and roll. Bit 11."""
+    """Disables the pitch and roll correction. Bit 11."""
     QUATERNION_CALCULATION = 1 << 12
     """Computes the quaternion. Bit 12."""
 
@@ -416,7 +416,7 @@ class StreamFormat(codec.OpenEnum):
     STANDARD = 1
     """MIP data fields."""
     WRAPPED_RAW = 2
-    """Packets of the sensor itself, each in a MIP field."""
+    """The sensor's own packets, each in a MIP field."""
 
 
 class SensorPowerState(codec.OpenEnum):
@@ -644,7 +644,7 @@ class DataStreamControlResponse(Response):
     _LAYOUT = (("descriptor_set", "B", None), ("enabled", "B", codec.truth))
 
     descriptor_set: int
-    """The stream that the command names.
+    """Stream specified in the command.
 
     - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45,
       3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
@@ -772,7 +772,7 @@ class UartBaudRateResponse(Response):
     _LAYOUT = (("baud", "I", None),)
 
     baud: int
-    """Baud rate, one of those that the port supports. Unit: Bd."""
+    """Baud rate that the port supports. Unit: Bd."""
 
     def __init__(self, baud: int) -> None:
         self.baud = baud
@@ -1264,11 +1264,11 @@ class DeviceStatusDiagnosticResponse(Response):
     comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
-    """Messages of the IMU that could not be parsed. Unit: 1."""
+    """IMU messages that could not be parsed. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. Unit: 1."""
+    """IMU messages that were read. Unit: 1."""
     imu_last_message_time: int
-    """System timer at the last message of the IMU. Unit: ms."""
+    """System timer at the last IMU message. Unit: ms."""
 
     def __init__(
         self,
@@ -1449,17 +1449,17 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
-    """Messages of the IMU that could not be parsed. Unit: 1."""
+    """IMU messages that could not be parsed. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. Unit: 1."""
+    """IMU messages that were read. Unit: 1."""
     imu_last_message_time: int
-    """System timer at the last message of the IMU. Unit: ms."""
+    """System timer at the last IMU message. Unit: ms."""
     gnss_parser_errors: int
-    """Messages of the receiver that could not be parsed. Unit: 1."""
+    """Receiver messages that could not be parsed. Unit: 1."""
     gnss_message_count: int
-    """Messages of the receiver that were read. Unit: 1."""
+    """Receiver messages that were read. Unit: 1."""
     gnss_last_message_time: int
-    """System timer at the last message of the receiver. Unit: ms."""
+    """System timer at the last receiver message. Unit: ms."""
 
     def __init__(
         self,
@@ -1664,17 +1664,17 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
-    """Messages of the IMU that could not be parsed. Unit: 1."""
+    """IMU messages that could not be parsed. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. Unit: 1."""
+    """IMU messages that were read. Unit: 1."""
     imu_last_message_time: int
-    """System timer at the last message of the IMU. Unit: ms."""
+    """System timer at the last IMU message. Unit: ms."""
     gnss_parser_errors: int
-    """Messages of the receiver that could not be parsed. Unit: 1."""
+    """Receiver messages that could not be parsed. Unit: 1."""
     gnss_message_count: int
-    """Messages of the receiver that were read. Unit: 1."""
+    """Receiver messages that were read. Unit: 1."""
     gnss_last_message_time: int
-    """System timer at the last message of the receiver. Unit: ms."""
+    """System timer at the last receiver message. Unit: ms."""
     mag_init_failed: bool
     """True if the magnetometer could not be started."""
     pressure_init_failed: bool
@@ -1897,17 +1897,17 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
-    """Messages of the IMU that could not be parsed. Unit: 1."""
+    """IMU messages that could not be parsed. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. Unit: 1."""
+    """IMU messages that were read. Unit: 1."""
     imu_last_message_time: int
-    """System timer at the last message of the IMU. Unit: ms."""
+    """System timer at the last IMU message. Unit: ms."""
     gnss_parser_errors: int
-    """Messages of the receiver that could not be parsed. Unit: 1."""
+    """Receiver messages that could not be parsed. Unit: 1."""
     gnss_message_count: int
-    """Messages of the receiver that were read. Unit: 1."""
+    """Receiver messages that were read. Unit: 1."""
     gnss_last_message_time: int
-    """System timer at the last message of the receiver. Unit: ms."""
+    """System timer at the last receiver message. Unit: ms."""
 
     def __init__(
         self,
@@ -2101,11 +2101,11 @@ class DeviceStatusDiagnosticGx4Response(Response):
     usb_read_overruns: int
     """Overruns while reading from USB. Unit: 1."""
     imu_parser_errors: int
-    """Messages of the IMU that could not be parsed. Unit: 1."""
+    """IMU messages that could not be parsed. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. Unit: 1."""
+    """IMU messages that were read. Unit: 1."""
     imu_last_message_time: int
-    """System timer at the last message of the IMU. Unit: ms."""
+    """System timer at the last IMU message. Unit: ms."""
 
     def __init__(
         self,
@@ -2258,9 +2258,9 @@ class DeviceStatusDiagnosticImuResponse(Response):
     system_timer: int
     """Time since start-up. Unit: ms."""
     has_mag: bool
-    """True if it has a magnetometer."""
+    """True if the device has a magnetometer."""
     has_pressure: bool
-    """True if it has a pressure sensor."""
+    """True if the device has a pressure sensor."""
     power_state: int
     """Power state of the sensors."""
     gyro_range: int
@@ -2445,9 +2445,9 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     system_timer: int
     """Time since start-up. Unit: ms."""
     has_mag: bool
-    """True if it has a magnetometer."""
+    """True if the device has a magnetometer."""
     has_pressure: bool
-    """True if it has a pressure sensor."""
+    """True if the device has a pressure sensor."""
     gyro_range: int
     """Largest angular rate that can be measured."""
     accel_range: int
@@ -2952,9 +2952,9 @@ class DeviceStatusDiagnosticGx3Response(Response):
     gnss_read_overruns: int
     """Overruns while reading from the receiver. Unit: 1."""
     gnss_message_count: int
-    """Messages of the receiver that were read. Unit: 1."""
+    """Receiver messages that were read. Unit: 1."""
     gnss_delayed_message_count: int
-    """Messages of the receiver that arrived late. Unit: 1."""
+    """Receiver messages that arrived late. Unit: 1."""
     imu_driver_state: int
     """State of the IMU's driver; the meaning of its values is not known."""
     imu_port_state: int
@@ -2968,9 +2968,9 @@ class DeviceStatusDiagnosticGx3Response(Response):
     imu_read_overruns: int
     """Overruns while reading from the IMU. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. Unit: 1."""
+    """IMU messages that were read. Unit: 1."""
     imu_delayed_message_count: int
-    """Messages of the IMU that arrived late. Unit: 1."""
+    """IMU messages that arrived late. Unit: 1."""
 
     def __init__(
         self,
@@ -3092,7 +3092,7 @@ class ImuTimestampResponse(Response):
     selector: ImuTimestampSelector
     """Counter to set or read."""
     time: int
-    """Value of the counter, in the unit that `selector` states."""
+    """Value of the counter, in the unit that `selector` selects."""
 
     def __init__(self, selector: ImuTimestampSelector, time: int) -> None:
         self.selector = selector
@@ -3336,7 +3336,7 @@ class ConstellationSettingsResponse(Response):
     )
 
     max_channels_available: int
-    """Channels that the receiver has. Unit: 1."""
+    """Number of channels of the receiver. Unit: 1."""
     max_channels_use: int
     """Maximum number of channels in use. Unit: 1."""
     # On the wire only: config_count. Number of entries. The number of elements of `settings`.
@@ -3379,7 +3379,7 @@ class GnssSbasSettingsResponse(Response):
     )
 
     enable_sbas: int
-    """1 switches SBAS on, 0 off. Range: 0 to 1."""
+    """1 enables SBAS, 0 disables it. Range: 0 to 1."""
     sbas_options: SbasOptions
     """Purposes of SBAS."""
     # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The
@@ -3896,7 +3896,7 @@ class GpioStateResponse(Response):
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     state: bool
-    """True is high."""
+    """True means high."""
 
     def __init__(self, pin: int, state: bool) -> None:
         self.pin = pin
@@ -3991,7 +3991,7 @@ class GetCalibratedSensorRangesResponse(Response):
     """Sensor specified in the command."""
     # On the wire only: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
-    """Each range that the sensor is calibrated for.
+    """Ranges for which the sensor is calibrated.
 
     - If `sensor` is `SensorRangeType.ACCEL`: `range` has unit g.
     - If `sensor` is `SensorRangeType.GYRO`: `range` has unit deg/s.
@@ -4828,8 +4828,8 @@ class DataStreamControl(Command[R]):
     3DM-RQ1-45-ST.
 
     Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other
-    devices by its descriptor set. A stream that you enable begins with current data, not with data
-    from the time before.
+    devices by its descriptor set. A newly enabled stream starts with current data, without any from
+    before.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -5083,7 +5083,7 @@ class GnssSbasSettings(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     enable_sbas: int | None
-    """1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`.
+    """1 enables SBAS, 0 disables it. Range: 0 to 1. Required for `write`.
 
     - On the 3DM-GX5-35: default 1.
     """
@@ -5162,8 +5162,8 @@ class GnssAssistedFix(Command[R]):
 
     The last fix is kept in the flash memory and the FRAM of the receiver. If you send the time with
     `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
-    enabled to none erases the flash memory of the receiver, which is rated for 100 000 erasures.
-    The power consumption is slightly higher.
+    enabled to none erases the flash memory of the receiver, which is rated for 100 000 erasures. It
+    slightly increases the power consumption.
 
     - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
     """
@@ -5399,7 +5399,7 @@ class PpsSourceControl(Command[R]):
 class GetEventSupport(Command[GetEventSupportResponse]):
     """Get Supported Events (0x0C,0x2A).
 
-    Gets the types of event triggers or actions that the device has, and how many of each.
+    Gets the types of event triggers or actions that the device supports, and the number of each.
 
     Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -6420,7 +6420,7 @@ class ImuTimestamp(Command[R]):
     selector: ImuTimestampSelector | None
     """Counter to set or read."""
     time: int | None
-    """Value of the counter, in the unit that `selector` states. Required for `write`."""
+    """Value of the counter, in the unit that `selector` selects. Required for `write`."""
 
     def __init__(
         self,
@@ -6677,8 +6677,8 @@ class MagHardIronOffset(Command[R]):
     `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
-    `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
-    during operation. The device applies the correction before it sends `sensor.ScaledMag`.
+    `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The
+    device applies the correction before it sends `sensor.ScaledMag`.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     - 3dm-gx5-45: (0x0C, 0x3A)
@@ -6772,8 +6772,8 @@ class MagSoftIronMatrix(Command[R]):
     `default` only.
 
     The values come from a calibration of the device as it is installed. On some devices,
-    `filter.MagCaptureAutoCalibration` captures them from the calibration that the filter makes
-    during operation. The device applies the correction before it sends `sensor.ScaledMag`.
+    `filter.MagCaptureAutoCalibration` captures them from the filter's automatic calibration. The
+    device applies the correction before it sends `sensor.ScaledMag`.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     - 3dm-gx5-35: (0x0C, 0x3B)
@@ -6855,7 +6855,7 @@ class MagSoftIronMatrix(Command[R]):
 class ConingScullingEnable(Command[R]):
     """Coning and Sculling Enable (0x0C,0x3E).
 
-    Switches the compensation of coning and sculling on or off.
+    Enables or disables coning and sculling compensation.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConingScullingEnableResponse`. Probably changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`.
@@ -6954,7 +6954,7 @@ class UartBaudRate(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     baud: int | None
-    """Baud rate, one of those that the port supports. Unit: Bd. Required for `write`.
+    """Baud rate that the port supports. Unit: Bd. Required for `write`.
 
     - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
     """
@@ -7004,11 +7004,11 @@ class GpioConfig(Command[R]):
     Probably changes `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
-    Not every pin has every feature. For an output with another feature than gpio, set up what
-    drives it first, then the pin; meanwhile, its level would be undefined. For an input, configure
-    the pin first, then what uses it. A configuration that only one pin can have moves to the last
-    pin configured; the earlier pin is reset. With NMEA input at most one pin may be a UART input;
-    set it to unused before another one takes over.
+    Not every pin has every feature. For an output with a feature other than gpio, configure the
+    function that drives it before the pin; otherwise, the level of the pin is undefined in the
+    meantime. For an input, configure the pin before the function that uses it. If only one pin can
+    have a configuration, the last pin configured gets it, and the earlier pin is reset. With NMEA
+    input at most one pin may be a UART input; set it to unused before another one takes over.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -7139,7 +7139,7 @@ class GpioState(Command[R]):
     pin: int | None
     """GPIO pin, counted from 1. Range: at least 1."""
     state: bool | None
-    """True is high. Required for `write`."""
+    """True means high. Required for `write`."""
 
     def __init__(
         self, function: FunctionSelector, pin: int | None = None, state: bool | None = None
@@ -7257,7 +7257,7 @@ class OdometerConfig(Command[R]):
 class ImuLowPassFilter(Command[R]):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
-    Configures the low-pass filter of one quantity of the sensor data.
+    Configures the low-pass filter of one sensor data quantity.
 
     For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load`
     and `default`. Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`,
@@ -7448,7 +7448,7 @@ class ComplementaryFilter(Command[R]):
     for `write`.
 
     - On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10:
-      MSCL does not offer it.
+      MSCL has no support for it.
     - On the 3DM-GX5-15: default true.
     """
     pitch_roll_time_constant: float | None

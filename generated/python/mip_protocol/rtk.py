@@ -222,7 +222,7 @@ class ConnectedDeviceTypeResponse(Response):
     _LAYOUT = (("device_type", "B", ConnectedDevice),)
 
     device_type: ConnectedDevice
-    """Device that the modem is connected to."""
+    """Type of device that the modem is connected to."""
 
     def __init__(self, device_type: ConnectedDevice) -> None:
         self.device_type = device_type
@@ -308,9 +308,9 @@ class ServiceStatusResponse(Response):
     flags: ServiceFlags
     """State of the service."""
     received_bytes: int
-    """Bytes of corrections that the service has sent. Unit: byte."""
+    """Number of correction bytes that the service has sent. Unit: byte."""
     last_bytes: int
-    """Bytes of the last transfer. Unit: byte."""
+    """Number of bytes in the last transfer. Unit: byte."""
     last_bytes_time: int
     """Time of the last transfer. Uncertain: The unit and the epoch."""
 
@@ -331,7 +331,8 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
     No device is known for certain to support it. Answered by `GetStatusFlagsResponse`. Known only
     from the MicroStrain MIP SDK.
 
-    The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
+    The status word in the response has two forms, `types.RtkStatusFlags` and
+    `types.RtkStatusFlagsLegacy`.
 
     - mip-sdk-4: Get status flags (0x0F,0x01)
     """
@@ -433,7 +434,7 @@ class GetRssi(Command[GetRssiResponse]):
 class ConnectedDeviceType(Command[R]):
     """Connected device type (0x0F,0x06).
 
-    Sets the device that the modem serves.
+    Sets the type of device that the modem is connected to.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `ConnectedDeviceTypeResponse`. Not listed in any device profile. Known only from the MicroStrain
@@ -458,7 +459,7 @@ class ConnectedDeviceType(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     device_type: ConnectedDevice | None
-    """Device that the modem is connected to. Required for `write`."""
+    """Type of device that the modem is connected to. Required for `write`."""
 
     def __init__(
         self, function: FunctionSelector, device_type: ConnectedDevice | None = None
@@ -552,7 +553,7 @@ class ServiceStatus(Command[ServiceStatusResponse]):
     Answered by `ServiceStatusResponse`. Sent by the device; the host replies. Not listed in any
     device profile. Known only from the MicroStrain MIP SDK.
 
-    The modem sends it as a host would, and the server replies as a device would.
+    The modem acts as the host and the server as the device.
 
     - mip-sdk-4: Service status (0x0F,0x0A)
     """
@@ -615,7 +616,7 @@ class LedControl(Command[None]):
 
     For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
-    Only in calibration mode or production test mode; otherwise it is rejected.
+    Accepted in calibration mode and production test mode only.
 
     - mip-sdk-4: LED control (0x0F,0x21)
     """

@@ -243,7 +243,7 @@ class ScaledMag(Data):
 class DeltaTheta(Data):
     """Delta theta (0x80,0x07).
 
-    Time integral of the angular rate over the period that the message format sets.
+    Time integral of the angular rate over the period set by the message format.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
 
@@ -275,7 +275,7 @@ class DeltaTheta(Data):
 class DeltaVelocity(Data):
     """Delta velocity (0x80,0x08).
 
-    Time integral of the acceleration over the period that the message format sets.
+    Time integral of the acceleration over the period set by the message format.
 
     Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
 
@@ -383,7 +383,7 @@ class CompQuaternion(Data):
 class CompOrientationUpdateMatrix(Data):
     """Complementary filter orientation update matrix (0x80,0x0B).
 
-    Change of the attitude from the complementary filter as a matrix.
+    Change in the complementary filter's attitude, as a matrix.
 
     Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
     profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of
@@ -568,7 +568,7 @@ class PpsTimestampWithFlags(Data):
     the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices send it. The
     SDK of 2014 dates from the time of the 3DM-GX3 devices. Uncertain: The epoch.
 
-    The sources contradict each other. MSCL and the SDK of 2014 have this layout, and agree.
+    The sources contradict each other. MSCL and the SDK of 2014 agree on this layout.
 
     - mscl: 1PPS Timestamp (0x80,0x0F)
     - mip-sdk-2014: 1PPS Timestamp (0x80,0x0F)
@@ -608,9 +608,9 @@ class NorthVector(Data):
 
     Supported by 3DM-GX5-15.
 
-    Without magnetic disturbance it equals the measured magnetic field, as long as that is in the
-    sensor frame, too, which a sensor-to-vehicle transformation changes. A lasting disturbance is
-    not compensated.
+    Without magnetic disturbance it equals the measured magnetic field, unless a sensor-to-vehicle
+    transformation takes the latter out of the sensor frame. A lasting disturbance is not
+    compensated.
 
     - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
     """
@@ -644,8 +644,8 @@ class UpVector(Data):
 
     Supported by 3DM-GX5-15 and 3DM-GX5-35.
 
-    At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which
-    a sensor-to-vehicle transformation changes.
+    At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation takes the
+    latter out of the sensor frame.
 
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
     - mip-sdk-4: Complementary filter stabilized up vector (0x80,0x11)
@@ -664,10 +664,9 @@ class UpVector(Data):
     _VECTORS = {"stabilized_accel": (types.Vector3f,)}
 
     stabilized_accel: types.Vector3f
-    """The inverse of the gravity vector, as the accelerometers measure it. Elements: x, y, z. Unit:
-    g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame. The SDK has the
-    vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this
-    vector.
+    """Opposite of the gravity vector, as the accelerometers measure it. Elements: x, y, z. Unit: g.
+    Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame. The SDK has the vehicle
+    frame, but the lists of what the sensor-to-vehicle transformation changes lack this vector.
     """
 
     def __init__(self, stabilized_accel: types.Vector3f | codec.Numbers) -> None:

@@ -17,14 +17,14 @@ from .field import Data, Field, Shared
 
 @codec.open_flag(16)
 class GpsTimestampFlags(IntFlag):
-    """Valid parts of the GPS time."""
+    """Validity flags for the GPS time."""
 
     TOW = 1 << 0
     """The whole seconds of the time of week have been set. Bit 0."""
     WEEK_NUMBER = 1 << 1
     """The week number has been set. Bit 1."""
     TIME_VALID = 0x3
-    """Both are set. Bits 0 to 1. Overlaps other bits."""
+    """The time of week and the week number have been set. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -37,7 +37,7 @@ class ExternalTimestampFlags(IntFlag):
 
 @codec.open_flag(16)
 class ExternalTimeDeltaFlags(IntFlag):
-    """Validity of the difference of external time."""
+    """Validity of the external time difference."""
 
     DT_NANOS = 1 << 0
     """The difference is valid. Bit 0."""
@@ -174,7 +174,7 @@ class GpsTimestamp(Shared, Data):
     set.
     """
     valid_flags: GpsTimestampFlags
-    """Valid parts of the timestamp."""
+    """Validity flags for the timestamp."""
 
     def __init__(self, tow: float, week_number: int, valid_flags: GpsTimestampFlags) -> None:
         self.tow = tow
@@ -279,10 +279,11 @@ class ExternalTimestamp(Shared, Data):
     Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     It is `GpsTimestamp` in nanoseconds. In event messages it is the time of the trigger. It becomes
-    valid when the external clock is synchronized through the PPS. Its epoch is that of the time
-    that you send with `base.GpsTimeUpdate`. It is GPS time in most systems, but may be another,
-    such as Unix time. Use `GpsTimestamp` for GPS time only. With a receiver as the source of the
-    PPS (`mip_3dm.PpsSourceControl`), it is GPS time, and valid only while that receiver has a fix.
+    valid when the external clock is synchronized through the PPS. Its epoch is the epoch of the
+    time sent with `base.GpsTimeUpdate`: in most systems that of GPS time, but possibly another,
+    such as the Unix epoch. Use `GpsTimestamp` for GPS time only. With a receiver as the source of
+    the PPS (`mip_3dm.PpsSourceControl`), it is GPS time, and valid only while that receiver has a
+    fix.
 
     - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
     - 3dm-cv7-gnss-ins: Timestamps

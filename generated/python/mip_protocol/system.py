@@ -71,9 +71,9 @@ class InterfaceControlResponse(Response):
     port: types.CommInterface
     """Port whose protocols are set or read. Uncertain: Whether write and read accept `all`."""
     protocols_incoming: CommProtocols
-    """Protocols that it receives."""
+    """Protocols that the port receives."""
     protocols_outgoing: CommProtocols
-    """Protocols that it sends."""
+    """Protocols that the port sends."""
 
     def __init__(
         self,
@@ -121,10 +121,10 @@ class InterfaceControl(Command[R]):
 
     Accepted on the main port only. The main port always keeps MIP in both directions. The change
     takes effect before the ACK, which is sent on the main port. Bytes that arrive during the change
-    may be lost. The device rejects protocols that it or the port does not have, and more parsers
-    than it has; then nothing is changed. Replies to an incoming protocol are sent on the same port,
-    even if the protocol is not an outgoing one. Devices differ in how many protocols they receive
-    and send at a time.
+    may be lost. The device rejects protocols that it or the port does not support, and settings
+    that need more parsers than it has. A rejected command changes nothing. Replies to an incoming
+    protocol are sent on the same port, even if the protocol is not an outgoing one. Devices differ
+    in how many protocols they receive and send at a time.
 
     - mip-sdk-4: Interface control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
@@ -153,9 +153,9 @@ class InterfaceControl(Command[R]):
     port: types.CommInterface | None
     """Port whose protocols are set or read. Uncertain: Whether write and read accept `all`."""
     protocols_incoming: CommProtocols | None
-    """Protocols that it receives. Required for `write`."""
+    """Protocols that the port receives. Required for `write`."""
     protocols_outgoing: CommProtocols | None
-    """Protocols that it sends. Required for `write`."""
+    """Protocols that the port sends. Required for `write`."""
 
     def __init__(
         self,

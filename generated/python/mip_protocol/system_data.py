@@ -36,8 +36,8 @@ class BuiltInTest(Data):
     Supported by 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-GQ7-GNSS/INS:
     firmware > 1.0.10.
 
-    The field is long; stream it at a low rate or poll it. A fault is reported even if it has passed
-    by the time of the next message, because its flag remains until it is sent. Each stream and each
+    The field is long; stream it at a low rate or poll it. A fault that has passed before the next
+    message is still reported, because its flag stays set until it is sent. Each stream and each
     event action keeps its own copy of the flags. Some flags may be set without a fault, for
     instance a receiver without a position fix. Unnamed bits are reserved and must be ignored.
 

@@ -508,11 +508,11 @@ class EventTriggerStatus(IntFlag):
     """
 
     ACTIVE = 1 << 0
-    """Active now, by its condition or by a test mode. Bit 0."""
+    """The trigger is active, because of its condition or a test mode. Bit 0."""
     ENABLED = 1 << 1
     """The trigger is enabled. Bit 1."""
     TEST = 1 << 2
-    """In a test mode. Bit 2."""
+    """The trigger is in a test mode. Bit 2."""
 
 
 class EventTriggerGpioMode(codec.OpenEnum):
@@ -1045,8 +1045,8 @@ class GpioUartBehavior(codec.OpenEnum):
 
 @codec.open_flag(8)
 class GpioPinMode(IntFlag):
-    """Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and
-    behavior.
+    """Electrical options of a GPIO pin. The allowed ones depend on the device, the pin, the feature
+    and the behavior.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     - 3dm-cv7-gnss-ins: Pin Mode
@@ -1170,9 +1170,9 @@ class CommInterface(codec.OpenEnum):
     UART_3 = 19
     """The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models."""
     USB_1 = 33
-    """First virtual serial port of USB."""
+    """First USB virtual serial port."""
     USB_2 = 34
-    """Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM."""
+    """Second USB virtual serial port; on GNSS/INS models, intended for NMEA and RTCM."""
 
 
 @codec.open_flag(32)
@@ -1190,7 +1190,7 @@ class RtkStatusFlags(IntFlag):
     MODEM_STATE = 0xF
     """State of the modem. Bits 0 to 3."""
     CONNECTION_TYPE = 0xF0
-    """Kind of the cellular connection. Bits 4 to 7."""
+    """Kind of cellular connection. Bits 4 to 7."""
     RSSI = 0xFF00
     """Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of the
     vendor treats it as negative.
@@ -1198,7 +1198,7 @@ class RtkStatusFlags(IntFlag):
     SIGNAL_QUALITY = 0xF0000
     """Quality of the modem's radio signal. Bits 16 to 19."""
     TOWER_CHANGE_INDICATOR = 0xF00000
-    """Changes of the cell tower. Bits 20 to 23."""
+    """Cell tower changes. Bits 20 to 23."""
     NMEA_TIMEOUT = 1 << 24
     """No NMEA was received from the device in time. Bit 24."""
     SERVER_TIMEOUT = 1 << 25
@@ -1292,7 +1292,7 @@ class RtkStatusFlagsLegacy(IntFlag):
     PLATFORM_STATUS_CODE = 0x3800
     """Status code of the platform. Bits 11 to 13."""
     RESET_CODE = 0xC000
-    """Reason of the last reset. Bits 14 to 15."""
+    """Reason for the last reset. Bits 14 to 15."""
     SIGNAL_QUALITY = 0xF0000
     """Quality of the modem's radio signal. Bits 16 to 19."""
     RSSI = 0x3F00000

@@ -617,13 +617,13 @@ bitfield! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
     EventTriggerStatus: u8 {
-        /// Active now, by its condition or by a test mode. Bit 0.
+        /// The trigger is active, because of its condition or a test mode. Bit 0.
         ACTIVE: bool = 0,
             active, set_active, with_active;
         /// The trigger is enabled. Bit 1.
         ENABLED: bool = 1,
             enabled, set_enabled, with_enabled;
-        /// In a test mode. Bit 2.
+        /// The trigger is in a test mode. Bit 2.
         TEST: bool = 2,
             test, set_test, with_test;
     }
@@ -1229,8 +1229,8 @@ open_enum! {
 }
 
 bitfield! {
-    /// Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and
-    /// behavior.
+    /// Electrical options of a GPIO pin. The allowed ones depend on the device, the pin, the
+    /// feature and the behavior.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41); 3dm-cv7-gnss-ins: Pin Mode.
     GpioPinMode: u8 {
@@ -1352,9 +1352,9 @@ open_enum! {
         UART_2 = 18, "uart_2";
         /// The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models.
         UART_3 = 19, "uart_3";
-        /// First virtual serial port of USB.
+        /// First USB virtual serial port.
         USB_1 = 33, "usb_1";
-        /// Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM.
+        /// Second USB virtual serial port; on GNSS/INS models, intended for NMEA and RTCM.
         USB_2 = 34, "usb_2";
     }
 }
@@ -1374,7 +1374,7 @@ bitfield! {
         /// State of the modem. Bits 0 to 3.
         MODEM_STATE: u8 = 0..=3,
             modem_state, set_modem_state, with_modem_state;
-        /// Kind of the cellular connection. Bits 4 to 7.
+        /// Kind of cellular connection. Bits 4 to 7.
         CONNECTION_TYPE: u8 = 4..=7,
             connection_type, set_connection_type, with_connection_type;
         /// Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of
@@ -1384,7 +1384,7 @@ bitfield! {
         /// Quality of the modem's radio signal. Bits 16 to 19.
         SIGNAL_QUALITY: u8 = 16..=19,
             signal_quality, set_signal_quality, with_signal_quality;
-        /// Changes of the cell tower. Bits 20 to 23.
+        /// Cell tower changes. Bits 20 to 23.
         TOWER_CHANGE_INDICATOR: u8 = 20..=23,
             tower_change_indicator, set_tower_change_indicator, with_tower_change_indicator;
         /// No NMEA was received from the device in time. Bit 24.
@@ -1430,7 +1430,7 @@ bitfield! {
         /// Status code of the platform. Bits 11 to 13.
         PLATFORM_STATUS_CODE: u8 = 11..=13,
             platform_status_code, set_platform_status_code, with_platform_status_code;
-        /// Reason of the last reset. Bits 14 to 15.
+        /// Reason for the last reset. Bits 14 to 15.
         RESET_CODE: u8 = 14..=15,
             reset_code, set_reset_code, with_reset_code;
         /// Quality of the modem's radio signal. Bits 16 to 19.

@@ -834,7 +834,7 @@ static const struct mip_profile_port cv7_ahrs_ports[] = {
 
 static const struct mip_profile_limit cv7_ahrs_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
     {"event_triggers", 12, "", "Total number of triggers.", ">= 1.0.04"},
     {"event_gpio_triggers", 4, "", "GPIO triggers.", ">= 1.0.04"},
     {"event_threshold_triggers", 8, "", "Threshold triggers.", ">= 1.0.04"},
@@ -877,7 +877,7 @@ static const struct mip_profile_note cv7_ahrs_notes[] = {
      "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
      cv7_ahrs_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
-     "Features of each pin, according to MSCL, and its place on the connector, according to the "
+     "Features of each pin, according to MSCL, and its position on the connector, according to the "
      "ROS driver.",
      cv7_ahrs_gpio_pins_cells, 5, 3},
     {"ports", "Ports",
@@ -1030,7 +1030,7 @@ static const struct mip_profile_port cv7_ar_ports[] = {
 
 static const struct mip_profile_limit cv7_ar_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
     {"event_triggers", 12, "", "Total number of triggers.", ">= 1.0.04"},
     {"event_gpio_triggers", 4, "", "GPIO triggers.", ">= 1.0.04"},
     {"event_threshold_triggers", 8, "", "Threshold triggers.", ">= 1.0.04"},
@@ -1073,7 +1073,7 @@ static const struct mip_profile_note cv7_ar_notes[] = {
      "on the others; `3dm.imu_low_pass_filter` filters sensor data only.",
      cv7_ar_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
-     "Features of each pin, according to MSCL, and its place on the connector, according to the "
+     "Features of each pin, according to MSCL, and its position on the connector, according to the "
      "ROS driver.",
      cv7_ar_gpio_pins_cells, 5, 3},
     {"ports", "Ports",
@@ -1343,19 +1343,21 @@ static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
     {"event_actions", 12, "", "Total number of actions.", ""},
     {"event_gpio_actions", 6, "", "GPIO actions.", ""},
     {"event_message_actions", 8, "", "Message actions.", ""},
-    {"event_message_fields", 12, "", "Fields in the packet of one message action.", ""},
+    {"event_message_fields", 12, "", "Maximum number of fields in the packet of a message action.",
+     ""},
     {"event_tick_rate", 1000, "Hz",
      "Rate of the event cycle; always the base rate of the system data set.", ""},
-    {"gpio_pins", 4, "", "User GPIO pins.", ""},
-    {"aiding_frames", 4, "", "Frames that the aiding frame configuration can define.", ""},
-    {"nmea_rate", 10, "Hz", "Highest rate of an NMEA sentence from the sensor or filter data set.",
+    {"gpio_pins", 4, "", "Number of user GPIO pins.", ""},
+    {"aiding_frames", 4, "", "Number of frames that the aiding frame configuration can define.",
      ""},
-    {"nmea_gnss_rate", 2, "Hz", "Highest rate of an NMEA sentence from a GNSS set.", ""},
-    {"mip_input_ports", 2, "", "Ports besides the main port that may accept MIP.", ""},
-    {"nmea_input_ports", 1, "", "Ports that may accept NMEA.", ""},
-    {"rtcm_input_ports", 1, "", "Ports that may accept RTCM.", ""},
-    {"spartn_input_ports", 1, "", "Ports that may accept SPARTN.", ""},
-    {"baud_rate_delay", 250, "ms", "Time to wait after a change of the baud rate.", ""},
+    {"nmea_rate", 10, "Hz", "Maximum rate of an NMEA sentence from the sensor or filter data set.",
+     ""},
+    {"nmea_gnss_rate", 2, "Hz", "Maximum rate of an NMEA sentence from a GNSS set.", ""},
+    {"mip_input_ports", 2, "", "Number of ports, besides the main port, that may accept MIP.", ""},
+    {"nmea_input_ports", 1, "", "Number of ports that may accept NMEA.", ""},
+    {"rtcm_input_ports", 1, "", "Number of ports that may accept RTCM.", ""},
+    {"spartn_input_ports", 1, "", "Number of ports that may accept SPARTN.", ""},
+    {"baud_rate_delay", 250, "ms", "Time to wait after a baud rate change.", ""},
     {"time_update_window", 250, "ms",
      "Time after the rising edge of the PPS within which the GPS time update must arrive.", ""},
     {"save_time", 1, "s", "Maximum duration of saving all settings.", ""},
@@ -1538,12 +1540,12 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      "Data that `3dm.low_pass_filter` can filter.", cv7_gnss_ins_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
      "Features of each pin; all are unused by default. The encoder feature is not available. The "
-     "asterisk at PPS on pins 2 to 4 is in the manual, which does not explain it.",
+     "manual marks PPS on pins 2 to 4 with an asterisk, which it does not explain.",
      cv7_gnss_ins_gpio_pins_cells, 5, 4},
     {"gpio_behaviors", "GPIO behaviors and pin modes",
      "Values of the behavior for each feature, and the pin modes that go with it. Two pins cannot "
      "have the same direction of the same UART. PPS output from an internal receiver is always "
-     "push-pull. The asterisk is the one at the features of the pins.",
+     "push-pull. The asterisk is the same as in the table of pin features.",
      cv7_gnss_ins_gpio_behaviors_cells, 14, 4},
     {"nmea_output", "NMEA output",
      "Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) "
@@ -1555,7 +1557,7 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      "and GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a "
      "UART is configured to receive, on that one only. An epoch is processed when a sentence with "
      "another time arrives. The manual warns of a known bug of NMEA input; the errata sheet that "
-     "it refers to is not known.",
+     "it refers to is not available.",
      NULL, 0, 0},
     {"rtcm_input", "RTCM input", "RTCM 3 messages that the GNSS receivers use.",
      cv7_gnss_ins_rtcm_input_cells, 9, 2},
@@ -1565,7 +1567,8 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      cv7_gnss_ins_gnss_signals_cells, 5, 2},
     {"sensor_ranges", "Sensor ranges",
      "Settings of `3dm.sensor_range`. The manual lists them for related models, and its gyroscope "
-     "column is cut off; `3dm.get_calibrated_sensor_ranges` returns those of the device.",
+     "column is cut off; `3dm.get_calibrated_sensor_ranges` returns the settings that the device "
+     "supports.",
      cv7_gnss_ins_sensor_ranges_cells, 5, 3},
     {"pps", "Pulse per second",
      "Without a valid PPS the filter neither starts nor accepts measurements. A PPS output has a "
@@ -1728,7 +1731,7 @@ static const struct mip_profile_port cv7_ins_ports[] = {
 
 static const struct mip_profile_limit cv7_ins_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
     {"antenna_offset", 10, "m", "Maximum distance of the antenna from the device.", ""},
 };
 
@@ -2407,7 +2410,7 @@ static const struct mip_profile_port cx7_ahrs_ports[] = {
 
 static const struct mip_profile_limit cx7_ahrs_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const cx7_ahrs_anti_aliasing_cells[] = {
@@ -2553,7 +2556,7 @@ static const struct mip_profile_port cx7_ar_ports[] = {
 
 static const struct mip_profile_limit cx7_ar_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const cx7_ar_anti_aliasing_cells[] = {
@@ -2718,7 +2721,7 @@ static const struct mip_profile_port cx7_ins_ports[] = {
 
 static const struct mip_profile_limit cx7_ins_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const cx7_ins_anti_aliasing_cells[] = {
@@ -3068,7 +3071,7 @@ static const struct mip_profile_port gq7_ports[] = {
 };
 
 static const struct mip_profile_limit gq7_limits[] = {
-    {"nmea_rate", 10, "Hz", "Highest rate of an NMEA sentence, according to MSCL.", ""},
+    {"nmea_rate", 10, "Hz", "Maximum rate of an NMEA sentence, according to MSCL.", ""},
 };
 
 static const char *const gq7_anti_aliasing_cells[] = {
@@ -3232,7 +3235,7 @@ static const struct mip_profile_port gv7_ahrs_ports[] = {
 
 static const struct mip_profile_limit gv7_ahrs_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const gv7_ahrs_anti_aliasing_cells[] = {
@@ -3380,7 +3383,7 @@ static const struct mip_profile_port gv7_ar_ports[] = {
 
 static const struct mip_profile_limit gv7_ar_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const gv7_ar_anti_aliasing_cells[] = {
@@ -3548,7 +3551,7 @@ static const struct mip_profile_port gv7_ins_ports[] = {
 
 static const struct mip_profile_limit gv7_ins_limits[] = {
     {"aiding_frames", 4, "",
-     "Frames that the aiding frame configuration can define, according to MSCL.", ""},
+     "Number of frames that the aiding frame configuration can define, according to MSCL.", ""},
 };
 
 static const char *const gv7_ins_anti_aliasing_cells[] = {
@@ -4440,10 +4443,10 @@ static const struct mip_profile_port gx5_15_ports[] = {
 };
 
 static const struct mip_profile_limit gx5_15_limits[] = {
-    {"low_pass_cutoff", 250, "Hz", "Highest cutoff of the low-pass filters.", ""},
-    {"external_heading_rate", 20, "Hz", "Highest rate of external heading updates.", ""},
+    {"low_pass_cutoff", 250, "Hz", "Maximum cutoff frequency of the low-pass filters.", ""},
+    {"external_heading_rate", 20, "Hz", "Maximum rate of external heading updates.", ""},
     {"zero_angular_rate_update_rate", 10, "Hz",
-     "Highest rate of commanded zero angular rate updates.", ""},
+     "Maximum rate of commanded zero angular rate updates.", ""},
     {"baud_rate_delay", 250, "ms",
      "Time from the ACK of a new baud rate until the device replies to commands at that rate.", ""},
 };

@@ -487,11 +487,11 @@ MIP_API const char *mip_event_trigger_mode_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 typedef uint8_t mip_event_trigger_status;
-/** Bit 0. Active now, by its condition or by a test mode. */
+/** Bit 0. The trigger is active, because of its condition or a test mode. */
 #define MIP_EVENT_TRIGGER_STATUS_ACTIVE 0x01U
 /** Bit 1. The trigger is enabled. */
 #define MIP_EVENT_TRIGGER_STATUS_ENABLED 0x02U
-/** Bit 2. In a test mode. */
+/** Bit 2. The trigger is in a test mode. */
 #define MIP_EVENT_TRIGGER_STATUS_TEST 0x04U
 
 /**
@@ -995,7 +995,8 @@ enum mip_gpio_uart_behavior MIP_ENUM_8 {
 MIP_API const char *mip_gpio_uart_behavior_name(uint8_t value);
 
 /**
- * Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and behavior.
+ * Electrical options of a GPIO pin. The allowed ones depend on the device, the pin, the feature and
+ * the behavior.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  * - 3dm-cv7-gnss-ins: Pin Mode
@@ -1104,9 +1105,9 @@ enum mip_comm_interface MIP_ENUM_8 {
     MIP_COMM_INTERFACE_UART_2 = 18,
     /** The third UART, on GPIO pins 3 and 4 of the 3DM-CV7 models. */
     MIP_COMM_INTERFACE_UART_3 = 19,
-    /** First virtual serial port of USB. */
+    /** First USB virtual serial port. */
     MIP_COMM_INTERFACE_USB_1 = 33,
-    /** Second virtual serial port of USB; on GNSS/INS models, intended for NMEA and RTCM. */
+    /** Second USB virtual serial port; on GNSS/INS models, intended for NMEA and RTCM. */
     MIP_COMM_INTERFACE_USB_2 = 34
 };
 
@@ -1126,7 +1127,7 @@ MIP_API const char *mip_comm_interface_name(uint8_t value);
 typedef uint32_t mip_rtk_status_flags;
 /** Bits 0 to 3. State of the modem. */
 #define MIP_RTK_STATUS_FLAGS_MODEM_STATE UINT32_C(0x0000000F)
-/** Bits 4 to 7. Kind of the cellular connection. */
+/** Bits 4 to 7. Kind of cellular connection. */
 #define MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE UINT32_C(0x000000F0)
 /**
  * Bits 8 to 15. Received signal strength. Uncertain: Its unit and sign; other software of the
@@ -1135,7 +1136,7 @@ typedef uint32_t mip_rtk_status_flags;
 #define MIP_RTK_STATUS_FLAGS_RSSI UINT32_C(0x0000FF00)
 /** Bits 16 to 19. Quality of the modem's radio signal. */
 #define MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY UINT32_C(0x000F0000)
-/** Bits 20 to 23. Changes of the cell tower. */
+/** Bits 20 to 23. Cell tower changes. */
 #define MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR UINT32_C(0x00F00000)
 /** Bit 24. No NMEA was received from the device in time. */
 #define MIP_RTK_STATUS_FLAGS_NMEA_TIMEOUT UINT32_C(0x01000000)
@@ -1164,7 +1165,7 @@ static inline void mip_rtk_status_flags_set_modem_state(mip_rtk_status_flags *fl
     *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 4 to 7. Kind of the cellular connection. */
+/** Bits 4 to 7. Kind of cellular connection. */
 static inline uint8_t mip_rtk_status_flags_get_connection_type(mip_rtk_status_flags flags) {
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE;
     return (uint8_t)(bits >> 4);
@@ -1208,7 +1209,7 @@ static inline void mip_rtk_status_flags_set_signal_quality(mip_rtk_status_flags 
     *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 20 to 23. Changes of the cell tower. */
+/** Bits 20 to 23. Cell tower changes. */
 static inline uint8_t mip_rtk_status_flags_get_tower_change_indicator(mip_rtk_status_flags flags) {
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR;
     return (uint8_t)(bits >> 20);
@@ -1252,7 +1253,7 @@ typedef uint32_t mip_rtk_status_flags_legacy;
 #define MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE UINT32_C(0x00000700)
 /** Bits 11 to 13. Status code of the platform. */
 #define MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE UINT32_C(0x00003800)
-/** Bits 14 to 15. Reason of the last reset. */
+/** Bits 14 to 15. Reason for the last reset. */
 #define MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE UINT32_C(0x0000C000)
 /** Bits 16 to 19. Quality of the modem's radio signal. */
 #define MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY UINT32_C(0x000F0000)
@@ -1325,7 +1326,7 @@ static inline void mip_rtk_status_flags_legacy_set_platform_status_code(
     *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 14 to 15. Reason of the last reset. */
+/** Bits 14 to 15. Reason for the last reset. */
 static inline uint8_t
 mip_rtk_status_flags_legacy_get_reset_code(mip_rtk_status_flags_legacy flags) {
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE;

@@ -141,7 +141,7 @@ pub static CL5_10: Profile = Profile {
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
             read_as: None,
-            difference: "MSCL does not offer it",
+            difference: "MSCL has no support for it",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
@@ -285,7 +285,7 @@ pub static CL5_15: Profile = Profile {
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
             read_as: None,
-            difference: "MSCL does not offer it",
+            difference: "MSCL has no support for it",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
@@ -594,7 +594,7 @@ pub static CV5_10: Profile = Profile {
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
             read_as: None,
-            difference: "MSCL does not offer it",
+            difference: "MSCL has no support for it",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
@@ -744,7 +744,7 @@ pub static CV5_15: Profile = Profile {
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
             read_as: None,
-            difference: "MSCL does not offer it",
+            difference: "MSCL has no support for it",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
@@ -1264,7 +1264,7 @@ const CV7_AHRS_14: &Evidence =
 ///
 /// # GPIO pins
 ///
-/// Features of each pin, according to MSCL, and its place on the connector, according to the ROS
+/// Features of each pin, according to MSCL, and its position on the connector, according to the ROS
 /// driver.
 ///
 /// | Pin | Connector pin | Features |
@@ -1438,7 +1438,7 @@ pub static CV7_AHRS: Profile = Profile {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            description: "Number of frames that the aiding frame configuration can define, according to MSCL.",
             firmware: None,
         },
         Limit {
@@ -1600,7 +1600,7 @@ const CV7_AR_12: &Evidence =
 ///
 /// # GPIO pins
 ///
-/// Features of each pin, according to MSCL, and its place on the connector, according to the ROS
+/// Features of each pin, according to MSCL, and its position on the connector, according to the ROS
 /// driver.
 ///
 /// | Pin | Connector pin | Features |
@@ -1765,7 +1765,7 @@ pub static CV7_AR: Profile = Profile {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            description: "Number of frames that the aiding frame configuration can define, according to MSCL.",
             firmware: None,
         },
         Limit {
@@ -1906,7 +1906,7 @@ const CV7_GNSS_INS_1: &Evidence =
 /// # GPIO pins
 ///
 /// Features of each pin; all are unused by default. The encoder feature is not available. The
-/// asterisk at PPS on pins 2 to 4 is in the manual, which does not explain it.
+/// manual marks PPS on pins 2 to 4 with an asterisk, which it does not explain.
 ///
 /// | Pin | Connector pin | Features | UART |
 /// | --- | --- | --- | --- |
@@ -1919,7 +1919,7 @@ const CV7_GNSS_INS_1: &Evidence =
 ///
 /// Values of the behavior for each feature, and the pin modes that go with it. Two pins cannot have
 /// the same direction of the same UART. PPS output from an internal receiver is always push-pull.
-/// The asterisk is the one at the features of the pins.
+/// The asterisk is the same as in the table of pin features.
 ///
 /// | Feature | Behavior | Pins | Pin modes |
 /// | --- | --- | --- | --- |
@@ -1962,7 +1962,7 @@ const CV7_GNSS_INS_1: &Evidence =
 /// GSV. They are received on the main port, USB 2, or a UART on GPIO pins; while such a UART is
 /// configured to receive, on that one only. An epoch is processed when a sentence with another time
 /// arrives. The manual warns of a known bug of NMEA input; the errata sheet that it refers to is
-/// not known.
+/// not available.
 ///
 /// # RTCM input
 ///
@@ -1995,8 +1995,8 @@ const CV7_GNSS_INS_1: &Evidence =
 ///
 /// Settings of [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). The manual lists them for
 /// related models, and its gyroscope column is cut off;
-/// [`mip_3dm::GetCalibratedSensorRanges`](crate::mip_3dm::GetCalibratedSensorRanges) returns those
-/// of the device.
+/// [`mip_3dm::GetCalibratedSensorRanges`](crate::mip_3dm::GetCalibratedSensorRanges) returns the
+/// settings that the device supports.
 ///
 /// | Sensor | Setting | Range |
 /// | --- | --- | --- |
@@ -2316,7 +2316,7 @@ pub static CV7_GNSS_INS: Profile = Profile {
             name: "event_message_fields",
             value: 12.0,
             unit: None,
-            description: "Fields in the packet of one message action.",
+            description: "Maximum number of fields in the packet of a message action.",
             firmware: None,
         },
         Limit {
@@ -2330,63 +2330,63 @@ pub static CV7_GNSS_INS: Profile = Profile {
             name: "gpio_pins",
             value: 4.0,
             unit: None,
-            description: "User GPIO pins.",
+            description: "Number of user GPIO pins.",
             firmware: None,
         },
         Limit {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define.",
+            description: "Number of frames that the aiding frame configuration can define.",
             firmware: None,
         },
         Limit {
             name: "nmea_rate",
             value: 10.0,
             unit: Some("Hz"),
-            description: "Highest rate of an NMEA sentence from the sensor or filter data set.",
+            description: "Maximum rate of an NMEA sentence from the sensor or filter data set.",
             firmware: None,
         },
         Limit {
             name: "nmea_gnss_rate",
             value: 2.0,
             unit: Some("Hz"),
-            description: "Highest rate of an NMEA sentence from a GNSS set.",
+            description: "Maximum rate of an NMEA sentence from a GNSS set.",
             firmware: None,
         },
         Limit {
             name: "mip_input_ports",
             value: 2.0,
             unit: None,
-            description: "Ports besides the main port that may accept MIP.",
+            description: "Number of ports, besides the main port, that may accept MIP.",
             firmware: None,
         },
         Limit {
             name: "nmea_input_ports",
             value: 1.0,
             unit: None,
-            description: "Ports that may accept NMEA.",
+            description: "Number of ports that may accept NMEA.",
             firmware: None,
         },
         Limit {
             name: "rtcm_input_ports",
             value: 1.0,
             unit: None,
-            description: "Ports that may accept RTCM.",
+            description: "Number of ports that may accept RTCM.",
             firmware: None,
         },
         Limit {
             name: "spartn_input_ports",
             value: 1.0,
             unit: None,
-            description: "Ports that may accept SPARTN.",
+            description: "Number of ports that may accept SPARTN.",
             firmware: None,
         },
         Limit {
             name: "baud_rate_delay",
             value: 250.0,
             unit: Some("ms"),
-            description: "Time to wait after a change of the baud rate.",
+            description: "Time to wait after a baud rate change.",
             firmware: None,
         },
         Limit {
@@ -2777,7 +2777,7 @@ pub static CV7_INS: Profile = Profile {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            description: "Number of frames that the aiding frame configuration can define, according to MSCL.",
             firmware: None,
         },
         Limit {
@@ -2941,7 +2941,7 @@ pub static CX5_10: Profile = Profile {
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
             read_as: None,
-            difference: "MSCL does not offer it",
+            difference: "MSCL has no support for it",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
@@ -3091,7 +3091,7 @@ pub static CX5_15: Profile = Profile {
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
             read_as: None,
-            difference: "MSCL does not offer it",
+            difference: "MSCL has no support for it",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
@@ -3847,7 +3847,7 @@ pub static CX7_AHRS: Profile = Profile {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            description: "Number of frames that the aiding frame configuration can define, according to MSCL.",
             firmware: None,
         },
     ],
@@ -4099,7 +4099,7 @@ pub static CX7_AR: Profile = Profile {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            description: "Number of frames that the aiding frame configuration can define, according to MSCL.",
             firmware: None,
         },
     ],
@@ -4405,7 +4405,7 @@ pub static CX7_INS: Profile = Profile {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            description: "Number of frames that the aiding frame configuration can define, according to MSCL.",
             firmware: None,
         },
     ],
@@ -5026,7 +5026,7 @@ pub static GQ7: Profile = Profile {
             name: "nmea_rate",
             value: 10.0,
             unit: Some("Hz"),
-            description: "Highest rate of an NMEA sentence, according to MSCL.",
+            description: "Maximum rate of an NMEA sentence, according to MSCL.",
             firmware: None,
         },
     ],
@@ -5287,7 +5287,7 @@ pub static GV7_AHRS: Profile = Profile {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            description: "Number of frames that the aiding frame configuration can define, according to MSCL.",
             firmware: None,
         },
     ],
@@ -5543,7 +5543,7 @@ pub static GV7_AR: Profile = Profile {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            description: "Number of frames that the aiding frame configuration can define, according to MSCL.",
             firmware: None,
         },
     ],
@@ -5846,7 +5846,7 @@ pub static GV7_INS: Profile = Profile {
             name: "aiding_frames",
             value: 4.0,
             unit: None,
-            description: "Frames that the aiding frame configuration can define, according to MSCL.",
+            description: "Number of frames that the aiding frame configuration can define, according to MSCL.",
             firmware: None,
         },
     ],
@@ -7045,7 +7045,7 @@ pub static GX5_10: Profile = Profile {
         Variant {
             parameter: "3dm.complementary_filter.heading_enable",
             read_as: None,
-            difference: "MSCL does not offer it",
+            difference: "MSCL has no support for it",
         },
         Variant {
             parameter: "3dm.data_stream_control_response.descriptor_set",
@@ -7227,21 +7227,21 @@ pub static GX5_15: Profile = Profile {
             name: "low_pass_cutoff",
             value: 250.0,
             unit: Some("Hz"),
-            description: "Highest cutoff of the low-pass filters.",
+            description: "Maximum cutoff frequency of the low-pass filters.",
             firmware: None,
         },
         Limit {
             name: "external_heading_rate",
             value: 20.0,
             unit: Some("Hz"),
-            description: "Highest rate of external heading updates.",
+            description: "Maximum rate of external heading updates.",
             firmware: None,
         },
         Limit {
             name: "zero_angular_rate_update_rate",
             value: 10.0,
             unit: Some("Hz"),
-            description: "Highest rate of commanded zero angular rate updates.",
+            description: "Maximum rate of commanded zero angular rate updates.",
             firmware: None,
         },
         Limit {

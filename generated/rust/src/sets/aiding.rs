@@ -41,7 +41,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Clock of the time of a measurement.
+    /// Clock that the time of a measurement refers to.
     Timebase: u8 {
         /// Internal reference clock of the device.
         INTERNAL_REFERENCE = 1, "internal_reference";
@@ -56,7 +56,7 @@ record! {
     /// Time at which a measurement was taken.
     #[derive(Copy, Eq, Hash)]
     pub struct MeasurementTime {
-        /// Clock of the time.
+        /// Clock that the time refers to.
         pub timebase: Timebase,
         /// Reserved: send 1.
         pub reserved: u8,
@@ -137,11 +137,11 @@ record! {
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
-    /// - Aiding measurements name the frame by its number.
+    /// - Aiding measurements refer to the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
     /// - For GNSS positions and velocities the rotation does not matter. Send the identity: Euler
     ///   angles 0, 0, 0 or the quaternion 1, 0, 0, 0.
-    /// - A read selects the format of the reply.
+    /// - In a read, `format` selects the format of the rotation in the reply.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy)]
@@ -161,7 +161,7 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub tracking_enabled: Option<crate::Bool>,
-        /// Origin of the frame in the vehicle.
+        /// Position of the frame's origin in the vehicle frame.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -318,7 +318,7 @@ record! {
     pub struct EcefPosition {
         /// Time of the measurement.
         pub time: MeasurementTime,
-        /// Frame of the sensor, as [`FrameConfig`] defines it.
+        /// Sensor frame, defined by [`FrameConfig`].
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -382,7 +382,7 @@ record! {
     pub struct LlhPosition {
         /// Time of the measurement.
         pub time: MeasurementTime,
-        /// Frame of the sensor, as [`FrameConfig`] defines it.
+        /// Sensor frame, defined by [`FrameConfig`].
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -456,7 +456,7 @@ record! {
     pub struct HeightAboveEllipsoid {
         /// Time of the measurement.
         pub time: MeasurementTime,
-        /// Frame of the sensor, as [`FrameConfig`] defines it.
+        /// Sensor frame, defined by [`FrameConfig`].
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -470,7 +470,7 @@ record! {
         /// Unit: m. Range: at least 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
-        /// Not 0: the measurement is valid.
+        /// Nonzero if the measurement is valid.
         pub valid_flags: u16,
     }
 }
@@ -518,7 +518,7 @@ record! {
     pub struct EcefVelocity {
         /// Time of the measurement.
         pub time: MeasurementTime,
-        /// Frame of the sensor, as [`FrameConfig`] defines it.
+        /// Sensor frame, defined by [`FrameConfig`].
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -582,7 +582,7 @@ record! {
     pub struct NedVelocity {
         /// Time of the measurement.
         pub time: MeasurementTime,
-        /// Frame of the sensor, as [`FrameConfig`] defines it.
+        /// Sensor frame, defined by [`FrameConfig`].
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -638,7 +638,7 @@ record! {
     /// - For a wheeled vehicle constraint, send a velocity of 0 with only y valid, at least once
     ///   per second.
     /// - With z also valid and 0, motion is constrained to a plane (2D mode).
-    /// - A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold
+    /// - For a zero velocity update, send a velocity of 0 while the GNSS speed is below a threshold
     ///   that you choose.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -649,7 +649,7 @@ record! {
     pub struct BodyFrameVelocity {
         /// Time of the measurement.
         pub time: MeasurementTime,
-        /// Frame of the sensor, as [`FrameConfig`] defines it.
+        /// Sensor frame, defined by [`FrameConfig`].
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -711,7 +711,7 @@ record! {
     pub struct TrueHeading {
         /// Time of the measurement.
         pub time: MeasurementTime,
-        /// Frame of the sensor, as [`FrameConfig`] defines it.
+        /// Sensor frame, defined by [`FrameConfig`].
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -726,7 +726,7 @@ record! {
         /// Unit: rad. Range: greater than 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
-        /// Not 0: the measurement is valid.
+        /// Nonzero if the measurement is valid.
         pub valid_flags: u16,
     }
 }
@@ -772,7 +772,7 @@ record! {
     pub struct MagneticField {
         /// Time of the measurement.
         pub time: MeasurementTime,
-        /// Frame of the sensor, as [`FrameConfig`] defines it.
+        /// Sensor frame, defined by [`FrameConfig`].
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -833,7 +833,7 @@ record! {
     pub struct Pressure {
         /// Time of the measurement.
         pub time: MeasurementTime,
-        /// Frame of the sensor, as [`FrameConfig`] defines it.
+        /// Sensor frame, defined by [`FrameConfig`].
         ///
         /// Range: 1 to 4.
         pub frame_id: u8,
@@ -847,7 +847,7 @@ record! {
         /// Unit: mbar. Range: greater than 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub uncertainty: f32,
-        /// Not 0: the measurement is valid.
+        /// Nonzero if the measurement is valid.
         pub valid_flags: u16,
     }
 }
@@ -892,7 +892,7 @@ record! {
         pub format: AidingFrameFormat,
         /// True if the filter estimates the errors of the frame.
         pub tracking_enabled: crate::Bool,
-        /// Origin of the frame in the vehicle.
+        /// Position of the frame's origin in the vehicle frame.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle.
         pub translation: types::Vector3f,

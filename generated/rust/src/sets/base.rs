@@ -27,7 +27,7 @@ record! {
         pub model_name: crate::Text<16>,
         /// Part number of the model.
         pub model_number: crate::Text<16>,
-        /// Number of this device, which begins with the model number.
+        /// Serial number, which begins with the model number.
         pub serial_number: crate::Text<16>,
         /// Lot number; reserved and blank on some devices.
         pub lot_number: crate::Text<16>,
@@ -396,7 +396,7 @@ record! {
         /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`]. On the
         /// [3DM-RTK](crate::devices::RTK): the values are unknown.
         pub port: Option<u8>,
-        /// Baud rate; one that the port supports.
+        /// Baud rate that the port supports.
         ///
         /// Unit: Bd. Required for [write](types::FunctionSelector::WRITE).
         pub baud: Option<u32>,
@@ -482,16 +482,16 @@ record! {
     /// only.
     ///
     /// - Send it once for the time of week and once for the week number after the PPS is locked.
-    /// - On the 3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that
-    ///   of Unix time; [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) then has the
-    ///   same epoch.
+    /// - On the 3DM-CV7-GNSS/INS, the time may have a different epoch from GPS time, for example
+    ///   the Unix epoch; [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) then has
+    ///   the same epoch.
     /// - The PPS supplies the fraction of the second; send the whole second that began at its last
     ///   edge.
     /// - Send it within 250 ms after the rising edge of the PPS.
     /// - Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least
     ///   once.
-    /// - Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS
-    ///   receiver is the PPS source.
+    /// - Send it again after a PPS glitch. It is usually not needed if an internal GNSS receiver is
+    ///   the PPS source.
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72); 3dm-cv7-gnss-ins: Timestamps.

@@ -1,5 +1,5 @@
 //! Displacement commands (0x11): Commands of the DEMOD-DC, a demodulator for displacement sensors.
-//! Inertial sensors have none of them.
+//! Inertial sensors do not support them.
 //!
 //! Source: mscl: Displacement Commands (0x11).
 
@@ -17,8 +17,7 @@ pub const DISPLACEMENT_SET: u8 = 0x11;
 record! {
     /// Get Analog to Displacement Calibration (0x11,0x01).
     ///
-    /// Reads the linear function with which the device converts the counts of its converter to a
-    /// displacement.
+    /// Reads the slope and offset with which the device converts ADC counts to displacement.
     ///
     /// No device is known for certain to support it. Also called
     /// `get_analog_displacement_calibration`. Answered by [`GetCalibrationResponse`]. Known only
@@ -140,7 +139,7 @@ record! {
     /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
     #[derive(Copy, Default)]
     pub struct GetCalibrationResponse {
-        /// Displacement per count of the converter.
+        /// Displacement per ADC count.
         ///
         /// Uncertain: The unit; mm per count is likely.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]

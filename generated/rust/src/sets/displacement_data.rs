@@ -15,7 +15,7 @@ use crate::types;
 pub const DISPLACEMENT_DATA_SET: u8 = 0x90;
 
 bitfield! {
-    /// Validity of the time of displacement data.
+    /// Validity of the displacement timestamp.
     ///
     /// Uncertain: That it is a bitfield. MSCL considers the time valid if the number is 1.
     TimestampFlags: u8 {
@@ -28,7 +28,7 @@ bitfield! {
 record! {
     /// Raw displacement (0x90,0x01).
     ///
-    /// Displacement in counts of the converter.
+    /// Displacement in ADC counts.
     ///
     /// No device is known for certain to support it. Known only from the MicroStrain Communication
     /// Library.
@@ -107,7 +107,7 @@ record! {
     /// Source: mscl: Displacement Device Timestamp (0x90,0x04).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct Timestamp {
-        /// Validity of the time of displacement data.
+        /// Validity of the displacement timestamp.
         pub flags: TimestampFlags,
         /// UTC since 1970-01-01, without leap seconds, if the clock was set to it.
         ///

@@ -190,7 +190,7 @@ open_enum! {
     AidingSource: u16 {
         /// Position and velocity of the GNSS receivers.
         GNSS_POSITION_VELOCITY = 0, "gnss_position_velocity";
-        /// GNSS heading of two antennas.
+        /// GNSS heading from two antennas.
         GNSS_HEADING = 1, "gnss_heading";
         /// Built-in pressure altimeter.
         ALTIMETER = 2, "altimeter";
@@ -306,7 +306,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Source of the reference of relative positions.
+    /// Source of the reference point for relative positions.
     RelativePositionSource: u8 {
         /// The base station of the RTK corrections.
         AUTO = 0, "auto";
@@ -316,7 +316,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// The end of a lever arm.
+    /// Point that a lever arm moves.
     ReferencePoint: u8 {
         /// The origin of the vehicle.
         VEHICLE = 1, "vehicle";
@@ -363,7 +363,7 @@ command! {
 record! {
     /// Set initial attitude (0x0D,0x02).
     ///
-    /// Sets the initial attitude of the filter, the orientation of the sensor frame in the NED
+    /// Sets the initial attitude of the filter: the orientation of the sensor frame in the NED
     /// frame.
     ///
     /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
@@ -467,7 +467,7 @@ command! {
 record! {
     /// Set initial attitude from IMU (0x0D,0x04).
     ///
-    /// Initializes the attitude of the filter with that of the complementary filter.
+    /// Initializes the filter's attitude from the complementary filter.
     ///
     /// No device is known for certain to support it. Also called `set_initial_heading_from_mag`.
     /// Changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
@@ -712,7 +712,7 @@ record! {
     pub struct SensorToVehicleOffset {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// From the sensor to the origin of the vehicle frame.
+        /// Vector from the sensor to the origin of the vehicle frame.
         ///
         /// Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude at most 10. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -780,7 +780,7 @@ record! {
     pub struct AntennaOffset {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// From the sensor origin to the phase centre of the antenna.
+        /// Vector from the sensor origin to the phase centre of the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
         /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-45](crate::devices::GX5_45):
@@ -994,7 +994,7 @@ record! {
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - Rejected unless [`GnssSource`] selects the external source.
-    /// - The highest rate depends on the device.
+    /// - The maximum rate depends on the device.
     ///
     /// Source: mip-sdk-4: External GNSS update (0x0D,0x16).
     #[derive(Default)]
@@ -1081,13 +1081,13 @@ record! {
     /// Heading Update (0x0D, 0x17).
     #[derive(Copy, Default)]
     pub struct ExternalHeadingUpdate {
-        /// Heading relative to the north that `type` names.
+        /// Heading relative to the north selected by `type`.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
-        /// Standard deviation; the device rejects a value out of bounds.
+        /// Standard deviation; the device rejects values out of range.
         ///
         /// Unit: rad. Range: greater than 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -1213,7 +1213,7 @@ record! {
     /// Answered by [`AutoInitializationControlResponse`]. Supported by
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// - It needs a valid heading source.
+    /// - Automatic initialization needs a valid heading source.
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
     #[derive(Copy, Eq, Hash)]
@@ -1628,13 +1628,13 @@ record! {
         ///
         /// Unit: week.
         pub week_number: u16,
-        /// Heading relative to the north that `type` names.
+        /// Heading relative to the north selected by `type`.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive:
         /// clockwise seen from above.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading: f32,
-        /// Standard deviation; the device rejects a value out of bounds.
+        /// Standard deviation; the device rejects values out of range.
         ///
         /// Unit: rad. Range: greater than 0.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -1839,7 +1839,7 @@ record! {
     /// [`filter_data::EcefVelocityUncertainty`](crate::filter_data::EcefVelocityUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
-    /// - The highest rate depends on the device.
+    /// - The maximum rate depends on the device.
     ///
     /// Source: mip-sdk-4: Commanded Zupt (0x0D,0x22).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1999,8 +1999,9 @@ record! {
     ///
     /// - A write combines the automatic calibration with
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
-    ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix), and resets it.
-    /// - A save does the same as the save of both of these commands.
+    ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix), then resets the
+    ///   automatic calibration.
+    /// - A save has the same effect as saving both of these settings.
     ///
     /// Source: mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27).
     #[derive(Copy, Eq, Hash)]
@@ -3655,7 +3656,7 @@ record! {
         ///
         /// Range: at least 1.
         pub receiver_id: Option<u8>,
-        /// From the sensor to the antenna.
+        /// Vector from the sensor to the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -3793,8 +3794,8 @@ record! {
     /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The shift of positions depends on the attitude, that of velocities on the angular rate as
-    ///   well.
+    /// - The shift in position depends on the attitude; the shift in velocity also depends on the
+    ///   angular rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy)]
@@ -3805,7 +3806,7 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub reference_point: Option<ReferencePoint>,
-        /// From the sensor to the point.
+        /// Vector from the sensor to the point.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -3857,7 +3858,7 @@ record! {
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
     /// SDK names a response, `filter.speed_measurement_response`, but has no layout of it.
     ///
-    /// - It must not be used together with the odometer of the device.
+    /// - Do not use it together with the device's odometer.
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: mip-sdk-4: Speed measurement (0x0D,0x60).
@@ -3920,8 +3921,8 @@ command! {
 record! {
     /// Speed measurement lever arm (0x0D,0x61).
     ///
-    /// Sets the position of the point whose speed is measured, such as the wheel that an odometer
-    /// is on.
+    /// Sets the position of the point whose speed is measured, such as the wheel that drives the
+    /// odometer.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3941,7 +3942,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Reserved: send 1.
         pub source: Option<u8>,
-        /// From the sensor to the point of measurement.
+        /// Vector from the sensor to the point of measurement.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for
         /// [write](types::FunctionSelector::WRITE).
@@ -4278,7 +4279,7 @@ record! {
     /// Source: mip-sdk-4: Sensor to vehicle offset (0x0D,0x12).
     #[derive(Copy, Default)]
     pub struct SensorToVehicleOffsetResponse {
-        /// From the sensor to the origin of the vehicle frame.
+        /// Vector from the sensor to the origin of the vehicle frame.
         ///
         /// Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude at most 10.
         pub offset: types::Vector3f,
@@ -4312,7 +4313,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Copy, Default)]
     pub struct AntennaOffsetResponse {
-        /// From the sensor origin to the phase centre of the antenna.
+        /// Vector from the sensor origin to the phase centre of the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the
         /// [3DM-GX5-45](crate::devices::GX5_45): frame sensor.
@@ -5691,7 +5692,7 @@ record! {
         ///
         /// Range: at least 1.
         pub receiver_id: u8,
-        /// From the sensor to the antenna.
+        /// Vector from the sensor to the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub antenna_offset: types::Vector3f,
@@ -5777,7 +5778,7 @@ record! {
     pub struct ReferencePointLeverArmResponse {
         /// Point whose lever arm follows.
         pub reference_point: ReferencePoint,
-        /// From the sensor to the point.
+        /// Vector from the sensor to the point.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub lever_arm_offset: types::Vector3f,
@@ -5813,7 +5814,7 @@ record! {
     pub struct SpeedLeverArmResponse {
         /// Reserved.
         pub source: u8,
-        /// From the sensor to the point of measurement.
+        /// Vector from the sensor to the point of measurement.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle.
         pub lever_arm_offset: types::Vector3f,

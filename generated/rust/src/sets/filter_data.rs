@@ -43,13 +43,13 @@ bitfield! {
 bitfield! {
     /// Use of one GNSS receiver by the filter.
     GnssAidingStatus: u16 {
-        /// Raw ranges of the receiver are used. Bit 0.
+        /// The receiver's raw ranges are used. Bit 0.
         TIGHT_COUPLING: bool = 0,
             tight_coupling, set_tight_coupling, with_tight_coupling;
         /// RTK corrections are used. Bit 1.
         DIFFERENTIAL: bool = 1,
             differential, set_differential, with_differential;
-        /// There is an RTK integer fix, with the most accurate position. Bit 2.
+        /// The receiver has an RTK integer fix, the most accurate kind. Bit 2.
         INTEGER_FIX: bool = 2,
             integer_fix, set_integer_fix, with_integer_fix;
         /// GPS L1 is used. Bit 3.
@@ -107,12 +107,12 @@ open_enum! {
 }
 
 open_enum! {
-    /// Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
+    /// Kind of aiding measurement. Values from 0x20 are the descriptors of the commands of set
     /// `aiding` that send the measurement.
     AidingMeasurementType: u8 {
         /// GNSS position and velocity.
         GNSS = 1, "gnss";
-        /// GNSS heading of two antennas.
+        /// GNSS heading from two antennas.
         DUAL_ANTENNA = 2, "dual_antenna";
         /// Heading.
         HEADING = 3, "heading";
@@ -122,23 +122,23 @@ open_enum! {
         MAG = 5, "mag";
         /// Speed or odometer.
         SPEED = 6, "speed";
-        /// ECEF position by command.
+        /// ECEF position, sent by command.
         AIDING_ECEF_POSITION = 33, "aiding_ecef_position";
-        /// Latitude, longitude and height by command.
+        /// Latitude, longitude and height, sent by command.
         AIDING_LLH_POSITION = 34, "aiding_llh_position";
-        /// Height above the ellipsoid by command.
+        /// Height above the ellipsoid, sent by command.
         AIDING_HEIGHT_ABOVE_ELLIPSOID = 35, "aiding_height_above_ellipsoid";
-        /// ECEF velocity by command.
+        /// ECEF velocity, sent by command.
         AIDING_ECEF_VELOCITY = 40, "aiding_ecef_velocity";
-        /// NED velocity by command.
+        /// NED velocity, sent by command.
         AIDING_NED_VELOCITY = 41, "aiding_ned_velocity";
-        /// Body frame velocity by command.
+        /// Body frame velocity, sent by command.
         AIDING_BODY_FRAME_VELOCITY = 42, "aiding_body_frame_velocity";
-        /// True heading by command.
+        /// True heading, sent by command.
         AIDING_TRUE_HEADING = 49, "aiding_true_heading";
-        /// Magnetic field by command.
+        /// Magnetic field, sent by command.
         AIDING_MAGNETIC_FIELD = 50, "aiding_magnetic_field";
-        /// Pressure by command.
+        /// Pressure, sent by command.
         AIDING_PRESSURE = 51, "aiding_pressure";
     }
 }
@@ -149,16 +149,16 @@ bitfield! {
         /// The measurement is enabled. Bit 0.
         ENABLED: bool = 0,
             enabled, set_enabled, with_enabled;
-        /// The filter used it. Bit 1.
+        /// The filter used the measurement. Bit 1.
         USED: bool = 1,
             used, set_used, with_used;
-        /// It disagrees with the estimate. Bit 2.
+        /// The measurement disagrees with the estimate. Bit 2.
         RESIDUAL_HIGH_WARNING: bool = 2,
             residual_high_warning, set_residual_high_warning, with_residual_high_warning;
-        /// Its time is doubtful. Bit 3.
+        /// The time of the measurement is doubtful. Bit 3.
         SAMPLE_TIME_WARNING: bool = 3,
             sample_time_warning, set_sample_time_warning, with_sample_time_warning;
-        /// Its configuration is wrong. Bit 4.
+        /// The configuration of the measurement is wrong. Bit 4.
         CONFIG_ERROR: bool = 4,
             config_error, set_config_error, with_config_error;
         /// There are more measurements than the filter can process. Bit 5.
@@ -168,7 +168,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Kind of the heading solution of two antennas.
+    /// Kind of dual-antenna heading solution.
     DualAntennaFixType: u8 {
         /// No solution.
         FIX_NONE = 0, "fix_none";
@@ -180,7 +180,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Inputs available to the heading solution of two antennas.
+    /// Inputs available to the dual-antenna heading solution.
     DualAntennaStatusFlags: u16 {
         /// Data of receiver 1 is valid. Bit 0.
         RECEIVER_1_DATA_VALID: bool = 0,
@@ -259,7 +259,7 @@ bitfield! {
         /// No GNSS data, on models with GNSS. Bit 1. Concerns [`LlhPosition`] and [`NedVelocity`].
         RUN_GPS_UNAVAILABLE: bool = 1,
             run_gps_unavailable, set_run_gps_unavailable, with_run_gps_unavailable;
-        /// A matrix of the computation is singular. Bit 3. Concerns
+        /// A matrix in the computation is singular. Bit 3. Concerns
         /// [`filter::Reset`](crate::filter::Reset).
         RUN_MATRIX_SINGULARITY: bool = 3,
             run_matrix_singularity, set_run_matrix_singularity, with_run_matrix_singularity;
@@ -317,7 +317,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Convergence of the estimates of the filter.
+    /// Convergence of the filter's estimates.
     ///
     /// Source: 3dm-cv7-gnss-ins: Filter condition (bits 0-1); 3dm-cv7-gnss-ins: How do I interpret
     /// the Status (0x82,0x10) message?.
@@ -745,19 +745,19 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08).
     #[derive(Copy, Default)]
     pub struct LlhPositionUncertainty {
-        /// Standard deviation north.
+        /// North standard deviation.
         ///
         /// Unit: m. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub north: f32,
-        /// Standard deviation east.
+        /// East standard deviation.
         ///
         /// Unit: m. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub east: f32,
-        /// Standard deviation down.
+        /// Down standard deviation.
         ///
         /// Unit: m. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -805,19 +805,19 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09).
     #[derive(Copy, Default)]
     pub struct NedVelocityUncertainty {
-        /// Standard deviation north.
+        /// North standard deviation.
         ///
         /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub north: f32,
-        /// Standard deviation east.
+        /// East standard deviation.
         ///
         /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub east: f32,
-        /// Standard deviation down.
+        /// Down standard deviation.
         ///
         /// Unit: m/s. Frame: ned. Range: at least 0. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -1035,7 +1035,7 @@ field! {
 record! {
     /// Compensated angular rate (0x82,0x0E).
     ///
-    /// Angular rate without the estimated bias.
+    /// Angular rate with the estimated bias removed.
     ///
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
@@ -1330,8 +1330,8 @@ record! {
     ///
     /// - Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
     /// - Without synchronization to a receiver or an external clock it is the internal system time.
-    /// - 3DM-CV7: the field may be withdrawn; [`shared::GpsTimestamp`](crate::shared::GpsTimestamp)
-    ///   is better.
+    /// - 3DM-CV7: this field may be withdrawn; prefer
+    ///   [`shared::GpsTimestamp`](crate::shared::GpsTimestamp).
     ///
     /// Source: 3dm-cv7-gnss-ins: Timestamp (0x82,0x11); 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82,
     /// 0x11).
@@ -1427,7 +1427,7 @@ record! {
     /// (0x82, 0x13).
     #[derive(Copy, Default)]
     pub struct GravityVector {
-        /// Gravity, which points down.
+        /// Gravity vector, which points down.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8.
         /// Valid if [`valid_flags.valid`](ValidFlags::valid) is set. Uncertain: The sign, which no
@@ -1526,17 +1526,17 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15).
     #[derive(Copy, Default)]
     pub struct MagneticModel {
-        /// Northward part of the field.
+        /// North component of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub intensity_north: f32,
-        /// Eastward part of the field.
+        /// East component of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub intensity_east: f32,
-        /// Downward part of the field.
+        /// Down component of the field.
         ///
         /// Unit: gauss. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -1818,7 +1818,7 @@ field! {
 record! {
     /// Compensated acceleration (0x82,0x1C).
     ///
-    /// Acceleration without the estimated bias. It includes gravity.
+    /// Acceleration with the estimated bias removed. It includes gravity.
     ///
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
@@ -1859,7 +1859,7 @@ field! {
 record! {
     /// Standard atmosphere (0x82,0x20).
     ///
-    /// US Standard Atmosphere of 1976 at the altitude of the device.
+    /// US Standard Atmosphere of 1976 at the device's altitude.
     ///
     /// No device is known for certain to support it. Known only from the MicroStrain MIP SDK.
     ///
@@ -1878,7 +1878,7 @@ record! {
         /// Unit: m. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub geopotential_altitude: f32,
-        /// Temperature that the model has at this altitude.
+        /// Temperature at this altitude according to the model.
         ///
         /// Unit: degC. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
@@ -1888,7 +1888,7 @@ record! {
         /// Unit: mbar. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub standard_pressure: f32,
-        /// Air density that the model has at this altitude.
+        /// Air density at this altitude according to the model.
         ///
         /// Unit: kg/m^3. Range: at least 0. Valid if [`valid_flags.valid`](ValidFlags::valid) is
         /// set.
@@ -2062,7 +2062,8 @@ record! {
     /// from the MicroStrain MIP SDK.
     ///
     /// - The filter multiplies the stored matrix of
-    ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
+    ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by this matrix on the
+    ///   right.
     ///
     /// Source: mip-sdk-4: Magnetometer matrix (0x82,0x26).
     #[derive(Copy, Default)]
@@ -2224,7 +2225,7 @@ record! {
     /// Source: mip-sdk-4: Magnetometer residual vector (0x82,0x2C).
     #[derive(Copy, Default)]
     pub struct MagResidualVector {
-        /// Difference between the measured magnetic field and the one that the filter expects.
+        /// Difference between the measured and the expected magnetic field.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -3138,7 +3139,7 @@ field! {
 record! {
     /// Aiding frame configuration error uncertainty (0x82,0x51).
     ///
-    /// Uncertainty of the error that [`AidingFrameConfigError`] estimates.
+    /// Uncertainty of the error in [`AidingFrameConfigError`].
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///

@@ -14,7 +14,7 @@ use crate::types;
 pub const GNSS_SET: u8 = 0x0E;
 
 record! {
-    /// One GNSS receiver.
+    /// Description of a GNSS receiver.
     ///
     /// Source: 3dm-cv7-gnss-ins: Info; mip-sdk-4: Receiver Info (0x0E,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -23,7 +23,7 @@ record! {
         ///
         /// Range: at least 1.
         pub receiver_id: u8,
-        /// Descriptor set of the data of this receiver.
+        /// Descriptor set of this receiver's data.
         ///
         /// Range: 0x80 to 0xFE.
         pub mip_data_descriptor_set: u8,
@@ -148,7 +148,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Readiness of RTK to fix the carrier phase ambiguities to whole numbers.
+    /// Strategy for fixing the RTK carrier phase ambiguities to whole numbers.
     ///
     /// Uncertain: The descriptions of `conservative` and `moderate`, which are inferred from the
     /// names.
@@ -157,7 +157,7 @@ open_enum! {
     AmbiguityFixMode: u8 {
         /// Never fixes them. The solution remains a float solution.
         OFF = 1, "off";
-        /// Fixes them late and with few wrong fixes.
+        /// Fixes them late, so that few fixes are wrong.
         CONSERVATIVE = 2, "conservative";
         /// Between conservative and aggressive.
         MODERATE = 3, "moderate";
@@ -167,7 +167,7 @@ open_enum! {
 }
 
 open_enum! {
-    /// Channel of SPARTN corrections.
+    /// Channel that delivers SPARTN corrections.
     SpartnConnection: u8 {
         /// No connection.
         NONE = 0, "none";
@@ -223,7 +223,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). On the
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): firmware \> 1.0.10.
     ///
-    /// - A device accepts certain combinations only.
+    /// - A device accepts only certain combinations.
     /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou L1 alone. For
     ///   GPS and BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for
     ///   GLONASS none or L1.
@@ -307,7 +307,7 @@ record! {
     /// devices have it. The SDK does not name any.
     ///
     /// - Only internal receivers can be reset.
-    /// - Some devices lack some of the reset types.
+    /// - Some devices do not support all reset types.
     ///
     /// Source: mip-sdk-4: Receiver reset (0x0E,0x03).
     #[derive(Copy, Default, Eq, Hash)]
@@ -357,7 +357,7 @@ record! {
     pub struct RtkConfig {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Readiness to fix ambiguities.
+        /// Strategy for fixing ambiguities.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub ambiguity_fix_mode: Option<AmbiguityFixMode>,
@@ -483,8 +483,8 @@ record! {
     /// - A change of `enable` or `type` takes effect only after a power cycle; keys can be changed
     ///   at any time.
     /// - While SPARTN corrections are enabled, RTCM corrections are blocked.
-    /// - A key of 16 bytes, none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each
-    ///   byte.
+    /// - A key has 16 bytes, none of them 0. Send it as 32 hexadecimal digits in ASCII, two for
+    ///   each byte.
     ///
     /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
     /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
@@ -670,7 +670,7 @@ record! {
     /// Source: mip-sdk-4: RTK configuration (0x0E,0x04).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct RtkConfigResponse {
-        /// Readiness to fix ambiguities.
+        /// Strategy for fixing ambiguities.
         pub ambiguity_fix_mode: AmbiguityFixMode,
         /// Reserved.
         pub reserved: [u8; 4],

@@ -49,7 +49,7 @@ pub const GNSS_EXTERNAL_SET: u8 = 0x94;
 pub const GNSS_EXTERNAL_2_SET: u8 = 0x95;
 
 bitfield! {
-    /// Valid parts of the position.
+    /// Validity flags for the position.
     LlhPositionFlags: u16 {
         /// `latitude` and `longitude` are valid. Bit 0.
         LAT_LON: bool = 0,
@@ -73,7 +73,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the position.
+    /// Validity flags for the position.
     EcefPositionFlags: u16 {
         /// `position` is valid. Bit 0.
         POSITION: bool = 0,
@@ -88,7 +88,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the velocity.
+    /// Validity flags for the velocity.
     NedVelocityFlags: u16 {
         /// `velocity` is valid. Bit 0.
         VELOCITY: bool = 0,
@@ -115,7 +115,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the velocity.
+    /// Validity flags for the velocity.
     EcefVelocityFlags: u16 {
         /// `velocity` is valid. Bit 0.
         VELOCITY: bool = 0,
@@ -130,7 +130,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid dilutions of precision.
+    /// Validity flags for the dilutions of precision.
     DopFlags: u16 {
         /// `gdop` is valid. Bit 0.
         GDOP: bool = 0,
@@ -160,7 +160,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the UTC time.
+    /// Validity flags for the UTC time.
     UtcTimeFlags: u16 {
         /// Date and time come from GNSS. Bit 0.
         GNSS_DATE_TIME: bool = 0,
@@ -175,7 +175,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the time.
+    /// Validity flags for the time.
     GpsTimeFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -190,7 +190,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid clock parameters.
+    /// Validity flags for the clock parameters.
     ClockInfoFlags: u16 {
         /// `bias` is valid. Bit 0.
         BIAS: bool = 0,
@@ -220,7 +220,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the fix information.
+    /// Validity flags for the fix information.
     FixInfoFlags: u16 {
         /// `fix_type` is valid. Bit 0.
         FIX_TYPE: bool = 0,
@@ -250,7 +250,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the satellite info.
+    /// Validity flags for the satellite info.
     SvInfoFlags: u16 {
         /// `channel` is valid. Bit 0.
         CHANNEL: bool = 0,
@@ -317,7 +317,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Valid parts of the hardware status.
+    /// Validity flags for the hardware status.
     HardwareStatusFlags: u16 {
         /// `receiver_state` is valid. Bit 0.
         SENSOR_STATE: bool = 0,
@@ -335,7 +335,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the state of the corrections.
+    /// Validity flags for the state of the corrections.
     DgpsInfoFlags: u16 {
         /// `age` is valid. Bit 0.
         AGE: bool = 0,
@@ -356,7 +356,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of a differential correction.
+    /// Validity flags for a differential correction.
     DgpsChannelFlags: u16 {
         /// `satellite_id` is valid. Bit 0.
         SATELLITE_ID: bool = 0,
@@ -377,7 +377,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid clock parameters.
+    /// Validity flags for the clock parameters.
     ClockInfo2Flags: u16 {
         /// `bias` is valid. Bit 0.
         BIAS: bool = 0,
@@ -441,7 +441,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the SBAS status.
+    /// Validity flags for the SBAS status.
     SbasInfoFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -468,7 +468,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of an SBAS correction.
+    /// Validity flags for an SBAS correction.
     SbasCorrectionFlags: u16 {
         /// `udrei` is valid. Bit 0.
         UDREI: bool = 0,
@@ -528,7 +528,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Valid parts of the detection.
+    /// Validity flags for the detection.
     RfErrorDetectionFlags: u16 {
         /// `rf_band` is valid. Bit 0.
         RF_BAND: bool = 0,
@@ -561,7 +561,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Valid parts of the heading.
+    /// Validity flags for the heading.
     HeadingFlags: u16 {
         /// `heading` is valid. Bit 0.
         HEADING: bool = 0,
@@ -579,7 +579,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the satellite status.
+    /// Validity flags for the satellite status.
     SatelliteStatusFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -609,7 +609,7 @@ bitfield! {
 }
 
 open_enum! {
-    /// Quality of the tracking of a signal.
+    /// Tracking quality of a signal.
     SignalQuality: u8 {
         /// No signal.
         NONE = 0, "none";
@@ -619,7 +619,7 @@ open_enum! {
         ACQUIRED = 2, "acquired";
         /// The signal is found but cannot be used.
         UNUSABLE = 3, "unusable";
-        /// Locked in time.
+        /// The signal is locked in time.
         TIME_LOCKED = 4, "time_locked";
         /// Fully locked.
         FULLY_LOCKED = 5, "fully_locked";
@@ -627,7 +627,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// Valid parts of the observation.
+    /// Validity flags for the observation.
     RawFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -811,7 +811,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Contents of an ephemeris of GPS, Galileo or BeiDou.
+    /// Contents of a GPS, Galileo or BeiDou ephemeris.
     EphemerisFlags: u16 {
         /// The ephemeris is valid. Bit 0.
         EPHEMERIS: bool = 0,
@@ -851,7 +851,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the model.
+    /// Validity flags for the model.
     GpsIonoCorrectionFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -872,7 +872,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the model.
+    /// Validity flags for the model.
     GalileoIonoCorrectionFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -893,7 +893,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Valid parts of the model.
+    /// Validity flags for the model.
     BeidouIonoCorrectionFlags: u16 {
         /// `tow` is valid. Bit 0.
         TOW: bool = 0,
@@ -965,7 +965,7 @@ record! {
         /// [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub vertical_accuracy: f32,
-        /// Valid parts of the position.
+        /// Validity flags for the position.
         pub valid_flags: LlhPositionFlags,
     }
 }
@@ -1026,7 +1026,7 @@ record! {
         /// [`valid_flags.position_accuracy`](EcefPositionFlags::position_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub position_accuracy: f32,
-        /// Valid parts of the position.
+        /// Validity flags for the position.
         pub valid_flags: EcefPositionFlags,
     }
 }
@@ -1103,7 +1103,7 @@ record! {
         /// [`valid_flags.heading_accuracy`](NedVelocityFlags::heading_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub heading_accuracy: f32,
-        /// Valid parts of the velocity.
+        /// Validity flags for the velocity.
         pub valid_flags: NedVelocityFlags,
     }
 }
@@ -1164,7 +1164,7 @@ record! {
         /// [`valid_flags.velocity_accuracy`](EcefVelocityFlags::velocity_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub velocity_accuracy: f32,
-        /// Valid parts of the velocity.
+        /// Validity flags for the velocity.
         pub valid_flags: EcefVelocityFlags,
     }
 }
@@ -1239,7 +1239,7 @@ record! {
         /// Unit: 1. Range: at least 0. Valid if [`valid_flags.edop`](DopFlags::edop) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub edop: f32,
-        /// Valid dilutions of precision.
+        /// Validity flags for the dilutions of precision.
         pub valid_flags: DopFlags,
     }
 }
@@ -1324,7 +1324,7 @@ record! {
         /// Unit: ms. Range: 0 to 999. Valid if
         /// [`valid_flags.gnss_date_time`](UtcTimeFlags::gnss_date_time) is set.
         pub msec: u32,
-        /// Valid parts of the time.
+        /// Validity flags for the time.
         pub valid_flags: UtcTimeFlags,
     }
 }
@@ -1384,7 +1384,7 @@ record! {
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](GpsTimeFlags::week_number) is set.
         pub week_number: u16,
-        /// Valid parts of the time.
+        /// Validity flags for the time.
         pub valid_flags: GpsTimeFlags,
     }
 }
@@ -1442,7 +1442,7 @@ record! {
         /// [`valid_flags.accuracy_estimate`](ClockInfoFlags::accuracy_estimate) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub accuracy_estimate: f64,
-        /// Valid clock parameters.
+        /// Validity flags for the clock parameters.
         pub valid_flags: ClockInfoFlags,
     }
 }
@@ -1498,7 +1498,7 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_flags`](FixInfoFlags::fix_flags) is set.
         pub fix_flags: FixFlags,
-        /// Valid parts of the fix information.
+        /// Validity flags for the fix information.
         pub valid_flags: FixInfoFlags,
     }
 }
@@ -1569,7 +1569,7 @@ record! {
         ///
         /// Valid if [`valid_flags.sv_flags`](SvInfoFlags::sv_flags) is set.
         pub sv_flags: SvFlags,
-        /// Valid parts of the satellite info.
+        /// Validity flags for the satellite info.
         pub valid_flags: SvInfoFlags,
     }
 }
@@ -1631,7 +1631,7 @@ record! {
         ///
         /// Valid if [`valid_flags.antenna_power`](HardwareStatusFlags::antenna_power) is set.
         pub antenna_power: AntennaPower,
-        /// Valid parts of the hardware status.
+        /// Validity flags for the hardware status.
         pub valid_flags: HardwareStatusFlags,
     }
 }
@@ -1699,7 +1699,7 @@ record! {
         ///
         /// Unit: 1. Valid if [`valid_flags.num_channels`](DgpsInfoFlags::num_channels) is set.
         pub num_channels: u16,
-        /// Valid parts of the state of the corrections.
+        /// Validity flags for the state of the corrections.
         pub valid_flags: DgpsInfoFlags,
     }
 }
@@ -1735,7 +1735,7 @@ field! {
 record! {
     /// DGPS info for one satellite (0x0E).
     ///
-    /// Differential correction for one satellite, in the layout that the SDK has for DGPS info.
+    /// Differential correction for one satellite, in the SDK's layout of DGPS info.
     ///
     /// Occurs in gnss_data (0x81), gnss_1 (0x91), gnss_2 (0x92), gnss_corrections (0x93),
     /// gnss_external (0x94) and gnss_external_2 (0x95). Distinguished from [`DgpsInfo`] by the size
@@ -1743,8 +1743,8 @@ record! {
     /// Uncertain: Whether any device sends it. The values are those of [`DgpsChannel`], but the
     /// flags are those of [`DgpsInfo`], so a mistake in the SDK is likely.
     ///
-    /// - The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have
-    ///   [`DgpsInfo`].
+    /// - The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document
+    ///   [`DgpsInfo`] instead.
     /// - The flags of `base_station_id`, `base_station_status` and `num_channels` correspond to no
     ///   value in this layout.
     ///
@@ -1769,7 +1769,7 @@ record! {
         /// Unit: m/s. Uncertain: The unit, which follows from [`DgpsChannel`].
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_rate_correction: f32,
-        /// Valid parts of the state of the corrections.
+        /// Validity flags for the state of the corrections.
         pub valid_flags: DgpsInfoFlags,
     }
 }
@@ -1839,7 +1839,7 @@ record! {
         /// [`valid_flags.range_rate_correction`](DgpsChannelFlags::range_rate_correction) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub range_rate_correction: f32,
-        /// Valid parts of a differential correction.
+        /// Validity flags for a differential correction.
         pub valid_flags: DgpsChannelFlags,
     }
 }
@@ -1908,7 +1908,7 @@ record! {
         /// [`valid_flags.drift_accuracy`](ClockInfo2Flags::drift_accuracy) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub drift_accuracy_estimate: f64,
-        /// Valid clock parameters.
+        /// Validity flags for the clock parameters.
         pub valid_flags: ClockInfo2Flags,
     }
 }
@@ -2020,7 +2020,7 @@ record! {
         ///
         /// Valid if [`valid_flags.sbas_status`](SbasInfoFlags::sbas_status) is set.
         pub sbas_status: SbasStatus,
-        /// Valid parts of the SBAS status.
+        /// Validity flags for the SBAS status.
         pub valid_flags: SbasInfoFlags,
     }
 }
@@ -2107,7 +2107,7 @@ record! {
         /// is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub iono_correction: f32,
-        /// Valid parts of an SBAS correction.
+        /// Validity flags for an SBAS correction.
         pub valid_flags: SbasCorrectionFlags,
     }
 }
@@ -2159,8 +2159,8 @@ record! {
     /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7). Known
     /// only from the MicroStrain MIP SDK.
     ///
-    /// - Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time
-    ///   sends 0 there and leaves its flag clear.
+    /// - Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware from that time
+    ///   sends 0 there and does not set its flag.
     ///
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Copy, Default, Eq, Hash)]
@@ -2183,7 +2183,7 @@ record! {
         pub frequency: u16,
         /// Reserved.
         pub reserved: [u8; 2],
-        /// Valid parts of the detection.
+        /// Validity flags for the detection.
         pub valid_flags: RfErrorDetectionFlags,
     }
 }
@@ -2247,7 +2247,7 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_type`](HeadingFlags::fix_type) is set.
         pub fix_type: HeadingFixType,
-        /// Valid parts of the heading.
+        /// Validity flags for the heading.
         pub valid_flags: HeadingFlags,
     }
 }
@@ -2330,7 +2330,7 @@ record! {
         ///
         /// Valid if [`valid_flags.health`](SatelliteStatusFlags::health) is set.
         pub health: crate::Bool,
-        /// Valid parts of the satellite status.
+        /// Validity flags for the satellite status.
         pub valid_flags: SatelliteStatusFlags,
     }
 }
@@ -2426,7 +2426,7 @@ record! {
         /// Unit: dB-Hz. Valid if [`valid_flags.signal_strength`](RawFlags::signal_strength) is set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub signal_strength: f32,
-        /// Quality of the tracking of the signal.
+        /// Tracking quality of the signal.
         ///
         /// Valid if [`valid_flags.quality`](RawFlags::quality) is set.
         pub quality: SignalQuality,
@@ -2470,7 +2470,7 @@ record! {
         /// set.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub lock_time: f32,
-        /// Valid parts of the observation.
+        /// Validity flags for the observation.
         pub valid_flags: RawFlags,
     }
 }
@@ -3047,7 +3047,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s^2. Valid if
         /// [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub accel: types::Vector3f,
-        /// Health (Bn); not 0 if the satellite fails.
+        /// Health (Bn); nonzero if the satellite is malfunctioning.
         ///
         /// Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
         pub health: u8,
@@ -3170,7 +3170,7 @@ record! {
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The layout is that of the GPS ephemeris. No source states what the two inter-signal
+    /// - It has the layout of the GPS ephemeris. No source states what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -3433,7 +3433,7 @@ record! {
     /// gnss_external (0x94) and gnss_external_2 (0x95). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The layout is that of the GPS ephemeris. No source states what the two inter-signal
+    /// - It has the layout of the GPS ephemeris. No source states what the two inter-signal
     ///   corrections mean here.
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -3722,7 +3722,7 @@ record! {
         /// units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub beta: [f64; 4],
-        /// Valid parts of the model.
+        /// Validity flags for the model.
         pub valid_flags: GpsIonoCorrectionFlags,
     }
 }
@@ -3789,7 +3789,7 @@ record! {
         /// [`valid_flags.disturbance_flags`](GalileoIonoCorrectionFlags::disturbance_flags) is set.
         /// Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
         pub disturbance_flags: u8,
-        /// Valid parts of the model.
+        /// Validity flags for the model.
         pub valid_flags: GalileoIonoCorrectionFlags,
     }
 }
@@ -3862,7 +3862,7 @@ record! {
         /// is set. Uncertain: The units.
         #[cfg_attr(feature = "serde", serde(with = "crate::readable"))]
         pub alpha_correction: [f64; 9],
-        /// Valid parts of the model.
+        /// Validity flags for the model.
         pub valid_flags: BeidouIonoCorrectionFlags,
     }
 }

@@ -57,8 +57,8 @@ open_enum! {
 }
 
 open_enum! {
-    /// Constellation in receiver settings. The values are not those of
-    /// [`types::GnssConstellation`], which GNSS data use.
+    /// Constellation in receiver settings. The values differ from those of
+    /// [`types::GnssConstellation`], which GNSS data uses.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
     ConstellationId: u8 {
@@ -96,15 +96,15 @@ record! {
     pub struct ConstellationSettingsEntry {
         /// Constellation that this entry configures.
         pub constellation_id: ConstellationId,
-        /// 1 switches it on, 0 off.
+        /// 1 enables the constellation, 0 disables it.
         ///
         /// Range: 0 to 1.
         pub enable: u8,
-        /// Number of channels reserved for it.
+        /// Number of channels reserved for the constellation.
         ///
         /// Unit: 1. Range: 0 to 32.
         pub reserved_channels: u8,
-        /// Maximum number of channels that it uses.
+        /// Maximum number of channels for the constellation.
         ///
         /// Unit: 1. Range: 0 to 32.
         pub max_channels: u8,
@@ -158,7 +158,7 @@ open_enum! {
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     AssistedFixOption: u8 {
-        /// The receiver starts without it.
+        /// The receiver ignores its last fix.
         NONE = 0, "none";
         /// The receiver starts from its last fix.
         ENABLED = 1, "enabled";
@@ -203,7 +203,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Info.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct EventSupportInfo {
-        /// Type of triggers, or of actions.
+        /// Trigger type or action type.
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: u8,
         /// Maximum number of instances of this type.
@@ -348,7 +348,7 @@ bitfield! {
         /// Suppresses values that are NaN (not a number). Bit 5.
         NAN_SUPPRESSED: bool = 5,
             nan_suppressed, set_nan_suppressed, with_nan_suppressed;
-        /// Corrects the distance between the accelerometers. Bit 6.
+        /// Compensates for the distance between the accelerometers. Bit 6.
         FINITE_SIZE_CORRECTION: bool = 6,
             finite_size_correction, set_finite_size_correction, with_finite_size_correction;
         /// Switches the magnetometer off. Bit 8.
@@ -357,10 +357,10 @@ bitfield! {
         /// Reduces the power of the magnetometer. Bit 9.
         MAG_LOW_POWER: bool = 9,
             mag_low_power, set_mag_low_power, with_mag_low_power;
-        /// Disables the correction of the heading. Bit 10.
+        /// Disables the heading correction. Bit 10.
         DISABLE_NORTH_COMPENSATION: bool = 10,
             disable_north_compensation, set_disable_north_compensation, with_disable_north_compensation;
-        /// Disables the correction of pitch and roll. Bit 11.
+        /// Disables the pitch and roll correction. Bit 11.
         DISABLE_UP_COMPENSATION: bool = 11,
             disable_up_compensation, set_disable_up_compensation, with_disable_up_compensation;
         /// Computes the quaternion. Bit 12.
@@ -475,7 +475,7 @@ open_enum! {
     StreamFormat: u8 {
         /// MIP data fields.
         STANDARD = 1, "standard";
-        /// Packets of the sensor itself, each in a MIP field.
+        /// The sensor's own packets, each in a MIP field.
         WRAPPED_RAW = 2, "wrapped_raw";
     }
 }
@@ -1346,7 +1346,7 @@ record! {
     ///
     /// - Devices of the generations 3 to 5 identify the stream by a number ([`LegacyDataStream`]),
     ///   other devices by its descriptor set.
-    /// - A stream that you enable begins with current data, not with data from the time before.
+    /// - A newly enabled stream starts with current data, without any from before.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -1591,7 +1591,7 @@ record! {
     pub struct GnssSbasSettings {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// 1 switches SBAS on, 0 off.
+        /// 1 enables SBAS, 0 disables it.
         ///
         /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GX5-35](crate::devices::GX5_35): default 1.
@@ -1670,7 +1670,7 @@ record! {
     ///   1 s at best.
     /// - A change from enabled to none erases the flash memory of the receiver, which is rated for
     ///   100 000 erasures.
-    /// - The power consumption is slightly higher.
+    /// - It slightly increases the power consumption.
     ///
     /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
@@ -1869,7 +1869,8 @@ command! {
 record! {
     /// Get Supported Events (0x0C,0x2A).
     ///
-    /// Gets the types of event triggers or actions that the device has, and how many of each.
+    /// Gets the types of event triggers or actions that the device supports, and the number of
+    /// each.
     ///
     /// Answered by [`GetEventSupportResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -2774,7 +2775,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Counter to set or read.
         pub selector: Option<ImuTimestampSelector>,
-        /// Value of the counter, in the unit that `selector` states.
+        /// Value of the counter, in the unit that `selector` selects.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub time: Option<u32>,
@@ -3039,7 +3040,7 @@ record! {
     /// - The values come from a calibration of the device as it is installed.
     /// - On some devices,
     ///   [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration) captures
-    ///   them from the calibration that the filter makes during operation.
+    ///   them from the filter's automatic calibration.
     /// - The device applies the correction before it sends
     ///   [`sensor::ScaledMag`](crate::sensor::ScaledMag).
     ///
@@ -3125,7 +3126,7 @@ record! {
     /// - The values come from a calibration of the device as it is installed.
     /// - On some devices,
     ///   [`filter::MagCaptureAutoCalibration`](crate::filter::MagCaptureAutoCalibration) captures
-    ///   them from the calibration that the filter makes during operation.
+    ///   them from the filter's automatic calibration.
     /// - The device applies the correction before it sends
     ///   [`sensor::ScaledMag`](crate::sensor::ScaledMag).
     ///
@@ -3185,7 +3186,7 @@ command! {
 record! {
     /// Coning and Sculling Enable (0x0C,0x3E).
     ///
-    /// Switches the compensation of coning and sculling on or off.
+    /// Enables or disables coning and sculling compensation.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -3267,7 +3268,7 @@ record! {
     pub struct UartBaudRate {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Baud rate, one of those that the port supports.
+        /// Baud rate that the port supports.
         ///
         /// Unit: Bd. Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45): default
@@ -3325,10 +3326,10 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Not every pin has every feature.
-    /// - For an output with another feature than gpio, set up what drives it first, then the pin;
-    ///   meanwhile, its level would be undefined. For an input, configure the pin first, then what
-    ///   uses it.
-    /// - A configuration that only one pin can have moves to the last pin configured; the earlier
+    /// - For an output with a feature other than gpio, configure the function that drives it before
+    ///   the pin; otherwise, the level of the pin is undefined in the meantime. For an input,
+    ///   configure the pin before the function that uses it.
+    /// - If only one pin can have a configuration, the last pin configured gets it, and the earlier
     ///   pin is reset.
     /// - With NMEA input at most one pin may be a UART input; set it to unused before another one
     ///   takes over.
@@ -3504,7 +3505,7 @@ record! {
         ///
         /// Range: at least 1.
         pub pin: Option<u8>,
-        /// True is high.
+        /// True means high.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub state: Option<crate::Bool>,
@@ -3618,7 +3619,7 @@ command! {
 record! {
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
     ///
-    /// Configures the low-pass filter of one quantity of the sensor data.
+    /// Configures the low-pass filter of one sensor data quantity.
     ///
     /// For advanced use. Also called `imu_lowpass_filter`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
@@ -3760,7 +3761,7 @@ record! {
         /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
         /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
         /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15) and
-        /// [3DM-GX5-10](crate::devices::GX5_10): MSCL does not offer it. On the
+        /// [3DM-GX5-10](crate::devices::GX5_10): MSCL has no support for it. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): default true.
         pub heading_enable: Option<crate::Bool>,
         /// Time constant of the pitch and roll correction.
@@ -4496,7 +4497,7 @@ record! {
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct DataStreamControlResponse {
-        /// The stream that the command names.
+        /// Stream specified in the command.
         ///
         /// On the [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
         /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
@@ -4653,7 +4654,7 @@ record! {
     /// (0x0C,0x40).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct UartBaudRateResponse {
-        /// Baud rate, one of those that the port supports.
+        /// Baud rate that the port supports.
         ///
         /// Unit: Bd.
         pub baud: u32,
@@ -5196,15 +5197,15 @@ record! {
         ///
         /// Unit: 1.
         pub comm_port_read_overruns: u32,
-        /// Messages of the IMU that could not be parsed.
+        /// IMU messages that could not be parsed.
         ///
         /// Unit: 1.
         pub imu_parser_errors: u32,
-        /// Messages of the IMU that were read.
+        /// IMU messages that were read.
         ///
         /// Unit: 1.
         pub imu_message_count: u32,
-        /// System timer at the last message of the IMU.
+        /// System timer at the last IMU message.
         ///
         /// Unit: ms.
         pub imu_last_message_time: u32,
@@ -5337,27 +5338,27 @@ record! {
         ///
         /// Unit: 1.
         pub comm_port_read_overruns: u32,
-        /// Messages of the IMU that could not be parsed.
+        /// IMU messages that could not be parsed.
         ///
         /// Unit: 1.
         pub imu_parser_errors: u32,
-        /// Messages of the IMU that were read.
+        /// IMU messages that were read.
         ///
         /// Unit: 1.
         pub imu_message_count: u32,
-        /// System timer at the last message of the IMU.
+        /// System timer at the last IMU message.
         ///
         /// Unit: ms.
         pub imu_last_message_time: u32,
-        /// Messages of the receiver that could not be parsed.
+        /// Receiver messages that could not be parsed.
         ///
         /// Unit: 1.
         pub gnss_parser_errors: u32,
-        /// Messages of the receiver that were read.
+        /// Receiver messages that were read.
         ///
         /// Unit: 1.
         pub gnss_message_count: u32,
-        /// System timer at the last message of the receiver.
+        /// System timer at the last receiver message.
         ///
         /// Unit: ms.
         pub gnss_last_message_time: u32,
@@ -5505,27 +5506,27 @@ record! {
         ///
         /// Unit: 1.
         pub comm_port_read_overruns: u32,
-        /// Messages of the IMU that could not be parsed.
+        /// IMU messages that could not be parsed.
         ///
         /// Unit: 1.
         pub imu_parser_errors: u32,
-        /// Messages of the IMU that were read.
+        /// IMU messages that were read.
         ///
         /// Unit: 1.
         pub imu_message_count: u32,
-        /// System timer at the last message of the IMU.
+        /// System timer at the last IMU message.
         ///
         /// Unit: ms.
         pub imu_last_message_time: u32,
-        /// Messages of the receiver that could not be parsed.
+        /// Receiver messages that could not be parsed.
         ///
         /// Unit: 1.
         pub gnss_parser_errors: u32,
-        /// Messages of the receiver that were read.
+        /// Receiver messages that were read.
         ///
         /// Unit: 1.
         pub gnss_message_count: u32,
-        /// System timer at the last message of the receiver.
+        /// System timer at the last receiver message.
         ///
         /// Unit: ms.
         pub gnss_last_message_time: u32,
@@ -5697,27 +5698,27 @@ record! {
         ///
         /// Unit: 1.
         pub comm_port_read_overruns: u32,
-        /// Messages of the IMU that could not be parsed.
+        /// IMU messages that could not be parsed.
         ///
         /// Unit: 1.
         pub imu_parser_errors: u32,
-        /// Messages of the IMU that were read.
+        /// IMU messages that were read.
         ///
         /// Unit: 1.
         pub imu_message_count: u32,
-        /// System timer at the last message of the IMU.
+        /// System timer at the last IMU message.
         ///
         /// Unit: ms.
         pub imu_last_message_time: u32,
-        /// Messages of the receiver that could not be parsed.
+        /// Receiver messages that could not be parsed.
         ///
         /// Unit: 1.
         pub gnss_parser_errors: u32,
-        /// Messages of the receiver that were read.
+        /// Receiver messages that were read.
         ///
         /// Unit: 1.
         pub gnss_message_count: u32,
-        /// System timer at the last message of the receiver.
+        /// System timer at the last receiver message.
         ///
         /// Unit: ms.
         pub gnss_last_message_time: u32,
@@ -5878,15 +5879,15 @@ record! {
         ///
         /// Unit: 1.
         pub usb_read_overruns: u32,
-        /// Messages of the IMU that could not be parsed.
+        /// IMU messages that could not be parsed.
         ///
         /// Unit: 1.
         pub imu_parser_errors: u32,
-        /// Messages of the IMU that were read.
+        /// IMU messages that were read.
         ///
         /// Unit: 1.
         pub imu_message_count: u32,
-        /// System timer at the last message of the IMU.
+        /// System timer at the last IMU message.
         ///
         /// Unit: ms.
         pub imu_last_message_time: u32,
@@ -5983,9 +5984,9 @@ record! {
         ///
         /// Unit: ms.
         pub system_timer: u32,
-        /// True if it has a magnetometer.
+        /// True if the device has a magnetometer.
         pub has_mag: crate::Bool,
-        /// True if it has a pressure sensor.
+        /// True if the device has a pressure sensor.
         pub has_pressure: crate::Bool,
         /// Power state of the sensors.
         pub power_state: u8,
@@ -6128,9 +6129,9 @@ record! {
         ///
         /// Unit: ms.
         pub system_timer: u32,
-        /// True if it has a magnetometer.
+        /// True if the device has a magnetometer.
         pub has_mag: crate::Bool,
-        /// True if it has a pressure sensor.
+        /// True if the device has a pressure sensor.
         pub has_pressure: crate::Bool,
         /// Largest angular rate that can be measured.
         pub gyro_range: u16,
@@ -6538,11 +6539,11 @@ record! {
         ///
         /// Unit: 1.
         pub gnss_read_overruns: u32,
-        /// Messages of the receiver that were read.
+        /// Receiver messages that were read.
         ///
         /// Unit: 1.
         pub gnss_message_count: u32,
-        /// Messages of the receiver that arrived late.
+        /// Receiver messages that arrived late.
         ///
         /// Unit: 1.
         pub gnss_delayed_message_count: u32,
@@ -6566,11 +6567,11 @@ record! {
         ///
         /// Unit: 1.
         pub imu_read_overruns: u32,
-        /// Messages of the IMU that were read.
+        /// IMU messages that were read.
         ///
         /// Unit: 1.
         pub imu_message_count: u32,
-        /// Messages of the IMU that arrived late.
+        /// IMU messages that arrived late.
         ///
         /// Unit: 1.
         pub imu_delayed_message_count: u32,
@@ -6701,7 +6702,7 @@ record! {
     pub struct ImuTimestampResponse {
         /// Counter to set or read.
         pub selector: ImuTimestampSelector,
-        /// Value of the counter, in the unit that `selector` states.
+        /// Value of the counter, in the unit that `selector` selects.
         pub time: u32,
     }
 }
@@ -6981,7 +6982,7 @@ record! {
     /// Settings (0x0C, 0x21).
     #[derive(Default, Eq, Hash)]
     pub struct ConstellationSettingsResponse {
-        /// Channels that the receiver has.
+        /// Number of channels of the receiver.
         ///
         /// Unit: 1.
         pub max_channels_available: u16,
@@ -7030,7 +7031,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     #[derive(Default, Eq, Hash)]
     pub struct GnssSbasSettingsResponse {
-        /// 1 switches SBAS on, 0 off.
+        /// 1 enables SBAS, 0 disables it.
         ///
         /// Range: 0 to 1.
         pub enable_sbas: u8,
@@ -7703,7 +7704,7 @@ record! {
         ///
         /// Range: at least 1.
         pub pin: u8,
-        /// True is high.
+        /// True means high.
         pub state: crate::Bool,
     }
 }
@@ -7825,7 +7826,7 @@ record! {
     pub struct GetCalibratedSensorRangesResponse {
         /// Sensor specified in the command.
         pub sensor: SensorRangeType,
-        /// Each range that the sensor is calibrated for.
+        /// Ranges for which the sensor is calibrated.
         ///
         /// If [`sensor`](GetCalibratedSensorRangesResponse::sensor) is [`SensorRangeType::ACCEL`]:
         /// [`range`](SensorRangeEntry::range) has unit g. If

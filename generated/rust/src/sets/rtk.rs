@@ -76,7 +76,7 @@ record! {
     /// No device is known for certain to support it. Answered by [`GetStatusFlagsResponse`]. Known
     /// only from the MicroStrain MIP SDK.
     ///
-    /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
+    /// - The status word in the response has two forms, [`types::RtkStatusFlags`] and
     ///   [`types::RtkStatusFlagsLegacy`].
     ///
     /// Source: mip-sdk-4: Get status flags (0x0F,0x01).
@@ -224,7 +224,7 @@ command! {
 record! {
     /// Connected device type (0x0F,0x06).
     ///
-    /// Sets the device that the modem serves.
+    /// Sets the type of device that the modem is connected to.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
@@ -236,7 +236,7 @@ record! {
     pub struct ConnectedDeviceType {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Device that the modem is connected to.
+        /// Type of device that the modem is connected to.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub device_type: Option<ConnectedDevice>,
@@ -346,7 +346,7 @@ record! {
     /// Answered by [`ServiceStatusResponse`]. Sent by the device; the host replies. Not listed in
     /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - The modem sends it as a host would, and the server replies as a device would.
+    /// - The modem acts as the host and the server as the device.
     ///
     /// Source: mip-sdk-4: Service status (0x0F,0x0A).
     #[derive(Copy, Default, Eq, Hash)]
@@ -417,7 +417,7 @@ record! {
     ///
     /// For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
-    /// - Only in calibration mode or production test mode; otherwise it is rejected.
+    /// - Accepted in calibration mode and production test mode only.
     ///
     /// Source: mip-sdk-4: LED control (0x0F,0x21).
     #[derive(Copy, Default, Eq, Hash)]
@@ -670,7 +670,7 @@ record! {
     /// Source: mip-sdk-4: Connected device type (0x0F,0x06).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct ConnectedDeviceTypeResponse {
-        /// Device that the modem is connected to.
+        /// Type of device that the modem is connected to.
         pub device_type: ConnectedDevice,
     }
 }
@@ -769,11 +769,11 @@ record! {
     pub struct ServiceStatusResponse {
         /// State of the service.
         pub flags: ServiceFlags,
-        /// Bytes of corrections that the service has sent.
+        /// Number of correction bytes that the service has sent.
         ///
         /// Unit: byte.
         pub received_bytes: u32,
-        /// Bytes of the last transfer.
+        /// Number of bytes in the last transfer.
         ///
         /// Unit: byte.
         pub last_bytes: u32,

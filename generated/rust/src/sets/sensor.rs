@@ -284,7 +284,7 @@ field! {
 record! {
     /// Delta theta (0x80,0x07).
     ///
-    /// Time integral of the angular rate over the period that the message format sets.
+    /// Time integral of the angular rate over the period set by the message format.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
@@ -322,7 +322,7 @@ field! {
 record! {
     /// Delta velocity (0x80,0x08).
     ///
-    /// Time integral of the acceleration over the period that the message format sets.
+    /// Time integral of the acceleration over the period set by the message format.
     ///
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-15](crate::devices::GX5_15).
@@ -446,7 +446,7 @@ field! {
 record! {
     /// Complementary filter orientation update matrix (0x80,0x0B).
     ///
-    /// Change of the attitude from the complementary filter as a matrix.
+    /// Change in the complementary filter's attitude, as a matrix.
     ///
     /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
     /// device profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The
@@ -677,7 +677,7 @@ record! {
     /// Uncertain: Which devices send it. The SDK of 2014 dates from the time of the 3DM-GX3
     /// devices. Uncertain: The epoch.
     ///
-    /// - The sources contradict each other. MSCL and the SDK of 2014 have this layout, and agree.
+    /// - The sources contradict each other. MSCL and the SDK of 2014 agree on this layout.
     ///
     /// Source: mscl: 1PPS Timestamp (0x80,0x0F); mip-sdk-2014: 1PPS Timestamp (0x80,0x0F).
     #[derive(Copy, Default, Eq, Hash)]
@@ -729,8 +729,8 @@ record! {
     ///
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
-    /// - Without magnetic disturbance it equals the measured magnetic field, as long as that is in
-    ///   the sensor frame, too, which a sensor-to-vehicle transformation changes.
+    /// - Without magnetic disturbance it equals the measured magnetic field, unless a
+    ///   sensor-to-vehicle transformation takes the latter out of the sensor frame.
     /// - A lasting disturbance is not compensated.
     ///
     /// Source: 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10).
@@ -769,14 +769,14 @@ record! {
     ///
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
-    /// - At rest it equals the measured acceleration, as long as that is in the sensor frame, too,
-    ///   which a sensor-to-vehicle transformation changes.
+    /// - At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation
+    ///   takes the latter out of the sensor frame.
     ///
     /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11); mip-sdk-4: Complementary
     /// filter stabilized up vector (0x80,0x11).
     #[derive(Copy, Default)]
     pub struct UpVector {
-        /// The inverse of the gravity vector, as the accelerometers measure it.
+        /// Opposite of the gravity vector, as the accelerometers measure it.
         ///
         /// Elements: x, y, z. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain:
         /// The frame. The SDK has the vehicle frame, but the lists of what the sensor-to-vehicle

@@ -12,7 +12,7 @@
 use crate::types;
 
 bitfield! {
-    /// Valid parts of the GPS time.
+    /// Validity flags for the GPS time.
     GpsTimestampFlags: u16 {
         /// The whole seconds of the time of week have been set. Bit 0.
         TOW: bool = 0,
@@ -20,7 +20,7 @@ bitfield! {
         /// The week number has been set. Bit 1.
         WEEK_NUMBER: bool = 1,
             week_number, set_week_number, with_week_number;
-        /// Both are set. Bits 0 to 1. Overlaps other bits.
+        /// The time of week and the week number have been set. Bits 0 to 1. Overlaps other bits.
         TIME_VALID: u8 = 0..=1,
             time_valid, set_time_valid, with_time_valid;
     }
@@ -36,7 +36,7 @@ bitfield! {
 }
 
 bitfield! {
-    /// Validity of the difference of external time.
+    /// Validity of the external time difference.
     ExternalTimeDeltaFlags: u16 {
         /// The difference is valid. Bit 0.
         DT_NANOS: bool = 0,
@@ -188,7 +188,7 @@ record! {
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](GpsTimestampFlags::week_number) is set.
         pub week_number: u16,
-        /// Valid parts of the timestamp.
+        /// Validity flags for the timestamp.
         pub valid_flags: GpsTimestampFlags,
     }
 }
@@ -342,9 +342,9 @@ record! {
     /// - It is [`GpsTimestamp`] in nanoseconds.
     /// - In event messages it is the time of the trigger.
     /// - It becomes valid when the external clock is synchronized through the PPS.
-    /// - Its epoch is that of the time that you send with
-    ///   [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate). It is GPS time in most systems, but
-    ///   may be another, such as Unix time. Use [`GpsTimestamp`] for GPS time only.
+    /// - Its epoch is the epoch of the time sent with
+    ///   [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate): in most systems that of GPS time, but
+    ///   possibly another, such as the Unix epoch. Use [`GpsTimestamp`] for GPS time only.
     /// - With a receiver as the source of the PPS
     ///   ([`mip_3dm::PpsSourceControl`](crate::mip_3dm::PpsSourceControl)), it is GPS time, and
     ///   valid only while that receiver has a fix.

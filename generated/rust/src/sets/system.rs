@@ -61,8 +61,8 @@ record! {
     /// - Accepted on the main port only. The main port always keeps MIP in both directions.
     /// - The change takes effect before the ACK, which is sent on the main port. Bytes that arrive
     ///   during the change may be lost.
-    /// - The device rejects protocols that it or the port does not have, and more parsers than it
-    ///   has; then nothing is changed.
+    /// - The device rejects protocols that it or the port does not support, and settings that need
+    ///   more parsers than it has. A rejected command changes nothing.
     /// - Replies to an incoming protocol are sent on the same port, even if the protocol is not an
     ///   outgoing one.
     /// - Devices differ in how many protocols they receive and send at a time.
@@ -76,11 +76,11 @@ record! {
         ///
         /// Uncertain: Whether write and read accept `all`.
         pub port: Option<types::CommInterface>,
-        /// Protocols that it receives.
+        /// Protocols that the port receives.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub protocols_incoming: Option<CommProtocols>,
-        /// Protocols that it sends.
+        /// Protocols that the port sends.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub protocols_outgoing: Option<CommProtocols>,
@@ -204,9 +204,9 @@ record! {
         ///
         /// Uncertain: Whether write and read accept `all`.
         pub port: types::CommInterface,
-        /// Protocols that it receives.
+        /// Protocols that the port receives.
         pub protocols_incoming: CommProtocols,
-        /// Protocols that it sends.
+        /// Protocols that the port sends.
         pub protocols_outgoing: CommProtocols,
     }
 }
