@@ -404,14 +404,14 @@ export declare const Gx4SystemState: Enumeration<Gx4SystemState> & {
 /**
  * IMU Message Format response (0x0C,0x80).
  *
- * Answers `ImuMessageFormat`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT
- * and 3DM-RQ1-45-ST.
+ * Response to `ImuMessageFormat`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 export declare class ImuMessageFormatResponse extends Response {
     constructor(values: Values<ImuMessageFormatResponse>);
-    /** On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. */
+    /** On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. */
     /** Fields and decimations. Refers to fields of Sensor data. */
     descriptors: types.DescriptorRate[];
 }
@@ -419,14 +419,14 @@ export declare class ImuMessageFormatResponse extends Response {
 /**
  * GNSS Message Format response (0x0C,0x81).
  *
- * Answers `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - mip-sdk-4: GNSS Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 export declare class GnssMessageFormatResponse extends Response {
     constructor(values: Values<GnssMessageFormatResponse>);
-    /** On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Range: 0 to 82. */
+    /** On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. Range: 0 to 82. */
     /** Fields and decimations. Refers to fields of GNSS data. */
     descriptors: types.DescriptorRate[];
 }
@@ -434,13 +434,13 @@ export declare class GnssMessageFormatResponse extends Response {
 /**
  * Estimation Filter Message Format response (0x0C,0x82).
  *
- * Answers `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
 export declare class FilterMessageFormatResponse extends Response {
     constructor(values: Values<FilterMessageFormatResponse>);
-    /** On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. */
+    /** On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. */
     /** Fields and decimations. Refers to fields of Filter data. */
     descriptors: types.DescriptorRate[];
 }
@@ -448,8 +448,8 @@ export declare class FilterMessageFormatResponse extends Response {
 /**
  * Get IMU Data Base Rate response (0x0C,0x83).
  *
- * Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `imu_get_base_rate_response`. Response to `GetImuBaseRate`. Supported by 3DM-CX5-10, 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -462,7 +462,7 @@ export declare class GetImuBaseRateResponse extends Response {
 /**
  * Get GNSS Data Base Rate response (0x0C,0x84).
  *
- * Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Supported by 3DM-GQ4-45, 3DM-GX5-35,
+ * Also called `gnss_get_base_rate_response`. Response to `GetGnssBaseRate`. Supported by 3DM-GQ4-45, 3DM-GX5-35,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
@@ -476,7 +476,7 @@ export declare class GetGnssBaseRateResponse extends Response {
 /**
  * Data Stream Control response (0x0C,0x85).
  *
- * Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * Also called `datastream_control_response`. Response to `DataStreamControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
@@ -501,8 +501,8 @@ export declare class DataStreamControlResponse extends Response {
 /**
  * IMU signal conditioning response (0x0C,0x86).
  *
- * No device is known for certain to support it. Answers `ImuSignalConditioning`. Known only from the MIP SDK of 2014
- * and MicroStrain Communication Library.
+ * No device is known for certain to support it. Response to `ImuSignalConditioning`. Known only from the MIP SDK of
+ * 2014 and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
  * - mscl: IMU signal conditioning (0x0C,0x35)
@@ -530,8 +530,8 @@ export declare class ImuSignalConditioningResponse extends Response {
 /**
  * UART Baud Rate response (0x0C,0x87).
  *
- * Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `uart_baudrate_response`. Response to `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
+ * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -545,7 +545,7 @@ export declare class UartBaudRateResponse extends Response {
 /**
  * Data stream format response (0x0C,0x88).
  *
- * No device is known for certain to support it. Answers `DataStreamFormat`. Known only from the MIP SDK of 2014 and
+ * No device is known for certain to support it. Response to `DataStreamFormat`. Known only from the MIP SDK of 2014 and
  * MicroStrain Communication Library.
  *
  * - mip-sdk-2014: Data stream format (0x0C,0x60)
@@ -562,7 +562,7 @@ export declare class DataStreamFormatResponse extends Response {
 /**
  * Device power state response (0x0C,0x89).
  *
- * No device is known for certain to support it. Answers `DevicePowerState`. Known only from the MIP SDK of 2014 and
+ * No device is known for certain to support it. Response to `DevicePowerState`. Known only from the MIP SDK of 2014 and
  * MicroStrain Communication Library.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
@@ -579,7 +579,7 @@ export declare class DevicePowerStateResponse extends Response {
 /**
  * Get Estimation Filter Data Base Rate response (0x0C,0x8A).
  *
- * Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
+ * Also called `filter_get_base_rate_response`. Response to `GetFilterBaseRate`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
@@ -593,7 +593,7 @@ export declare class GetFilterBaseRateResponse extends Response {
 /**
  * Advanced Low-Pass Filter Settings response (0x0C,0x8B).
  *
- * Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * Also called `imu_lowpass_filter_response`. Response to `ImuLowPassFilter`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
@@ -619,13 +619,13 @@ export declare class ImuLowPassFilterResponse extends Response {
 /**
  * NMEA Message Format response (0x0C,0x8C).
  *
- * Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 export declare class NmeaMessageFormatResponse extends Response {
     constructor(values: Values<NmeaMessageFormatResponse>);
-    /** On the wire only: count. Number of sentences. The number of elements of `formatEntries`. */
+    /** On the wire only: count. Number of sentences. Counts the elements of `formatEntries`. */
     /** Sentences to stream. */
     formatEntries: types.NmeaMessage[];
 }
@@ -633,7 +633,7 @@ export declare class NmeaMessageFormatResponse extends Response {
 /**
  * Get Data Base Rate response (0x0C,0x8E).
  *
- * Answers `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response to `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -648,7 +648,7 @@ export declare class GetBaseRateResponse extends Response {
 /**
  * Message Format response (0x0C,0x8F).
  *
- * Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
@@ -656,7 +656,7 @@ export declare class MessageFormatResponse extends Response {
     constructor(values: Values<MessageFormatResponse>);
     /** Data descriptor set. */
     descriptorSet: number;
-    /** On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. */
+    /** On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. */
     /** Fields and decimations. Refers to fields of `descriptorSet`. */
     descriptors: types.DescriptorRate[];
 }
@@ -666,7 +666,7 @@ export declare class MessageFormatResponse extends Response {
  *
  * Timer only, in microseconds.
  *
- * No device is known for certain to support it. Answers `DeviceStatus`. Sent if `statusSelector` is
+ * No device is known for certain to support it. Response to `DeviceStatus`. Sent if `statusSelector` is
  * `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 lists the names of the values and the unit of the timer; the
  * descriptions are inferred from the names.
  *
@@ -690,9 +690,9 @@ export declare class DeviceStatusBasicRq1ImuResponse extends Response {
  *
  * State and timer.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and `DeviceStatusBasicGx3Response`
- * by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
+ * `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -721,12 +721,12 @@ export declare class DeviceStatusBasicResponse extends Response {
  *
  * Timer only.
  *
- * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse`
- * and `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is `DeviceStatusSelector.BASIC`.
- * Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the
- * 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
- * Uncertain: The manual of the 3DM-GX5-45 has it too, but for the model number of another device; MSCL has the layout
- * with a state for that device.
+ * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
+ * `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response` by the size of its data. Sent if `statusSelector` is
+ * `DeviceStatusSelector.BASIC`. Uncertain: MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and
+ * 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the
+ * 3DM-CL5-10 has it is inferred. Uncertain: The manual of the 3DM-GX5-45 documents it too, but for the model number of
+ * another device; MSCL uses the layout with a state for that device.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -749,7 +749,7 @@ export declare class DeviceStatusBasicWithoutStateResponse extends Response {
  *
  * State, timer, and the counters of streams and port.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
+ * Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
  * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
@@ -800,11 +800,11 @@ export declare class DeviceStatusDiagnosticResponse extends Response {
  *
  * State, timer, and the counters of pulses, streams, port and receiver.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGq4_45Response`,
- * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
- * `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
- * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL has it for the 3DM-GX4-45
+ * Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
+ * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
+ * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
+ * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL uses it for the 3DM-GX4-45
  * and the -35 and -45 of GX5 and CX5; its length is from a manual. Uncertain: MSCL lists only the names of the values,
  * from which the descriptions are inferred; the times are assumed to be in ms like the system timer.
  *
@@ -869,10 +869,10 @@ export declare class DeviceStatusDiagnosticGnssResponse extends Response {
  *
  * The layout with GNSS, plus flags for parts that could not be started.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
- * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
- * `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
- * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
+ * Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
+ * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
+ * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
  * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45. Uncertain: No known manual documents it. Uncertain: MSCL
  * lists only the names of the values, from which the descriptions are inferred; the times are assumed to be in ms like
  * the system timer.
@@ -944,10 +944,10 @@ export declare class DeviceStatusDiagnosticGq4_45Response extends Response {
  *
  * The layout with GNSS, plus the temperature.
  *
- * Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
- * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
- * `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
- * `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
+ * Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+ * `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticGx4Response`,
+ * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`
+ * and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `statusSelector` is
  * `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No known manual documents
  * it. Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the times are
  * assumed to be in ms like the system timer.
@@ -1019,7 +1019,7 @@ export declare class DeviceStatusDiagnosticRq1_45Response extends Response {
  *
  * Timer, and counters of pulses, streams, port and USB.
  *
- * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
  * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
@@ -1082,11 +1082,11 @@ export declare class DeviceStatusDiagnosticGx4Response extends Response {
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`,
  * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
- * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10 and
+ * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10 and
  * 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the values, from which the
  * descriptions are inferred; the times are assumed to be in ms like the system timer. Uncertain: The units of the
  * ranges are not known.
@@ -1146,7 +1146,7 @@ export declare class DeviceStatusDiagnosticImuResponse extends Response {
  *
  * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
  * `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
@@ -1209,7 +1209,7 @@ export declare class DeviceStatusDiagnosticGx4ImuResponse extends Response {
  *
  * Timer, temperature and supply, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
  * `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if
@@ -1267,10 +1267,10 @@ export declare class DeviceStatusDiagnosticRq1ImuResponse extends Response {
  *
  * State of the port.
  *
- * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse`
- * and `DeviceStatusBasicWithoutStateResponse` by the size of its data. Sent if `statusSelector` is
- * `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has it, with the names of the values; the descriptions
- * are inferred from the names.
+ * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
+ * `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse` by the size of its data. Sent if
+ * `statusSelector` is `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 contains it, with the names of the
+ * values; the descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1299,12 +1299,12 @@ export declare class DeviceStatusBasicGx3Response extends Response {
  *
  * State of the port, and the counters of the port, USB, receiver and IMU.
  *
- * No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+ * No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
  * `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
  * `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
  * `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse` by the size of its data. Sent if
- * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 has it, with the names of the
- * values; the descriptions are inferred from the names.
+ * `statusSelector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the SDK of 2014 contains it, with the names of
+ * the values; the descriptions are inferred from the names.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  * - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1381,7 +1381,7 @@ export declare class DeviceStatusDiagnosticGx3Response extends Response {
 /**
  * GPS dynamics mode response (0x0C,0x92).
  *
- * No device is known for certain to support it. Answers `GpsDynamicsMode`. Known only from the MIP SDK of 2014 and
+ * No device is known for certain to support it. Response to `GpsDynamicsMode`. Known only from the MIP SDK of 2014 and
  * MicroStrain Communication Library.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
@@ -1396,7 +1396,7 @@ export declare class GpsDynamicsModeResponse extends Response {
 /**
  * IMU timestamp response (0x0C,0x93).
  *
- * No device is known for certain to support it. Answers `ImuTimestamp`. Known only from the MIP SDK of 2014.
+ * No device is known for certain to support it. Response to `ImuTimestamp`. Known only from the MIP SDK of 2014.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -1411,7 +1411,7 @@ export declare class ImuTimestampResponse extends Response {
 /**
  * Complementary Filter Configuration response (0x0C,0x97).
  *
- * Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+ * Response to `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -1431,7 +1431,7 @@ export declare class ComplementaryFilterResponse extends Response {
 /**
  * Accelerometer Bias Configuration response (0x0C,0x9A).
  *
- * Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
+ * Response to `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
@@ -1448,7 +1448,7 @@ export declare class AccelBiasResponse extends Response {
  *
  * The bias in use.
  *
- * Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by 3DM-CV7-AHRS,
+ * Also called `capture_gyro_bias_response`. Response to `GyroBias` and `CaptureGyroBias`. Supported by 3DM-CV7-AHRS,
  * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
@@ -1463,7 +1463,7 @@ export declare class GyroBiasResponse extends Response {
 /**
  * Magnetometer Hard Iron Offset response (0x0C,0x9C).
  *
- * Answers `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45,
+ * Response to `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
@@ -1480,7 +1480,7 @@ export declare class MagHardIronOffsetResponse extends Response {
 /**
  * Magnetometer Soft Iron Matrix response (0x0C,0x9D).
  *
- * Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35,
+ * Response to `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
@@ -1498,7 +1498,7 @@ export declare class MagSoftIronMatrixResponse extends Response {
 /**
  * Coning and Sculling Enable response (0x0C,0x9E).
  *
- * Answers `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -1513,7 +1513,7 @@ export declare class ConingScullingEnableResponse extends Response {
  *
  * Tracking channels of the receiver and the setting of each constellation.
  *
- * Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
+ * Response to `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -1524,7 +1524,7 @@ export declare class ConstellationSettingsResponse extends Response {
     maxChannelsAvailable: number;
     /** Maximum number of channels in use. Unit: 1. */
     maxChannelsUse: number;
-    /** On the wire only: config_count. Number of entries. The number of elements of `settings`. Range: 0 to 41. */
+    /** On the wire only: config_count. Number of entries. Counts the elements of `settings`. Range: 0 to 41. */
     /** One entry for each constellation. */
     settings: ConstellationSettingsEntry[];
 }
@@ -1532,7 +1532,7 @@ export declare class ConstellationSettingsResponse extends Response {
 /**
  * GNSS SBAS Settings response (0x0C,0xA1).
  *
- * Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+ * Response to `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -1543,7 +1543,7 @@ export declare class GnssSbasSettingsResponse extends Response {
     /** Purposes of SBAS. */
     sbasOptions: SbasOptions;
     /**
-     * On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The number of elements of
+     * On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. Counts the elements of
      * `includedPrns`.
      */
     /** PRN numbers of the SBAS satellites to search for. */
@@ -1553,7 +1553,7 @@ export declare class GnssSbasSettingsResponse extends Response {
 /**
  * GNSS Assisted Fix response (0x0C,0xA2).
  *
- * Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+ * Response to `GnssAssistedFix`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
  */
@@ -1568,7 +1568,7 @@ export declare class GnssAssistedFixResponse extends Response {
 /**
  * GNSS Time Assistance response (0x0C,0xA3).
  *
- * Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+ * Response to `GnssTimeAssistance`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
  */
@@ -1585,7 +1585,7 @@ export declare class GnssTimeAssistanceResponse extends Response {
 /**
  * PPS Source Control response (0x0C,0xA8).
  *
- * Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pps_source_response`. Response to `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
@@ -1598,7 +1598,7 @@ export declare class PpsSourceControlResponse extends Response {
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
  *
- * Also called `sensor_2_vehicle_transform_euler_response`. Answers `SensorToVehicleTransformEuler`. Supported by
+ * Also called `sensor_2_vehicle_transform_euler_response`. Response to `SensorToVehicleTransformEuler`. Supported by
  * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
@@ -1616,8 +1616,8 @@ export declare class SensorToVehicleTransformEulerResponse extends Response {
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
  *
- * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers `SensorToVehicleTransformQuaternion`. Supported
- * by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_quaternion_response`. Response to `SensorToVehicleTransformQuaternion`.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -1633,7 +1633,7 @@ export declare class SensorToVehicleTransformQuaternionResponse extends Response
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
  *
- * Also called `sensor_2_vehicle_transform_dcm_response`. Answers `SensorToVehicleTransformDcm`. Supported by
+ * Also called `sensor_2_vehicle_transform_dcm_response`. Response to `SensorToVehicleTransformDcm`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
@@ -1647,7 +1647,7 @@ export declare class SensorToVehicleTransformDcmResponse extends Response {
 /**
  * Get Supported Events response (0x0C,0xB4).
  *
- * Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -1657,7 +1657,7 @@ export declare class GetEventSupportResponse extends Response {
     query: EventSupportQuery;
     /** Number of slots; instances are numbered from 1 to this. Unit: 1. */
     maxInstances: number;
-    /** On the wire only: num_entries. Number of types. The number of elements of `entries`. */
+    /** On the wire only: num_entries. Number of types. Counts the elements of `entries`. */
     /**
      * The types.
      *
@@ -1670,7 +1670,7 @@ export declare class GetEventSupportResponse extends Response {
 /**
  * Event Control response (0x0C,0xB5).
  *
- * Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `EventControl`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
@@ -1685,13 +1685,13 @@ export declare class EventControlResponse extends Response {
 /**
  * Get Event Trigger Status response (0x0C,0xB6).
  *
- * Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 export declare class GetEventTriggerStatusResponse extends Response {
     constructor(values: Values<GetEventTriggerStatusResponse>);
-    /** On the wire only: count. Number of entries. The number of elements of `triggers`. */
+    /** On the wire only: count. Number of entries. Counts the elements of `triggers`. */
     /** One entry per trigger, in the requested order, or by instance if all were requested. */
     triggers: EventTriggerStatusEntry[];
 }
@@ -1699,13 +1699,13 @@ export declare class GetEventTriggerStatusResponse extends Response {
 /**
  * Get Event Action Status response (0x0C,0xB7).
  *
- * Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 export declare class GetEventActionStatusResponse extends Response {
     constructor(values: Values<GetEventActionStatusResponse>);
-    /** On the wire only: count. Number of entries. The number of elements of `actions`. */
+    /** On the wire only: count. Number of entries. Counts the elements of `actions`. */
     /** One entry per action, in the requested order, or by instance if all were requested. */
     actions: EventActionStatusEntry[];
 }
@@ -1713,7 +1713,7 @@ export declare class GetEventActionStatusResponse extends Response {
 /**
  * Event Trigger Configuration response (0x0C,0xB8).
  *
- * Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * Also called `event_trigger_response`. Response to `EventTriggerConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
@@ -1738,7 +1738,7 @@ export declare class EventTriggerConfigResponse extends Response {
 /**
  * Event Action Configuration response (0x0C,0xB9).
  *
- * Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * Also called `event_action_response`. Response to `EventActionConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
@@ -1765,7 +1765,7 @@ export declare class EventActionConfigResponse extends Response {
 /**
  * GPIO Configuration response (0x0C,0xC1).
  *
- * Answers `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -1793,7 +1793,7 @@ export declare class GpioConfigResponse extends Response {
 /**
  * GPIO State response (0x0C,0xC2).
  *
- * Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response to `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
@@ -1808,7 +1808,7 @@ export declare class GpioStateResponse extends Response {
 /**
  * Odometer Configuration response (0x0C,0xC3).
  *
- * Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_response`. Response to `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -1828,7 +1828,7 @@ export declare class OdometerConfigResponse extends Response {
 /**
  * Sensor Range response (0x0C,0xD2).
  *
- * Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
@@ -1843,7 +1843,8 @@ export declare class SensorRangeResponse extends Response {
 /**
  * Get Calibrated Sensor Ranges response (0x0C,0xD3).
  *
- * Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges_response`. Response to `GetCalibratedSensorRanges`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -1851,7 +1852,7 @@ export declare class GetCalibratedSensorRangesResponse extends Response {
     constructor(values: Values<GetCalibratedSensorRangesResponse>);
     /** Sensor specified in the command. */
     sensor: SensorRangeType;
-    /** On the wire only: num_ranges. Number of ranges. The number of elements of `ranges`. */
+    /** On the wire only: num_ranges. Number of ranges. Counts the elements of `ranges`. */
     /**
      * Ranges for which the sensor is calibrated.
      *
@@ -1866,7 +1867,7 @@ export declare class GetCalibratedSensorRangesResponse extends Response {
 /**
  * Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
  *
- * Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * Also called `lowpass_filter_response`. Response to `LowPassFilter`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
@@ -1902,7 +1903,7 @@ export declare class PollImuData extends Command<undefined> {
     constructor(values: Values<PollImuData>);
     /** Send no acknowledge. */
     suppressAck: boolean;
-    /** On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. */
+    /** On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. */
     /** Fields to send. Refers to fields of Sensor data. */
     descriptors: PollEntry[];
 }
@@ -1924,7 +1925,7 @@ export declare class PollGnssData extends Command<undefined> {
     constructor(values: Values<PollGnssData>);
     /** Send no acknowledge. */
     suppressAck: boolean;
-    /** On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Range: 0 to 83. */
+    /** On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. Range: 0 to 83. */
     /**
      * Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place of the reserved
      * number and does not document how a poll uses it.
@@ -1949,7 +1950,7 @@ export declare class PollFilterData extends Command<undefined> {
     constructor(values: Values<PollFilterData>);
     /** Send no acknowledge. */
     suppressAck: boolean;
-    /** On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. */
+    /** On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. */
     /** Fields to send. Refers to fields of Filter data. */
     descriptors: PollEntry[];
 }
@@ -1972,7 +1973,7 @@ export declare class PollNmeaData extends Command<undefined> {
     constructor(values: Values<PollNmeaData>);
     /** Send no acknowledge. */
     suppressAck: boolean;
-    /** On the wire only: count. Number of sentences. The number of elements of `formatEntries`. */
+    /** On the wire only: count. Number of sentences. Counts the elements of `formatEntries`. */
     /** Sentences to send. */
     formatEntries: types.NmeaMessage[];
 }
@@ -1982,8 +1983,8 @@ export declare class PollNmeaData extends Command<undefined> {
  *
  * Gets the base rate, which is divided by the decimations of `ImuMessageFormat`.
  *
- * Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -1996,7 +1997,7 @@ export declare class GetImuBaseRate extends Command<GetImuBaseRateResponse> {
  *
  * Gets the base rate, which is divided by the decimations of `GnssMessageFormat`.
  *
- * Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35,
+ * Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
@@ -2010,7 +2011,7 @@ export declare class GetGnssBaseRate extends Command<GetGnssBaseRateResponse> {
  *
  * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ImuMessageFormatResponse`. Supported by
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ImuMessageFormatResponse`. Supported by
  * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate. The list replaces the
@@ -2023,8 +2024,7 @@ export declare class ImuMessageFormat<R extends Response | undefined = undefined
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Required for
-     * `write`.
+     * On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. Required for `write`.
      */
     /** Fields and decimations. Refers to fields of Sensor data. Required for `write`. */
     descriptors?: types.DescriptorRate[];
@@ -2045,7 +2045,7 @@ export declare class ImuMessageFormat<R extends Response | undefined = undefined
  *
  * Sets the fields of the GNSS data packets, their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssMessageFormatResponse`. Supported by
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssMessageFormatResponse`. Supported by
  * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
@@ -2058,7 +2058,7 @@ export declare class GnssMessageFormat<R extends Response | undefined = undefine
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Range: 0 to 82.
+     * On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. Range: 0 to 82.
      * Required for `write`.
      */
     /** Fields and decimations. Refers to fields of GNSS data. Required for `write`. */
@@ -2080,7 +2080,7 @@ export declare class GnssMessageFormat<R extends Response | undefined = undefine
  *
  * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FilterMessageFormatResponse`. Supported by
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FilterMessageFormatResponse`. Supported by
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate. The list replaces
@@ -2093,8 +2093,7 @@ export declare class FilterMessageFormat<R extends Response | undefined = undefi
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Required for
-     * `write`.
+     * On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. Required for `write`.
      */
     /** Fields and decimations. Refers to fields of Filter data. Required for `write`. */
     descriptors?: types.DescriptorRate[];
@@ -2115,7 +2114,7 @@ export declare class FilterMessageFormat<R extends Response | undefined = undefi
  *
  * Gets the base rate, which is divided by the decimations of `FilterMessageFormat`.
  *
- * Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
+ * Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
@@ -2129,7 +2128,7 @@ export declare class GetFilterBaseRate extends Command<GetFilterBaseRateResponse
  *
  * Sets the NMEA sentences that the device streams.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `NmeaMessageFormatResponse`. Supported by
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `NmeaMessageFormatResponse`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * A sentence may be listed several times with different talkers or sources. A sentence is sent only while the device is
@@ -2142,9 +2141,7 @@ export declare class NmeaMessageFormat<R extends Response | undefined = undefine
     constructor(values: Values<NmeaMessageFormat>);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /**
-     * On the wire only: count. Number of sentences. The number of elements of `formatEntries`. Required for `write`.
-     */
+    /** On the wire only: count. Number of sentences. Counts the elements of `formatEntries`. Required for `write`. */
     /** Sentences to stream. Required for `write`. */
     formatEntries?: types.NmeaMessage[];
     /** Apply the new setting. */
@@ -2178,7 +2175,7 @@ export declare class PollData extends Command<undefined> {
     descriptorSet: number;
     /** Send no acknowledge. */
     suppressAck: boolean;
-    /** On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. */
+    /** On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. */
     /** Field descriptors. Refers to fields of `descriptorSet`. */
     descriptors: number[];
 }
@@ -2188,7 +2185,7 @@ export declare class PollData extends Command<undefined> {
  *
  * Gets the base rate, which is divided by the decimations of a descriptor set.
  *
- * Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response: `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -2203,7 +2200,7 @@ export declare class GetBaseRate extends Command<GetBaseRateResponse> {
  *
  * Sets the fields of the data packets of a descriptor set, their order and their decimations.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`. Supported by
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MessageFormatResponse`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List shared descriptors
@@ -2218,8 +2215,7 @@ export declare class MessageFormat<R extends Response | undefined = undefined | 
     /** Data descriptor set; 0 means all of them (save, load, default). */
     descriptorSet?: number;
     /**
-     * On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`. Required for
-     * `write`.
+     * On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`. Required for `write`.
      */
     /** Fields and decimations. Refers to fields of `descriptorSet`. Required for `write`. */
     descriptors?: types.DescriptorRate[];
@@ -2257,7 +2253,7 @@ export declare class FactoryStreaming extends Command<undefined> {
  *
  * Switches a data stream on or off.
  *
- * Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `DataStreamControlResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
@@ -2323,10 +2319,10 @@ export declare class RawRtcm2_3Message extends Command<undefined> {
  *
  * Selects the constellations that the GNSS receiver tracks, and their shares of its tracking channels.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConstellationSettingsResponse`. Probably
- * changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and
- * 3DM-GX5-35. Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but has channels for SBAS
- * and QZSS too.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ConstellationSettingsResponse`. Probably changes
+ * `gnss_data.FixInfo`, `gnss_data.SvInfo` and `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
+ * Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but has channels for SBAS and QZSS
+ * too.
  *
  * The device rejects entries that reserve more than 32 channels in total. The maximum of an entry must not be less than
  * the number of channels it reserves. GLONASS and BeiDou cannot be used together. If the antenna or its filter is made
@@ -2347,7 +2343,7 @@ export declare class ConstellationSettings<R extends Response | undefined = unde
      */
     maxChannels?: number;
     /**
-     * On the wire only: config_count. Number of entries. The number of elements of `settings`. Range: 0 to 41. Required
+     * On the wire only: config_count. Number of entries. Counts the elements of `settings`. Range: 0 to 41. Required
      * for `write`.
      */
     /** One entry for each constellation. Required for `write`. */
@@ -2369,7 +2365,7 @@ export declare class ConstellationSettings<R extends Response | undefined = unde
  *
  * Sets how the GNSS receivers use satellite-based augmentation (SBAS).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSbasSettingsResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssSbasSettingsResponse`. Probably changes
  * `gnss_data.SbasInfo` and `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
@@ -2391,7 +2387,7 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
      */
     sbasOptions?: SbasOptions;
     /**
-     * On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The number of elements of
+     * On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. Counts the elements of
      * `includedPrns`. Required for `write`.
      */
     /** PRN numbers of the SBAS satellites to search for. Required for `write`. */
@@ -2413,7 +2409,7 @@ export declare class GnssSbasSettings<R extends Response | undefined = undefined
  *
  * Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`. Supported by
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssAssistedFixResponse`. Supported by
  * 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver. If you send the time with `GnssTimeAssistance`
@@ -2455,7 +2451,7 @@ export declare class GnssAssistedFix<R extends Response | undefined = undefined 
  *
  * Sends the current GPS time to the GNSS receiver.
  *
- * Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by 3DM-GX5-35. Known only from the
+ * Functions: `write` and `read`. Response: `GnssTimeAssistanceResponse`. Supported by 3DM-GX5-35. Known only from the
  * MicroStrain MIP SDK.
  *
  * It is needed right after power-up if `GnssAssistedFix` was on at power-off.
@@ -2483,7 +2479,7 @@ export declare class GnssTimeAssistance<R extends Response | undefined = undefin
  *
  * Selects the source of the pulse per second (PPS).
  *
- * Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes `shared.GpsTimestamp`,
  * `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2523,7 +2519,7 @@ export declare class PpsSourceControl<R extends Response | undefined = undefined
  *
  * Gets the types of event triggers or actions that the device supports, and the number of each.
  *
- * Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
+ * Response: `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -2538,7 +2534,7 @@ export declare class GetEventSupport extends Command<GetEventSupportResponse> {
  *
  * Enables, disables or tests an event trigger.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`. Supported by
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EventControlResponse`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * Triggers are disabled by default and after configuration. A trigger of type none cannot be enabled.
@@ -2570,14 +2566,14 @@ export declare class EventControl<R extends Response | undefined = undefined | E
  *
  * Gets the type and the state of event triggers.
  *
- * Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
+ * Response: `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 export declare class GetEventTriggerStatus extends Command<GetEventTriggerStatusResponse> {
     constructor(values: Values<GetEventTriggerStatus>);
     /**
-     * On the wire only: requested_count. Number of requested triggers; 0 requests all slots. The number of elements of
+     * On the wire only: requested_count. Number of requested triggers; 0 requests all slots. Counts the elements of
      * `requestedInstances`.
      */
     /** Numbers of the triggers to report; none for all. */
@@ -2589,14 +2585,14 @@ export declare class GetEventTriggerStatus extends Command<GetEventTriggerStatus
  *
  * Gets the type and the trigger of event actions.
  *
- * Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
+ * Response: `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 export declare class GetEventActionStatus extends Command<GetEventActionStatusResponse> {
     constructor(values: Values<GetEventActionStatus>);
     /**
-     * On the wire only: requested_count. Number of requested actions; 0 requests all slots. The number of elements of
+     * On the wire only: requested_count. Number of requested actions; 0 requests all slots. Counts the elements of
      * `requestedInstances`.
      */
     /** Numbers of the actions to report; none for all. */
@@ -2608,7 +2604,7 @@ export declare class GetEventActionStatus extends Command<GetEventActionStatusRe
  *
  * Configures the kind and the condition of an event trigger.
  *
- * Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin configured by
@@ -2650,7 +2646,7 @@ export declare class EventTriggerConfig<R extends Response | undefined = undefin
  *
  * Configures the trigger and the effect of an event action.
  *
- * Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger. A GPIO action needs
@@ -2720,7 +2716,7 @@ export declare class DeviceSettings extends Command<undefined> {
  *
  * Sets the mounting of the sensor in the vehicle as Euler angles.
  *
- * Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `SensorToVehicleTransformEulerResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
  * `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
  * `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -2763,7 +2759,7 @@ export declare class SensorToVehicleTransformEuler<R extends Response | undefine
  * Sets the mounting of the sensor in the vehicle as a quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load` and `default`.
- * Answered by `SensorToVehicleTransformQuaternionResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+ * Response: `SensorToVehicleTransformQuaternionResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
  * `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`,
  * `sensor.CompQuaternion`, `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
  * `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate` and `filter_data.GravityVector`.
@@ -2802,7 +2798,7 @@ export declare class SensorToVehicleTransformQuaternion<R extends Response | und
  *
  * Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
  *
- * Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `SensorToVehicleTransformDcmResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
  * `sensor.DeltaTheta`, `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
  * `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -2842,10 +2838,10 @@ export declare class SensorToVehicleTransformDcm<R extends Response | undefined 
  *
  * Sets the dynamics that the GNSS receiver assumes of the vehicle.
  *
- * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and `gnss_data.NedVelocity`. Known only from the
- * MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of 2014 has it in
- * its example for the 3DM-GX3-35 only.
+ * MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices support it. The SDK of 2014 uses it
+ * in its example for the 3DM-GX3-35 only.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
  * - mscl: GPS dynamics mode (0x0C,0x34)
@@ -2873,13 +2869,13 @@ export declare class GpsDynamicsMode<R extends Response | undefined = undefined 
  *
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
- * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.DeltaTheta`,
  * `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`.
  * Probably changes `sensor.ScaledMag`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library.
  * Uncertain: The ranges, the defaults, and some of the flags. They are those of the single-byte protocol of the
- * 3DM-GX3, which has the same record. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
- * 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
+ * 3DM-GX3, which has the same record. Uncertain: Which devices support it. The SDK of 2014 uses it in its example for
+ * the 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL reads it without.
  *
  * The filters are moving averages; the first zero of their response is at 1000 Hz divided by the width.
  *
@@ -2929,8 +2925,8 @@ export declare class ImuSignalConditioning<R extends Response | undefined = unde
  *
  * Sets or reads a time counter of the sensor data.
  *
- * No device is known for certain to support it. Functions: `write` and `read`. Answered by `ImuTimestampResponse`.
- * Known only from the MIP SDK of 2014. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+ * No device is known for certain to support it. Functions: `write` and `read`. Response: `ImuTimestampResponse`. Known
+ * only from the MIP SDK of 2014. Uncertain: Which devices support it. The SDK of 2014 uses it in its example for the
  * 3DM-GX3-35 only. Uncertain: Whether a read includes `time`, which is ignored, or omits it, as is assumed.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
@@ -2954,7 +2950,7 @@ export declare class ImuTimestamp<R extends Response | undefined = undefined | I
  *
  * Sets the bias that is subtracted from the scaled acceleration.
  *
- * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `AccelBiasResponse`.
+ * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `AccelBiasResponse`.
  * Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and `filter_data.AccelBias`. Supported by
  * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS:
  * `write`, `read`, `save`, `load` and `default` only.
@@ -2990,7 +2986,7 @@ export declare class AccelBias<R extends Response | undefined = undefined | Acce
  *
  * Sets the bias that is subtracted from the scaled angular rate.
  *
- * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `GyroBiasResponse`.
+ * For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `GyroBiasResponse`.
  * Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`.
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On
  * the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
@@ -3027,7 +3023,7 @@ export declare class GyroBias<R extends Response | undefined = undefined | GyroB
  *
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
- * Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`,
+ * Response: `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`,
  * `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to reply. Supported by 3DM-CV7-AHRS,
  * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
@@ -3049,7 +3045,7 @@ export declare class CaptureGyroBias extends Command<GyroBiasResponse> {
  *
  * Sets the offset that corrects the scaled magnetic field for hard iron.
  *
- * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `MagHardIronOffsetResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagHardIronOffsetResponse`. Changes
  * `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT
  * and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
  * `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
@@ -3092,7 +3088,7 @@ export declare class MagHardIronOffset<R extends Response | undefined = undefine
  *
  * Sets the matrix that corrects the scaled magnetic field for soft iron.
  *
- * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `MagSoftIronMatrixResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `MagSoftIronMatrixResponse`. Changes
  * `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT
  * and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR:
  * `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
@@ -3133,9 +3129,8 @@ export declare class MagSoftIronMatrix<R extends Response | undefined = undefine
  *
  * Enables or disables coning and sculling compensation.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConingScullingEnableResponse`. Probably
- * changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ConingScullingEnableResponse`. Probably changes
+ * `sensor.DeltaTheta` and `sensor.DeltaVelocity`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -3162,7 +3157,7 @@ export declare class ConingScullingEnable<R extends Response | undefined = undef
  *
  * Sets the baud rate of the main port.
  *
- * Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
@@ -3200,7 +3195,7 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
  *
  * Sets the use of a GPIO pin.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GpioConfigResponse`. Probably changes
  * `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
  * 3DM-CV7-GNSS/INS.
  *
@@ -3249,7 +3244,7 @@ export declare class GpioConfig<R extends Response | undefined = undefined | Gpi
  *
  * Sets or reads the state of a GPIO pin.
  *
- * Functions: `write` and `read`. Answered by `GpioStateResponse`. Changes `system_data.GpioState`. Supported by
+ * Functions: `write` and `read`. Response: `GpioStateResponse`. Changes `system_data.GpioState`. Supported by
  * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * A read returns the level of the pin itself. A write has an effect only on a pin that is configured as an output. An
@@ -3277,8 +3272,8 @@ export declare class GpioState<R extends Response | undefined = undefined | Gpio
  *
  * Configures the input from a wheel encoder.
  *
- * Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
- * `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Response: `OdometerConfigResponse`.
+ * Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -3313,7 +3308,7 @@ export declare class OdometerConfig<R extends Response | undefined = undefined |
  * Configures the low-pass filter of one sensor data quantity.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
- * Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag` and
+ * Response: `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag` and
  * `sensor.ScaledPressure`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
  * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated
  * on the 3DM-CV7-AR: use `LowPassFilter` instead. Deprecated on the 3DM-CV7-GNSS/INS: use `LowPassFilter` instead.
@@ -3366,7 +3361,7 @@ export declare class ImuLowPassFilter<R extends Response | undefined = undefined
  *
  * Configures the complementary filter, which computes the attitude independently of the estimation filter.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ComplementaryFilterResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ComplementaryFilterResponse`. Changes
  * `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably changes
  * `sensor.NorthVector` and `sensor.UpVector`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
@@ -3416,7 +3411,7 @@ export declare class ComplementaryFilter<R extends Response | undefined = undefi
  *
  * Sets the measuring range of a sensor.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorRangeResponse`. Probably changes
  * `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`. Supported by 3DM-CV7-GNSS/INS.
  *
  * `GetCalibratedSensorRanges` lists the settings. The device may reject other settings, or measure incorrectly with
@@ -3449,8 +3444,7 @@ export declare class SensorRange<R extends Response | undefined = undefined | Se
  *
  * Gets the ranges that a sensor supports.
  *
- * Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges`. Response: `GetCalibratedSensorRangesResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -3465,7 +3459,7 @@ export declare class GetCalibratedSensorRanges extends Command<GetCalibratedSens
  *
  * Configures the low-pass filter of a data field.
  *
- * Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`,
  * `sensor.ScaledPressure`, `filter_data.CompAccel`, `filter_data.CompAngularRate` and `filter_data.LinearAccel`.
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07.
@@ -3509,9 +3503,9 @@ export declare class LowPassFilter<R extends Response | undefined = undefined | 
  *
  * Selects MIP data or the raw data of a sensor for a stream.
  *
- * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain:
- * Which devices have it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions
+ * Which devices support it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions
  * other than write require `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
  * `format`.
  *
@@ -3546,9 +3540,9 @@ export declare class DataStreamFormat<R extends Response | undefined = undefined
  *
  * Sets the power state of an internal sensor.
  *
- * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `DevicePowerStateResponse`. The device may take 5 s to reply. Known only from the MIP SDK of 2014 and MicroStrain
- * Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the
+ * Communication Library. Uncertain: Which devices support it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the
  * 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether
  * `state` may be omitted with functions other than write. The SDK of 2014 sends `device` with every function, and a 0
  * in place of `state`.
@@ -3582,7 +3576,7 @@ export declare class DevicePowerState<R extends Response | undefined = undefined
  * Saves, loads or resets the settings of the GNSS receiver that were made in direct mode.
  *
  * No device is known for certain to support it. For advanced use. Functions: `save`, `load` and `default`. Known only
- * from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the
+ * from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices support it. A comment in the
  * SDK of 2014 names the 3DM-GX3-35.
  *
  * In direct mode, your program configures the u-blox receiver with its own protocol; see `system.CommMode`.
@@ -3607,7 +3601,7 @@ export declare class GpsAdvancedSettings extends Command<undefined> {
  *
  * Gets the state of the device, in basic form or with counters.
  *
- * For advanced use. Answered by `DeviceStatusBasicRq1ImuResponse`, `DeviceStatusBasicResponse`,
+ * For advanced use. Response: `DeviceStatusBasicRq1ImuResponse`, `DeviceStatusBasicResponse`,
  * `DeviceStatusBasicWithoutStateResponse`, `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
  * `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,
  * `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse`,

@@ -84,7 +84,7 @@ export declare const LlhAxisFlags: Bitfield<LlhAxisFlags> & {
 /**
  * Frame configuration response (0x13,0x81).
  *
- * Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+ * Response to `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -113,7 +113,7 @@ export declare class FrameConfigResponse extends Response {
 /**
  * Echo control response (0x13,0x9F).
  *
- * Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -129,7 +129,7 @@ export declare class EchoControlResponse extends Response {
  *
  * Sets the position and the orientation of an external sensor on the vehicle.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `FrameConfigResponse`. Changes
  * `filter_data.AidingFrameConfigError`. Probably changes `filter_data.AidingFrameConfigErrorUncertainty`. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
@@ -181,8 +181,8 @@ export declare class FrameConfig<R extends Response | undefined = undefined | Fr
  *
  * Sets how the device replies to aiding measurements.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`. Supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EchoControlResponse`. Supported by 3DM-CV7-AHRS,
+ * 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The manual does not contain the layout of the responses that carry the data back.
  *

@@ -42,7 +42,7 @@ export declare const GpsTimeField: Enumeration<GpsTimeField> & {
 /**
  * Get device information response (0x01,0x81).
  *
- * Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+ * Response to `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
  * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
@@ -57,7 +57,7 @@ export declare class GetDeviceInfoResponse extends Response {
 /**
  * Get device descriptors response (0x01,0x82).
  *
- * Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+ * Response to `GetDeviceDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
@@ -72,7 +72,7 @@ export declare class GetDeviceDescriptorsResponse extends Response {
 /**
  * Built-in test response (0x01,0x83).
  *
- * Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+ * Response to `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
@@ -103,7 +103,7 @@ export declare class BuiltInTestResponse extends Response {
  *
  * The current week number.
  *
- * Answers `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.WEEK_NUMBER`. Supported by 3DM-CX5-10, 3DM-GQ4-45,
+ * Response to `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.WEEK_NUMBER`. Supported by 3DM-CX5-10, 3DM-GQ4-45,
  * 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
@@ -121,8 +121,8 @@ export declare class GpsTimeUpdateWeekNumberResponse extends Response {
  *
  * The current time of week.
  *
- * Answers `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.TOW`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35.
+ * Response to `GpsTimeUpdate`. Sent if `fieldId` is `GpsTimeField.TOW`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15
+ * and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -137,7 +137,7 @@ export declare class GpsTimeUpdateTowResponse extends Response {
 /**
  * Get device descriptors (extended) response (0x01,0x86).
  *
- * Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS,
+ * Response to `GetExtendedDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS,
  * 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
@@ -152,7 +152,8 @@ export declare class GetExtendedDescriptorsResponse extends Response {
 /**
  * Continuous built-in test response (0x01,0x88).
  *
- * Also called `continuous_bit_response`. Answers `ContinuousBuiltInTest`. Supported by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Also called `continuous_bit_response`. Response to `ContinuousBuiltInTest`. Supported by 3DM-CV7-AR and
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
@@ -171,7 +172,7 @@ export declare class ContinuousBuiltInTestResponse extends Response {
 /**
  * Comm port speed response (0x01,0x89).
  *
- * Answers `CommSpeed`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response to `CommSpeed`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
@@ -234,7 +235,7 @@ export declare class SetIdle extends Command<undefined> {
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
+ * Response: `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
@@ -249,7 +250,7 @@ export declare class GetDeviceInfo extends Command<GetDeviceInfoResponse> {
  *
  * Gets the command and data descriptors that the device supports.
  *
- * Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+ * Response: `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10,
  * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * If the list contains the descriptor of `GetExtendedDescriptors`, that command returns further descriptors.
@@ -266,7 +267,7 @@ export declare class GetDeviceDescriptors extends Command<GetDeviceDescriptorsRe
  *
  * Runs the self test of the device and gets its result.
  *
- * Answered by `BuiltInTestResponse`. The device may take 10 s to reply. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+ * Response: `BuiltInTestResponse`. The device may take 10 s to reply. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: The maximum duration of the test. The manual of
  * the 3DM-CV7 states several seconds; 10 s leaves room for that.
  *
@@ -303,7 +304,7 @@ export declare class Resume extends Command<undefined> {
  *
  * Gets the supported descriptors that did not fit into the reply of `GetDeviceDescriptors`.
  *
- * Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+ * Response: `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * Only supported if `GetDeviceDescriptors` lists it.
@@ -320,7 +321,7 @@ export declare class GetExtendedDescriptors extends Command<GetExtendedDescripto
  *
  * Gets the flags of the tests that run all the time. It does not interrupt operation.
  *
- * Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by 3DM-CV7-AR and
+ * Also called `continuous_bit`. Response: `ContinuousBuiltInTestResponse`. Supported by 3DM-CV7-AR and
  * 3DM-CV7-GNSS/INS.
  *
  * It is less thorough than `BuiltInTest`. Each flag stays set until this command reports it; the streamed field has its
@@ -337,7 +338,7 @@ export declare class ContinuousBuiltInTest extends Command<ContinuousBuiltInTest
  *
  * Sets the baud rate of one communication port.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`. Supported by 3DM-CV7-AHRS,
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommSpeedResponse`. Supported by 3DM-CV7-AHRS,
  * 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms. Send it alone in a packet while
@@ -385,7 +386,7 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
  *
  * Sets the week number or the time of week of the external (GPS) time.
  *
- * Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or `GpsTimeUpdateTowResponse`.
+ * Functions: `write`, `read` and `apply`. Response: `GpsTimeUpdateWeekNumberResponse` or `GpsTimeUpdateTowResponse`.
  * Changes `filter_data.Timestamp`, `sensor.GpsTimestamp`, `shared.GpsTimestamp` and `shared.ExternalTimestamp`.
  * Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: `write`
  * only.

@@ -12,7 +12,7 @@ import type * as types from "./types.mjs";
 /**
  * Get Analog to Displacement Calibration response (0x11,0x81).
  *
- * No device is known for certain to support it. Also called `get_analog_displacement_calibration_response`. Answers
+ * No device is known for certain to support it. Also called `get_analog_displacement_calibration_response`. Response to
  * `GetCalibration`. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
@@ -28,8 +28,8 @@ export declare class GetCalibrationResponse extends Response {
 /**
  * Displacement Output Data Rate response (0x11,0x82).
  *
- * No device is known for certain to support it. Also called `displacement_output_rate_response`. Answers `OutputRate`.
- * Known only from the MicroStrain Communication Library.
+ * No device is known for certain to support it. Also called `displacement_output_rate_response`. Response to
+ * `OutputRate`. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Displacement Output Data Rate (0x11,0x02)
  */
@@ -44,7 +44,7 @@ export declare class OutputRateResponse extends Response {
  *
  * Reads the slope and offset with which the device converts ADC counts to displacement.
  *
- * No device is known for certain to support it. Also called `get_analog_displacement_calibration`. Answered by
+ * No device is known for certain to support it. Also called `get_analog_displacement_calibration`. Response:
  * `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
@@ -58,7 +58,7 @@ export declare class GetCalibration extends Command<GetCalibrationResponse> {
  *
  * Reads the rate at which displacement is measured.
  *
- * No device is known for certain to support it. Also called `displacement_output_rate`. Functions: `read`. Answered by
+ * No device is known for certain to support it. Also called `displacement_output_rate`. Functions: `read`. Response:
  * `OutputRateResponse`. Known only from the MicroStrain Communication Library. Uncertain: Whether the rate can be
  * written. MSCL only reads it.
  *

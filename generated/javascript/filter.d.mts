@@ -299,7 +299,7 @@ export declare const ReferencePoint: Enumeration<ReferencePoint> & {
 /**
  * Vehicle dynamics mode response (0x0D,0x80).
  *
- * Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
  */
@@ -312,7 +312,7 @@ export declare class VehicleDynamicsModeResponse extends Response {
 /**
  * Sensor to vehicle frame transformation response (0x0D,0x81).
  *
- * Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -329,7 +329,7 @@ export declare class SensorToVehicleRotationEulerResponse extends Response {
 /**
  * Sensor to vehicle offset response (0x0D,0x82).
  *
- * Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
  */
@@ -345,7 +345,7 @@ export declare class SensorToVehicleOffsetResponse extends Response {
 /**
  * GNSS antenna offset response (0x0D,0x83).
  *
- * Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+ * Response to `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -363,7 +363,7 @@ export declare class AntennaOffsetResponse extends Response {
 /**
  * Estimation control flags response (0x0D,0x84).
  *
- * Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -376,7 +376,7 @@ export declare class EstimationControlResponse extends Response {
 /**
  * GNSS aiding source response (0x0D,0x86).
  *
- * Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * Response to `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -389,7 +389,7 @@ export declare class GnssSourceResponse extends Response {
 /**
  * Heading update control response (0x0D,0x87).
  *
- * Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -402,7 +402,7 @@ export declare class HeadingSourceResponse extends Response {
 /**
  * Automatic initialization response (0x0D,0x88).
  *
- * Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by 3DM-GX5-15 and
+ * Also called `auto_init_control_response`. Response to `AutoInitializationControl`. Supported by 3DM-GX5-15 and
  * 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
@@ -416,7 +416,7 @@ export declare class AutoInitializationControlResponse extends Response {
 /**
  * Accelerometer noise response (0x0D,0x89).
  *
- * Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -430,7 +430,7 @@ export declare class AccelNoiseResponse extends Response {
 /**
  * Gyroscope noise response (0x0D,0x8A).
  *
- * Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -444,7 +444,7 @@ export declare class GyroNoiseResponse extends Response {
 /**
  * Accelerometer bias model response (0x0D,0x8B).
  *
- * Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+ * Response to `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -459,7 +459,7 @@ export declare class AccelBiasModelResponse extends Response {
 /**
  * Gyroscope bias model response (0x0D,0x8C).
  *
- * Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -475,7 +475,7 @@ export declare class GyroBiasModelResponse extends Response {
 /**
  * Automatic zero velocity update response (0x0D,0x8D).
  *
- * Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -490,7 +490,8 @@ export declare class AutoZuptResponse extends Response {
 /**
  * Zero angular rate update response (0x0D,0x8E).
  *
- * Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
+ * 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -506,7 +507,7 @@ export declare class AutoAngularZuptResponse extends Response {
 /**
  * Set reference position response (0x0D,0x90).
  *
- * Answers `ReferencePosition`. Supported by 3DM-GX5-15.
+ * Response to `ReferencePosition`. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -528,7 +529,7 @@ export declare class ReferencePositionResponse extends Response {
 /**
  * Gravity noise response (0x0D,0x93).
  *
- * Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -542,7 +543,7 @@ export declare class GravityNoiseResponse extends Response {
 /**
  * Pressure altitude noise response (0x0D,0x94).
  *
- * Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
  */
@@ -555,7 +556,7 @@ export declare class PressureAltitudeNoiseResponse extends Response {
 /**
  * Hard iron offset noise response (0x0D,0x96).
  *
- * Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
  */
@@ -568,7 +569,7 @@ export declare class HardIronOffsetNoiseResponse extends Response {
 /**
  * Soft iron matrix noise response (0x0D,0x97).
  *
- * Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
  */
@@ -584,8 +585,9 @@ export declare class SoftIronMatrixNoiseResponse extends Response {
 /**
  * Tare orientation response (0x0D,0xA1).
  *
- * No device is known for certain to support it. Answers `TareOrientation`. Uncertain: Which devices send it. The SDK
- * reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
+ * No device is known for certain to support it. Response to `TareOrientation`. Uncertain: Which devices send it. The
+ * SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the
+ * response.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare orientation (0x0D,0x21)
@@ -599,7 +601,7 @@ export declare class TareOrientationResponse extends Response {
 /**
  * Enable or disable measurements response (0x0D,0xB0).
  *
- * Answers `EnableMeasurements`. Supported by 3DM-GX5-15.
+ * Response to `EnableMeasurements`. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -612,7 +614,7 @@ export declare class EnableMeasurementsResponse extends Response {
 /**
  * Magnetometer noise response (0x0D,0xB1).
  *
- * Answers `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -625,8 +627,8 @@ export declare class MagNoiseResponse extends Response {
 /**
  * Magnetic declination source response (0x0D,0xB2).
  *
- * Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
- * 3DM-GX5-45.
+ * Response to `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS
+ * and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  * - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -646,7 +648,7 @@ export declare class MagneticDeclinationSourceResponse extends Response {
 /**
  * Gravity magnitude error adaptive measurement response (0x0D,0xB3).
  *
- * Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -671,7 +673,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurementResponse extends Resp
 /**
  * Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
  *
- * Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -711,7 +713,7 @@ export declare class MagMagnitudeErrorAdaptiveMeasurementResponse extends Respon
 /**
  * Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
  *
- * Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -741,7 +743,7 @@ export declare class MagDipAngleErrorAdaptiveMeasurementResponse extends Respons
 /**
  * Altitude aiding response (0x0D,0xB7).
  *
- * Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Altitude aiding (0x0D,0x47)
  */
@@ -754,7 +756,7 @@ export declare class AltitudeAidingResponse extends Response {
 /**
  * Pitch and roll aiding response (0x0D,0xBB).
  *
- * Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -767,8 +769,8 @@ export declare class PitchRollAidingResponse extends Response {
 /**
  * Magnetic inclination source response (0x0D,0xBC).
  *
- * Also called `inclination_source_response`. Answers `MagneticInclinationSource`. Known only from the MicroStrain MIP
- * SDK.
+ * Also called `inclination_source_response`. Response to `MagneticInclinationSource`. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
@@ -787,8 +789,8 @@ export declare class MagneticInclinationSourceResponse extends Response {
 /**
  * Magnetic field magnitude source response (0x0D,0xBD).
  *
- * Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`. Known only from the MicroStrain
- * MIP SDK.
+ * Also called `mag_field_magnitude_source_response`. Response to `MagneticMagnitudeSource`. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -806,7 +808,7 @@ export declare class MagneticMagnitudeSourceResponse extends Response {
 /**
  * Sensor to vehicle rotation, matrix response (0x0D,0xBE).
  *
- * Answers `SensorToVehicleRotationDcm`. Known only from the MicroStrain MIP SDK.
+ * Response to `SensorToVehicleRotationDcm`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
@@ -819,7 +821,7 @@ export declare class SensorToVehicleRotationDcmResponse extends Response {
 /**
  * Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
  *
- * Answers `SensorToVehicleRotationQuaternion`. Known only from the MicroStrain MIP SDK.
+ * Response to `SensorToVehicleRotationQuaternion`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
@@ -832,7 +834,7 @@ export declare class SensorToVehicleRotationQuaternionResponse extends Response 
 /**
  * Aiding measurement control response (0x0D,0xD0).
  *
- * Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -847,7 +849,7 @@ export declare class AidingMeasurementEnableResponse extends Response {
 /**
  * Kinematic constraint response (0x0D,0xD1).
  *
- * Answers `KinematicConstraint`. Known only from the MicroStrain MIP SDK.
+ * Response to `KinematicConstraint`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
@@ -864,8 +866,8 @@ export declare class KinematicConstraintResponse extends Response {
 /**
  * Navigation filter initialization response (0x0D,0xD2).
  *
- * Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * Also called `initialization_configuration_response`. Response to `InitializationConfig`. Supported by
+ * 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -905,7 +907,7 @@ export declare class InitializationConfigResponse extends Response {
 /**
  * Adaptive filter control response (0x0D,0xD3).
  *
- * Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -920,7 +922,7 @@ export declare class AdaptiveFilterOptionsResponse extends Response {
 /**
  * GNSS multi-antenna offset response (0x0D,0xD4).
  *
- * Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -937,7 +939,7 @@ export declare class MultiAntennaOffsetResponse extends Response {
 /**
  * Relative position configuration response (0x0D,0xD5).
  *
- * Also called `rel_pos_configuration_response`. Answers `RelativePositionConfig`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `rel_pos_configuration_response`. Response to `RelativePositionConfig`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -960,7 +962,7 @@ export declare class RelativePositionConfigResponse extends Response {
 /**
  * Reference point lever arm response (0x0D,0xD6).
  *
- * Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ref_point_lever_arm_response`. Response to `ReferencePointLeverArm`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -975,7 +977,7 @@ export declare class ReferencePointLeverArmResponse extends Response {
 /**
  * Speed measurement lever arm response (0x0D,0xE1).
  *
- * Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
@@ -990,7 +992,7 @@ export declare class SpeedLeverArmResponse extends Response {
 /**
  * Vertical gyro constraint response (0x0D,0xE2).
  *
- * Answers `VerticalGyroConstraintControl`. Known only from the MicroStrain MIP SDK.
+ * Response to `VerticalGyroConstraintControl`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
@@ -1003,7 +1005,7 @@ export declare class VerticalGyroConstraintControlResponse extends Response {
 /**
  * Wheeled vehicle constraint response (0x0D,0xE3).
  *
- * Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -1016,7 +1018,7 @@ export declare class WheeledVehicleConstraintControlResponse extends Response {
 /**
  * GNSS antenna offset calibration response (0x0D,0xE4).
  *
- * Also called `gnss_antenna_cal_control_response`. Answers `GnssAntennaCalibrationControl`. Supported by
+ * Also called `gnss_antenna_cal_control_response`. Response to `GnssAntennaCalibrationControl`. Supported by
  * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
@@ -1105,7 +1107,7 @@ export declare class SetInitialHeading extends Command<undefined> {
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Known only from the MIP
  * SDK of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set
  * initial heading from mag, and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45.
- * Uncertain: Which devices have it.
+ * Uncertain: Which devices support it.
  *
  * - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
  * - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -1137,7 +1139,7 @@ export declare class Run extends Command<undefined> {
  *
  * Adapts the filter to the expected motion.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `VehicleDynamicsModeResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `VehicleDynamicsModeResponse`. Probably changes
  * filter_data (0x82). Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
@@ -1169,7 +1171,7 @@ export declare class VehicleDynamicsMode<R extends Response | undefined = undefi
  *
  * Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleRotationEulerResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleRotationEulerResponse`. Changes
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
  * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and
@@ -1208,7 +1210,7 @@ export declare class SensorToVehicleRotationEuler<R extends Response | undefined
  *
  * Sets the origin of the vehicle frame relative to the sensor.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleOffsetResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleOffsetResponse`. Changes
  * `filter_data.LlhPosition`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The
  * direction, from the sensor to the origin of the vehicle frame, is inferred from the name.
  *
@@ -1242,7 +1244,7 @@ export declare class SensorToVehicleOffset<R extends Response | undefined = unde
  *
  * Sets the position of the GNSS antenna relative to the origin of the sensor.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AntennaOffsetResponse`. Probably changes
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
  * `filter_data.AntennaOffsetCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
  *
@@ -1279,7 +1281,7 @@ export declare class AntennaOffset<R extends Response | undefined = undefined | 
  *
  * Selects the states that the filter estimates.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EstimationControlResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EstimationControlResponse`. Changes
  * `filter_data.GyroBias`, `filter_data.AccelBias`, `filter_data.GyroScaleFactor`, `filter_data.AccelScaleFactor`,
  * `filter_data.AntennaOffsetCorrection`, `filter_data.MagOffset` and `filter_data.MagMatrix`. Probably changes
  * `filter_data.GyroBiasUncertainty`, `filter_data.AccelBiasUncertainty`, `filter_data.GyroScaleFactorUncertainty`,
@@ -1324,7 +1326,7 @@ export declare class EstimationControl<R extends Response | undefined = undefine
  *
  * Selects the GNSS receiver that aids the filter.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssSourceResponse`. Probably changes
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
  * `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
@@ -1417,7 +1419,7 @@ export declare class ExternalHeadingUpdate extends Command<undefined> {
  *
  * Selects the source of the heading that aids the filter.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `HeadingSourceResponse`. Changes
  * `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
  * `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -1461,7 +1463,7 @@ export declare class HeadingSource<R extends Response | undefined = undefined | 
  *
  * Sets whether the filter initializes automatically at power-up.
  *
- * Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Automatic initialization needs a valid heading source.
@@ -1491,7 +1493,7 @@ export declare class AutoInitializationControl<R extends Response | undefined = 
  *
  * Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelNoiseResponse`. Probably changes
  * `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`, `filter_data.NedVelocityUncertainty`,
  * `filter_data.EcefVelocityUncertainty` and `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS,
  * 3DM-GX5-15 and 3DM-GX5-45.
@@ -1524,7 +1526,7 @@ export declare class AccelNoise<R extends Response | undefined = undefined | Acc
  *
  * Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroNoiseResponse`. Probably changes
  * `filter_data.EulerAnglesUncertainty`, `filter_data.QuaternionAttitudeUncertainty` and
  * `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -1556,7 +1558,7 @@ export declare class GyroNoise<R extends Response | undefined = undefined | Gyro
  *
  * Sets the parameters of the accelerometer bias drift model.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelBiasModelResponse`. Probably changes
  * `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
@@ -1589,7 +1591,7 @@ export declare class AccelBiasModel<R extends Response | undefined = undefined |
  *
  * Sets the parameters of the gyroscope bias drift model.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroBiasModelResponse`. Probably changes
  * `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
  * 3DM-GX5-45.
  *
@@ -1624,7 +1626,7 @@ export declare class GyroBiasModel<R extends Response | undefined = undefined | 
  *
  * Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoZuptResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.NedVelocityUncertainty` and
  * `filter_data.EcefVelocityUncertainty`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain
  * MIP SDK.
@@ -1690,7 +1692,7 @@ export declare class ExternalHeadingUpdateWithTime extends Command<undefined> {
  *
  * Sets whether the filter assumes that the device is not rotating while its angular rate is low.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoAngularZuptResponse`. Probably changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.GyroBias` and
  * `filter_data.GyroBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
  * 3DM-GX5-45.
@@ -1725,7 +1727,7 @@ export declare class AutoAngularZupt<R extends Response | undefined = undefined 
  *
  * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `TareOrientationResponse`. Changes
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
  * `filter_data.CompAngularRate`, `filter_data.GravityVector` and `filter_data.CompAccel`. Supported by 3DM-GX5-15 and
@@ -1792,7 +1794,7 @@ export declare class CommandedAngularZupt extends Command<undefined> {
  *
  * Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ReferencePositionResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ReferencePositionResponse`. Changes
  * `filter_data.Wgs84GravityMagnitude` and `filter_data.MagneticModel`. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
@@ -1853,7 +1855,7 @@ export declare class MagCaptureAutoCalibration extends Command<undefined> {
  *
  * Sets the standard deviation of the gravity noise that the filter assumes (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `GravityNoiseResponse`. Probably changes
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS,
  * 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -1885,9 +1887,9 @@ export declare class GravityNoise<R extends Response | undefined = undefined | G
  *
  * Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PressureAltitudeNoiseResponse`. Probably
- * changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from
- * the MicroStrain MIP SDK.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `PressureAltitudeNoiseResponse`. Probably changes
+ * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * With a small value, the altitude follows the pressure faster, but weather and draughts appear as changes of height.
  *
@@ -1916,7 +1918,7 @@ export declare class PressureAltitudeNoise<R extends Response | undefined = unde
  *
  * Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HardIronOffsetNoiseResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `HardIronOffsetNoiseResponse`. Probably changes
  * `filter_data.MagOffset` and `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
@@ -1945,7 +1947,7 @@ export declare class HardIronOffsetNoise<R extends Response | undefined = undefi
  *
  * Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SoftIronMatrixNoiseResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SoftIronMatrixNoiseResponse`. Probably changes
  * `filter_data.MagMatrix` and `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
@@ -1977,7 +1979,7 @@ export declare class SoftIronMatrixNoise<R extends Response | undefined = undefi
  *
  * Selects the inertial measurements that the filter uses.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EnableMeasurementsResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `EnableMeasurementsResponse`. Probably changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15.
  *
@@ -2010,7 +2012,7 @@ export declare class EnableMeasurements<R extends Response | undefined = undefin
  *
  * Sets the standard deviation of the magnetometer noise that the filter assumes.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagNoiseResponse`. Probably changes
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
  * only from the MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
  * measurement.
@@ -2040,7 +2042,7 @@ export declare class MagNoise<R extends Response | undefined = undefined | MagNo
  *
  * Selects the source of the local declination of the magnetic field.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagneticDeclinationSourceResponse`. Probably
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagneticDeclinationSourceResponse`. Probably
  * changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
@@ -2084,10 +2086,10 @@ export declare class MagneticDeclinationSource<R extends Response | undefined = 
  *
  * Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by
- * `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes `filter_data.AttitudeQuaternion`,
- * `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
- * `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelMagnitudeErrorAdaptiveMeasurementResponse`.
+ * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
+ * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and
+ * 3DM-GX5-45.
  *
  * Also called accelerometer magnitude error adaptive measurement. All parameters after the selector keep their values
  * if they are omitted. The low-pass filter and the limits take effect only with `fixed`. Raise the limits where
@@ -2136,7 +2138,7 @@ export declare class AccelMagnitudeErrorAdaptiveMeasurement<R extends Response |
  *
  * Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagMagnitudeErrorAdaptiveMeasurementResponse`.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagMagnitudeErrorAdaptiveMeasurementResponse`.
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
  * only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be omitted on write, as
@@ -2202,7 +2204,7 @@ export declare class MagMagnitudeErrorAdaptiveMeasurement<R extends Response | u
  *
  * Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagDipAngleErrorAdaptiveMeasurementResponse`.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagDipAngleErrorAdaptiveMeasurementResponse`.
  * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known
  * only from the MicroStrain MIP SDK.
@@ -2253,7 +2255,7 @@ export declare class MagDipAngleErrorAdaptiveMeasurement<R extends Response | un
  *
  * Selects the source that aids the altitude in addition to GNSS.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AltitudeAidingResponse`. Probably changes
  * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
@@ -2285,7 +2287,7 @@ export declare class AltitudeAiding<R extends Response | undefined = undefined |
  *
  * Selects the source that aids pitch and roll while the motion is gentle.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `PitchRollAidingResponse`. Probably changes
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and
  * 3DM-GX5-45.
@@ -2315,7 +2317,7 @@ export declare class PitchRollAiding<R extends Response | undefined = undefined 
  *
  * Selects the source of the local inclination (dip angle) of the magnetic field.
  *
- * Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `MagneticInclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
  * `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
@@ -2352,7 +2354,7 @@ export declare class MagneticInclinationSource<R extends Response | undefined = 
  *
  * Selects the source of the local magnitude of the magnetic field.
  *
- * Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `MagneticMagnitudeSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
  * `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
@@ -2390,7 +2392,7 @@ export declare class MagneticMagnitudeSource<R extends Response | undefined = un
  *
  * Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleRotationDcmResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleRotationDcmResponse`. Changes
  * `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
  * `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes `filter_data.CompAccel`. Not listed
@@ -2428,7 +2430,7 @@ export declare class SensorToVehicleRotationDcm<R extends Response | undefined =
  *
  * Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorToVehicleRotationQuaternionResponse`.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorToVehicleRotationQuaternionResponse`.
  * Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.LinearAccel`,
  * `filter_data.CompAngularRate` and `filter_data.GravityVector`. Probably changes `filter_data.CompAccel`. Not listed
@@ -2465,7 +2467,7 @@ export declare class SensorToVehicleRotationQuaternion<R extends Response | unde
  *
  * Enables or disables one source of aiding measurements.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AidingMeasurementEnableResponse`. Changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AidingMeasurementEnableResponse`. Changes
  * `filter_data.AidingMeasurementSummary`. Probably changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR
  * and 3DM-CV7-GNSS/INS.
  *
@@ -2509,10 +2511,10 @@ export declare class AidingMeasurementEnable<R extends Response | undefined = un
  *
  * Sets the assumptions about the motion that the filter uses in place of measurements.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `KinematicConstraintResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `KinematicConstraintResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`
  * and `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
- * Whether there are further values. The SDK has plain numbers and states the values in remarks.
+ * Whether there are further values. The SDK uses plain numbers and lists the values in comments.
  *
  * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
@@ -2543,7 +2545,7 @@ export declare class KinematicConstraint<R extends Response | undefined = undefi
  *
  * Sets the sources and values of the initial attitude, position and velocity of the filter.
  *
- * Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `InitializationConfigResponse`. Probably changes `filter_data.Status`, `filter_data.LlhPosition`,
  * `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`,
  * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
@@ -2611,8 +2613,8 @@ export declare class InitializationConfig<R extends Response | undefined = undef
  *
  * Sets how the filter adapts to measurements that do not fit its model.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AdaptiveFilterOptionsResponse`. Probably
- * changes filter_data (0x82). Supported by 3DM-CV7-GNSS/INS.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `AdaptiveFilterOptionsResponse`. Probably changes
+ * filter_data (0x82). Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -2645,7 +2647,7 @@ export declare class AdaptiveFilterOptions<R extends Response | undefined = unde
  *
  * Sets the position of the antenna of one receiver on devices with several antennas.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MultiAntennaOffsetResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `MultiAntennaOffsetResponse`. Probably changes
  * `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
  * `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
  * `filter_data.MultiAntennaOffsetCorrection` and `filter_data.GnssDualAntennaStatus`. Supported by 3DM-CV7-GNSS/INS.
@@ -2680,7 +2682,7 @@ export declare class MultiAntennaOffset<R extends Response | undefined = undefin
  *
  * Sets the reference point of the relative position that the filter reports.
  *
- * Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
@@ -2718,7 +2720,7 @@ export declare class RelativePositionConfig<R extends Response | undefined = und
  *
  * Moves the point to which the position and the velocity of the filter refer.
  *
- * Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`. Supported by
  * 3DM-CV7-GNSS/INS.
@@ -2780,7 +2782,7 @@ export declare class SpeedMeasurement extends Command<undefined> {
  *
  * Sets the position of the point whose speed is measured, such as the wheel that drives the odometer.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`. Probably changes
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `SpeedLeverArmResponse`. Probably changes
  * `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.OdometerScaleFactorError`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
@@ -2816,9 +2818,9 @@ export declare class SpeedLeverArm<R extends Response | undefined = undefined | 
  *
  * Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `VerticalGyroConstraintControlResponse`.
- * Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
- * listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `VerticalGyroConstraintControlResponse`. Probably
+ * changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * It assumes that the linear acceleration is zero.
  *
@@ -2847,7 +2849,7 @@ export declare class VerticalGyroConstraintControl<R extends Response | undefine
  *
  * Sets whether the filter assumes that the vehicle moves only along its x axis.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `WheeledVehicleConstraintControlResponse`.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `WheeledVehicleConstraintControlResponse`.
  * Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`,
  * `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2879,7 +2881,7 @@ export declare class WheeledVehicleConstraintControl<R extends Response | undefi
  *
  * Enables antenna offset calibration.
  *
- * Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `GnssAntennaCalibrationControlResponse`. Changes `filter_data.MultiAntennaOffsetCorrection`. Probably changes
  * `filter_data.MultiAntennaOffsetCorrectionUncertainty`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *

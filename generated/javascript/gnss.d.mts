@@ -104,7 +104,7 @@ export declare const ReceiverResetType: Enumeration<ReceiverResetType> & {
     readonly WARM: ReceiverResetType & 3;
     /**
      * Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The name, which an earlier
-     * branch of the SDK exchanges with that of 3.
+     * branch of the SDK swaps with that of 3.
      */
     readonly HOT: ReceiverResetType & 4;
 };
@@ -141,13 +141,13 @@ export declare const SpartnConnection: Enumeration<SpartnConnection> & {
 /**
  * Receiver info response (0x0E,0x81).
  *
- * Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
 export declare class ReceiverInfoResponse extends Response {
     constructor(values: Values<ReceiverInfoResponse>);
-    /** On the wire only: num_receivers. Number of physical receivers. The number of elements of `receiverInfo`. */
+    /** On the wire only: num_receivers. Number of physical receivers. Counts the elements of `receiverInfo`. */
     /** One entry for each receiver. */
     receiverInfo: ReceiverInfoEntry[];
 }
@@ -155,7 +155,7 @@ export declare class ReceiverInfoResponse extends Response {
 /**
  * Signal configuration response (0x0E,0x82).
  *
- * Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `signal_configuration_response`. Response to `SignalConfig`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
@@ -177,7 +177,7 @@ export declare class SignalConfigResponse extends Response {
 /**
  * RTK configuration response (0x0E,0x84).
  *
- * Also called `rtk_configuration_response`. Answers `RtkConfig`. Known only from the MicroStrain MIP SDK.
+ * Also called `rtk_configuration_response`. Response to `RtkConfig`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK configuration (0x0E,0x04)
  */
@@ -192,7 +192,7 @@ export declare class RtkConfigResponse extends Response {
 /**
  * RTK dongle configuration response (0x0E,0x90).
  *
- * No device is known for certain to support it. Also called `rtk_dongle_configuration_response`. Answers
+ * No device is known for certain to support it. Also called `rtk_dongle_configuration_response`. Response to
  * `RtkDongleConfig`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
@@ -208,7 +208,7 @@ export declare class RtkDongleConfigResponse extends Response {
 /**
  * SPARTN configuration response (0x0E,0xA0).
  *
- * Also called `spartn_configuration_response`. Answers `SpartnConfig`. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `spartn_configuration_response`. Response to `SpartnConfig`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -239,7 +239,7 @@ export declare class SpartnConfigResponse extends Response {
  *
  * Gets the GNSS receivers of the device.
  *
- * Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
+ * Response: `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -252,7 +252,7 @@ export declare class ReceiverInfo extends Command<ReceiverInfoResponse> {
  *
  * Selects the GNSS signals that the device uses.
  *
- * Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SatelliteStatus` and `gnss_data.Raw`.
  * Supported by 3DM-CV7-GNSS/INS. On the 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
@@ -294,8 +294,8 @@ export declare class SignalConfig<R extends Response | undefined = undefined | S
  *
  * Resets a GNSS receiver of the device.
  *
- * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which devices have it. The SDK
- * does not name any.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which devices support it. The
+ * SDK does not name any.
  *
  * Only internal receivers can be reset. Some devices do not support all reset types.
  *
@@ -314,10 +314,10 @@ export declare class ReceiverReset extends Command<undefined> {
  *
  * Sets how readily the device fixes the ambiguities of an RTK solution.
  *
- * Also called `rtk_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `rtk_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `RtkConfigResponse`. Probably changes `gnss_data.FixInfo` and `gnss_data.LlhPosition`. Not listed in any device
- * profile. Known only from the MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver
- * report it as experimental on the 3DM-GQ7, which accepts `conservative` only.
+ * profile. Known only from the MicroStrain MIP SDK. Uncertain: Which devices support it. Users of the vendor's ROS
+ * driver report it as experimental on the 3DM-GQ7, which accepts `conservative` only.
  *
  * The available modes differ by device.
  *
@@ -349,8 +349,8 @@ export declare class RtkConfig<R extends Response | undefined = undefined | RtkC
  * Switches the communication with a connected RTK dongle on or off.
  *
  * No device is known for certain to support it. Also called `rtk_dongle_configuration`. Functions: `write`, `read`,
- * `save`, `load` and `default`. Answered by `RtkDongleConfigResponse`. Probably changes
- * `gnss_data.RtkCorrectionsStatus`. Known only from the MicroStrain MIP SDK.
+ * `save`, `load` and `default`. Response: `RtkDongleConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */
@@ -379,10 +379,10 @@ export declare class RtkDongleConfig<R extends Response | undefined = undefined 
  *
  * Sets the source and the keys of SPARTN corrections.
  *
- * Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+ * Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
  * `SpartnConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Supported by 3DM-CV7-GNSS/INS. Uncertain:
- * Whether the device accepts upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
- * the command has "bc" for 0xBC.
+ * Whether the device accepts upper and lower case. The section on UART uses the digits 0-9 and A-F, the description of
+ * the command uses "bc" for 0xBC.
  *
  * A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any time. While SPARTN
  * corrections are enabled, RTCM corrections are blocked. A key has 16 bytes, none of them 0. Send it as 32 hexadecimal

@@ -4,7 +4,7 @@
  * Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
  *
  * Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the names. Uncertain: How
- * the strings are padded or ended.
+ * the strings are padded or terminated.
  *
  * - mip-sdk-4: Rtk Commands (0x0F)
  */
@@ -69,7 +69,7 @@ export declare const LedAction: Enumeration<LedAction> & {
 /**
  * Get status flags response (0x0F,0x81).
  *
- * No device is known for certain to support it. Answers `GetStatusFlags`. Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Response to `GetStatusFlags`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
@@ -82,7 +82,7 @@ export declare class GetStatusFlagsResponse extends Response {
 /**
  * Get IMEI response (0x0F,0x82).
  *
- * Answers `GetImei`. Known only from the MicroStrain MIP SDK.
+ * Response to `GetImei`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get IMEI (0x0F,0x02)
  */
@@ -95,7 +95,7 @@ export declare class GetImeiResponse extends Response {
 /**
  * Get IMSI response (0x0F,0x83).
  *
- * Answers `GetImsi`. Known only from the MicroStrain MIP SDK.
+ * Response to `GetImsi`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get IMSI (0x0F,0x03)
  */
@@ -108,7 +108,7 @@ export declare class GetImsiResponse extends Response {
 /**
  * Get ICCID response (0x0F,0x84).
  *
- * Answers `GetIccid`. Known only from the MicroStrain MIP SDK.
+ * Response to `GetIccid`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get ICCID (0x0F,0x04)
  */
@@ -121,8 +121,8 @@ export declare class GetIccidResponse extends Response {
 /**
  * Get RSSI response (0x0F,0x85).
  *
- * Answers `GetRssi`. Known only from the MicroStrain MIP SDK. Uncertain: That `valid` applies to the other values is
- * inferred.
+ * Response to `GetRssi`. Known only from the MicroStrain MIP SDK. Uncertain: That `valid` applies to the other values
+ * is inferred.
  *
  * - mip-sdk-4: Get RSSI (0x0F,0x05)
  */
@@ -139,7 +139,7 @@ export declare class GetRssiResponse extends Response {
 /**
  * Connected device type response (0x0F,0x86).
  *
- * Answers `ConnectedDeviceType`. Known only from the MicroStrain MIP SDK.
+ * Response to `ConnectedDeviceType`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Connected device type (0x0F,0x06)
  */
@@ -152,8 +152,8 @@ export declare class ConnectedDeviceTypeResponse extends Response {
 /**
  * Get activation code response (0x0F,0x87).
  *
- * No device is known for certain to support it. Also called `get_act_code_response`. Answers `GetActivationCode`. Known
- * only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Also called `get_act_code_response`. Response to `GetActivationCode`.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -166,7 +166,7 @@ export declare class GetActivationCodeResponse extends Response {
 /**
  * Get modem firmware version response (0x0F,0x88).
  *
- * Answers `GetModemFirmwareVersion`. Known only from the MicroStrain MIP SDK.
+ * Response to `GetModemFirmwareVersion`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get modem firmware version (0x0F,0x08)
  */
@@ -181,7 +181,7 @@ export declare class GetModemFirmwareVersionResponse extends Response {
  *
  * Connection status according to the server.
  *
- * Answers `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the counters count.
+ * Response to `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the counters count.
  *
  * - mip-sdk-4: Service status (0x0F,0x0A)
  */
@@ -202,8 +202,8 @@ export declare class ServiceStatusResponse extends Response {
  *
  * Gets the state of the modem and of the corrections.
  *
- * No device is known for certain to support it. Answered by `GetStatusFlagsResponse`. Known only from the MicroStrain
- * MIP SDK.
+ * No device is known for certain to support it. Response: `GetStatusFlagsResponse`. Known only from the MicroStrain MIP
+ * SDK.
  *
  * The status word in the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`.
  *
@@ -218,7 +218,7 @@ export declare class GetStatusFlags extends Command<GetStatusFlagsResponse> {
  *
  * Gets the identity of the modem.
  *
- * Answered by `GetImeiResponse`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Response: `GetImeiResponse`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get IMEI (0x0F,0x02)
  */
@@ -231,7 +231,7 @@ export declare class GetImei extends Command<GetImeiResponse> {
  *
  * Gets the identity of the subscriber.
  *
- * Answered by `GetImsiResponse`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Response: `GetImsiResponse`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get IMSI (0x0F,0x03)
  */
@@ -244,7 +244,7 @@ export declare class GetImsi extends Command<GetImsiResponse> {
  *
  * Gets the number of the SIM card.
  *
- * Answered by `GetIccidResponse`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Response: `GetIccidResponse`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get ICCID (0x0F,0x04)
  */
@@ -257,7 +257,7 @@ export declare class GetIccid extends Command<GetIccidResponse> {
  *
  * Gets the strength of the cellular signal.
  *
- * Answered by `GetRssiResponse`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+ * Response: `GetRssiResponse`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get RSSI (0x0F,0x05)
  */
@@ -270,8 +270,8 @@ export declare class GetRssi extends Command<GetRssiResponse> {
  *
  * Sets the type of device that the modem is connected to.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `ConnectedDeviceTypeResponse`. Not listed in
- * any device profile. Known only from the MicroStrain MIP SDK.
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `ConnectedDeviceTypeResponse`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Connected device type (0x0F,0x06)
  */
@@ -298,7 +298,7 @@ export declare class ConnectedDeviceType<R extends Response | undefined = undefi
  *
  * Reads the code that activates the modem for its service.
  *
- * No device is known for certain to support it. Also called `get_act_code`. Answered by `GetActivationCodeResponse`.
+ * No device is known for certain to support it. Also called `get_act_code`. Response: `GetActivationCodeResponse`.
  * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -312,7 +312,7 @@ export declare class GetActivationCode extends Command<GetActivationCodeResponse
  *
  * Gets the firmware version of the cellular modem.
  *
- * Answered by `GetModemFirmwareVersionResponse`. Not listed in any device profile. Known only from the MicroStrain MIP
+ * Response: `GetModemFirmwareVersionResponse`. Not listed in any device profile. Known only from the MicroStrain MIP
  * SDK.
  *
  * - mip-sdk-4: Get modem firmware version (0x0F,0x08)
@@ -326,8 +326,8 @@ export declare class GetModemFirmwareVersion extends Command<GetModemFirmwareVer
  *
  * Queries a correction server about the connection, which also keeps it open.
  *
- * Answered by `ServiceStatusResponse`. Sent by the device; the host replies. Not listed in any device profile. Known
- * only from the MicroStrain MIP SDK.
+ * Response: `ServiceStatusResponse`. Sent by the device; the host replies. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * The modem acts as the host and the server as the device.
  *

@@ -42,7 +42,7 @@ export declare const ProtocolMode: Enumeration<ProtocolMode> & {
 /**
  * Interface control response (0x7F,0x82).
  *
- * Answers `InterfaceControl`. Supported by 3DM-CV7-GNSS/INS.
+ * Response to `InterfaceControl`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - mip-sdk-4: Interface control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
@@ -60,7 +60,7 @@ export declare class InterfaceControlResponse extends Response {
 /**
  * Communication mode response (0x7F,0x90).
  *
- * Answers `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Response to `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
@@ -75,7 +75,7 @@ export declare class CommModeResponse extends Response {
  *
  * Sets the protocols that a port receives and sends.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `InterfaceControlResponse`. Supported by
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `InterfaceControlResponse`. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions. The change takes effect before the
@@ -114,7 +114,7 @@ export declare class InterfaceControl<R extends Response | undefined = undefined
  *
  * Switches the port between the device and one of its internal sensors.
  *
- * For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommModeResponse`. Supported
+ * For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommModeResponse`. Supported
  * by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * The ACK is sent in the old mode, just before the switch. In a direct mode, the device itself replies only to this

@@ -616,8 +616,8 @@ export interface EventActionMessage {
      */
     decimation: number;
     /**
-     * On the wire only: num_fields. Number of fields in the packet. The number of elements of `descriptors`. Range: 0
-     * to 12.
+     * On the wire only: num_fields. Number of fields in the packet. Counts the elements of `descriptors`. Range: 0 to
+     * 12.
      */
     /** Field descriptors, in order. Refers to fields of `descriptorSet`. */
     descriptors: number[];
@@ -1016,8 +1016,8 @@ export declare const RtkStatusFlags: Bitfield<RtkStatusFlags> & {
     /** Kind of cellular connection. Bits 4 to 7. */
     readonly CONNECTION_TYPE: RtkStatusFlags;
     /**
-     * Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of the vendor treats it as
-     * negative.
+     * Received signal strength. Bits 8 to 15. Uncertain: The unit and the sign; other software of the vendor treats it
+     * as negative.
      */
     readonly RSSI: RtkStatusFlags;
     /** Quality of the modem's radio signal. Bits 16 to 19. */

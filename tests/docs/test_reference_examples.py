@@ -35,11 +35,11 @@ def test_every_example_has_its_section(manual: Manual) -> None:
         assert prose(e.note, manual.model) in seen
         assert (
             (e.string is not None)
-            == ("As a string in the manual" in seen)
-            == (f"As a string in the manual: {e.string}\n" in seen)
+            == ("String in the manual" in seen)
+            == (f"String in the manual: {e.string}\n" in seen)
         )
         table = " ".join("??" if b is None else f"{b:02X}" for b in e.table or ())
-        assert (e.table is not None) == (f"As a table in the manual: {table}\n" in seen)
+        assert (e.table is not None) == (f"Table in the manual: {table}\n" in seen)
         check_values(manual.model, e, rows)
 
 

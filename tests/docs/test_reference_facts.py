@@ -196,7 +196,7 @@ def test_values_beside_parameters(manual: Manual) -> None:
     """The values and bits of each type that a parameter may have, those that overlap included, on the same page."""
     for f in manual.fields:
         page = manual.page(path_of(f)) if f.set else manual.page("packets.md")
-        found = re.findall(r"^##+ Values of ([^\n]*?)(?:: `(\w+)`)?$(.*?)(?=^#)", page + "\n#", re.M | re.S)
+        found = re.findall(r"^##+ Values of ([^\n]*?)(?: \(`(\w+)`\))?$(.*?)(?=^#)", page + "\n#", re.M | re.S)
         found = [(users, name or users.strip("`"), text) for users, name, text in found]
         for place in places(f):
             p = place.parameter

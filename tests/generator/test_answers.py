@@ -43,7 +43,7 @@ def test_echo_control() -> None:
 
 def test_a_response_says_once_what_it_answers() -> None:
     assert said(model("invented"), "tools.bias_vector", "commands") == [
-        "Answers <tools.bias> and <tools.capture_bias>."
+        "Response to <tools.bias> and <tools.capture_bias>."
     ]
     assert field(model("invented"), "tools.bias_vector").description == ""
 

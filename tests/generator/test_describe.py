@@ -43,7 +43,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
         (
             "tools.capture_bias",
             {
-                "responses": "Answered by <tools.bias_vector>.",
+                "responses": "Response: <tools.bias_vector>.",
                 "may_affect": "Probably changes <measurements.accel>.",
                 "flags": "Flagged by <sensor> of <model_a_faults>.",
                 "devices": A,
@@ -55,7 +55,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.bias",
             {
                 "functions": "Functions: <write>, <read>, <save>, <load> and <default>.",
-                "responses": "Answered by <tools.bias_vector>.",
+                "responses": "Response: <tools.bias_vector>.",
                 "affects": "Changes <measurements.accel> and <measurements.gust>.",
                 "may_affect": "Probably changes <more (0x81)>.",
                 "devices": A,
@@ -65,7 +65,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.set_time",
             {
                 "functions": "Functions: <write>, <read> and <apply>.",
-                "responses": "Answered by <tools.set_time_fast_response> or <tools.set_time_slow_response>.",
+                "responses": "Response: <tools.set_time_fast_response> or <tools.set_time_slow_response>.",
                 "devices": A,
                 "note": "Send it once a second.",
             },
@@ -74,7 +74,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.status",
             {
                 "advanced": "For advanced use.",
-                "responses": "Answered by <tools.status_paged>, <tools.status_short>, <tools.status_long>, "
+                "responses": "Response: <tools.status_paged>, <tools.status_short>, <tools.status_long>, "
                 "<tools.status_old> or <tools.status_full>.",
                 "timeout": "The device may take 2.5 s to reply.",
                 "devices": BOTH,
@@ -83,7 +83,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
         (
             "tools.status_old",
             {
-                "commands": "Answers <tools.status>.",
+                "commands": "Response to <tools.status>.",
                 "layout": "Distinguished from <tools.status_long> and <tools.status_full> by the size of its data.",
                 "when": "Sent if <selector> is 2.",
                 "devices": "Supported by <Model A>.",
@@ -92,9 +92,9 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
         ("tools.formats", {"silent": "Not acknowledged if <suppress_ack> is true.", "devices": A}),
         (
             "tools.set_time_slow_response",
-            {"commands": "Answers <tools.set_time>.", "when": "Sent if <part> is <slow>.", "devices": A},
+            {"commands": "Response to <tools.set_time>.", "when": "Sent if <part> is <slow>.", "devices": A},
         ),
-        ("tools.bias_vector", {"commands": "Answers <tools.bias> and <tools.capture_bias>.", "devices": A}),
+        ("tools.bias_vector", {"commands": "Response to <tools.bias> and <tools.capture_bias>.", "devices": A}),
         (
             "more.accel",
             {
@@ -110,7 +110,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.choice",
             {
                 "functions": "Functions: <write> and <read>.",
-                "responses": "Answered by <tools.choice_response>.",
+                "responses": "Response: <tools.choice_response>.",
                 "devices": "Supported by <Model A>.",
                 "refused": "Not supported by <Model C>.",
             },
@@ -152,7 +152,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
             "tools.hello_response",
             {
                 "also": "Also called `keep_alive_response` and `welcome`.",
-                "commands": "Answers <tools.hello>.",
+                "commands": "Response to <tools.hello>.",
                 "perhaps": "Probably supported by <Model C>.",
                 "evidence": "Known only from the <Kit of names>.",
                 "uncertain": "Uncertain: When it comes.",
@@ -176,7 +176,7 @@ A, BOTH = "Supported by <Model A> and <Model C>.", "Supported by <Model A>, <Mod
         ("tools.settings_response:reserved", {"reserved": "Reserved."}),
         ("tools.status:model", {"constant": "Always 4711."}),
         ("tools.choice:parameters", {"tag": "Selected by <shape>.", "required": "Required for <write>."}),
-        ("tools.list:count", {"counts": "The number of elements of <items>.", "required": "Required for <write>."}),
+        ("tools.list:count", {"counts": "Counts the elements of <items>.", "required": "Required for <write>."}),
         (
             "measurements.accel:scaled_accel",
             {

@@ -131,14 +131,14 @@ def test_references_are_names_of_python() -> None:
     package = SPECS["invented"][1] / "python/mip_protocol"
     tools, sensors = documentation(package / "tools.py"), documentation(package / "measurements.py")
     assert tools["SetTimeSlowResponse"] == (
-        "Set time response (0x01,0x84). Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A "
+        "Set time response (0x01,0x84). Response to `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A "
         "and Model C. - guide: Set time"
     )
     assert tools["Settings.mode"] == (
         "What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`. "
         "- On the Model C: only `types.Mode.DEFAULT` and `types.Mode.FAST`; not deprecated."
     )
-    assert tools["Path#num_points"] == "Number of points. The number of elements of `points`."
+    assert tools["Path#num_points"] == "Number of points. Counts the elements of `points`."
     assert tools["Circle.filling"] == (
         "How it is filled. Selected by `fill`. - If `fill` is `Fill.EMPTY`: `None`. "
         "- If `fill` is `Fill.SOLID`: `int`. A colour. - If `fill` is `Fill.STRIPED`: `Stripes`."

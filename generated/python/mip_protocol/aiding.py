@@ -101,7 +101,8 @@ class LlhAxisFlags(IntFlag):
 class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
-    Answers `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
+    Response to `FrameConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    3DM-CV7-INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -169,7 +170,7 @@ class FrameConfigResponse(Response):
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
-    Answers `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Response to `EchoControl`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -197,7 +198,7 @@ class FrameConfig(Command[R]):
 
     Sets the position and the orientation of an external sensor on the vehicle.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `FrameConfigResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `FrameConfigResponse`.
     Changes `filter_data.AidingFrameConfigError`. Probably changes
     `filter_data.AidingFrameConfigErrorUncertainty`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS and 3DM-CV7-INS.
@@ -337,7 +338,7 @@ class EchoControl(Command[R]):
 
     Sets how the device replies to aiding measurements.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `EchoControlResponse`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The manual does not contain the layout of the responses that carry the data back.

@@ -90,7 +90,7 @@ class GpsTimeField(codec.OpenEnum):
 class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
-    Answers `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+    Response to `GetDeviceInfo`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
     3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
@@ -117,7 +117,7 @@ class GetDeviceInfoResponse(Response):
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
-    Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    Response to `GetDeviceDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
     3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST.
 
@@ -147,7 +147,7 @@ class GetDeviceDescriptorsResponse(Response):
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
-    Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+    Response to `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
@@ -190,7 +190,7 @@ class GpsTimeUpdateWeekNumberResponse(Response):
 
     The current week number.
 
-    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Supported by
+    Response to `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Supported by
     3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
@@ -220,7 +220,7 @@ class GpsTimeUpdateTowResponse(Response):
 
     The current time of week.
 
-    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-CX5-10,
+    Response to `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TOW`. Supported by 3DM-CX5-10,
     3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
@@ -248,7 +248,7 @@ class GpsTimeUpdateTowResponse(Response):
 class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
-    Answers `GetExtendedDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    Response to `GetExtendedDescriptors`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
     3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
@@ -277,8 +277,8 @@ class GetExtendedDescriptorsResponse(Response):
 class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
-    Also called `continuous_bit_response`. Answers `ContinuousBuiltInTest`. Supported by 3DM-CV7-AR
-    and 3DM-CV7-GNSS/INS.
+    Also called `continuous_bit_response`. Response to `ContinuousBuiltInTest`. Supported by
+    3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -310,7 +310,7 @@ class ContinuousBuiltInTestResponse(Response):
 class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
-    Answers `CommSpeed`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    Response to `CommSpeed`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
     3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
@@ -400,7 +400,7 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
 
     Gets the firmware version and the identity strings of the device.
 
-    Answered by `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+    Response: `GetDeviceInfoResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
     3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
@@ -422,7 +422,7 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
 
     Gets the command and data descriptors that the device supports.
 
-    Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    Response: `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
@@ -448,7 +448,7 @@ class BuiltInTest(Command[BuiltInTestResponse]):
 
     Runs the self test of the device and gets its result.
 
-    Answered by `BuiltInTestResponse`. The device may take 10 s to reply. Supported by
+    Response: `BuiltInTestResponse`. The device may take 10 s to reply. Supported by
     3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     Uncertain: The maximum duration of the test. The manual of the 3DM-CV7 states several seconds;
     10 s leaves room for that.
@@ -501,7 +501,7 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
 
     Gets the supported descriptors that did not fit into the reply of `GetDeviceDescriptors`.
 
-    Answered by `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    Response: `GetExtendedDescriptorsResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     Only supported if `GetDeviceDescriptors` lists it.
@@ -525,8 +525,8 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
 
     Gets the flags of the tests that run all the time. It does not interrupt operation.
 
-    Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Also called `continuous_bit`. Response: `ContinuousBuiltInTestResponse`. Supported by 3DM-CV7-AR
+    and 3DM-CV7-GNSS/INS.
 
     It is less thorough than `BuiltInTest`. Each flag stays set until this command reports it; the
     streamed field has its own copy of the flags. The self-test flags change only when `BuiltInTest`
@@ -550,7 +550,7 @@ class CommSpeed(Command[R]):
 
     Sets the baud rate of one communication port.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommSpeedResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `CommSpeedResponse`.
     Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     The change takes effect once pending data is sent and received, after at most 250 ms. Send it
@@ -637,7 +637,7 @@ class GpsTimeUpdate(Command[R]):
 
     Sets the week number or the time of week of the external (GPS) time.
 
-    Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
+    Functions: `write`, `read` and `apply`. Response: `GpsTimeUpdateWeekNumberResponse` or
     `GpsTimeUpdateTowResponse`. Changes `filter_data.Timestamp`, `sensor.GpsTimestamp`,
     `shared.GpsTimestamp` and `shared.ExternalTimestamp`. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
     3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: `write` only.

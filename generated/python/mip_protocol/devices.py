@@ -2059,7 +2059,7 @@ GQ4_45 = Device(
         "3dm.data_stream_control_response.descriptor_set": mip_3dm.LegacyDataStream,
     },
     incomplete=(
-        "The manual's table of contents is known only up to the commands of the set `3dm`. The unknown part covers the sets `filter` and `system`.",
+        "The manual's table of contents is known only up to the commands of the set `3dm`. The unknown part includes the sets `filter` and `system`.",
         "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ),
     generation=4,
@@ -2068,7 +2068,7 @@ GQ4_45 = Device(
 """Tactical grade inertial navigation system with GNSS. Generation 4. Model number 6250. Manual:
 LORD 3DM-GQ4-45 Data Communications Protocol, of September 26, 2015, known from its table of
 contents. This profile is incomplete: The manual's table of contents is known only up to the
-commands of the set `3dm`. The unknown part covers the sets `filter` and `system`. This profile is
+commands of the set `3dm`. The unknown part includes the sets `filter` and `system`. This profile is
 incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known. Uncertain:
 It may accept raw RTCM by a command whose layout is not known.
 
@@ -3708,7 +3708,7 @@ RQ1_45_LT = Device(
         "3dm.device_status_basic_response.system_state": mip_3dm.Gx4SystemState,
     },
     incomplete=(
-        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part covers the set `system`.",
+        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part includes the set `system`.",
         "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ),
     also=("3DM-RQ1-45_LT",),
@@ -3718,7 +3718,7 @@ RQ1_45_LT = Device(
 """Ruggedized tactical grade inertial navigation system with GPS. Also called 3DM-RQ1-45_LT.
 Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25,
 2013, known from its table of contents. This profile is incomplete: The manual's table of contents
-is known only up to `filter.SetInitialHeading`. The unknown part covers the set `system`. This
+is known only up to `filter.SetInitialHeading`. The unknown part includes the set `system`. This
 profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.
 Uncertain: The SDK writes the name with an underscore before LT and ST.
 
@@ -3783,7 +3783,7 @@ RQ1_45_ST = Device(
         "3dm.device_status_basic_response.system_state": mip_3dm.Gx4SystemState,
     },
     incomplete=(
-        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part covers the set `system`.",
+        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part includes the set `system`.",
         "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ),
     also=("3DM-RQ1-45_ST",),
@@ -3793,7 +3793,7 @@ RQ1_45_ST = Device(
 """Ruggedized tactical grade inertial navigation system with GPS. Also called 3DM-RQ1-45_ST.
 Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data Communications Protocol, of June 25,
 2013, known from its table of contents. This profile is incomplete: The manual's table of contents
-is known only up to `filter.SetInitialHeading`. The unknown part covers the set `system`. This
+is known only up to `filter.SetInitialHeading`. The unknown part includes the set `system`. This
 profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.
 Uncertain: The SDK writes the name with an underscore before LT and ST.
 

@@ -16,8 +16,8 @@ class GetCalibrationResponse(Response):
     """Get Analog to Displacement Calibration response (0x11,0x81).
 
     No device is known for certain to support it. Also called
-    `get_analog_displacement_calibration_response`. Answers `GetCalibration`. Known only from the
-    MicroStrain Communication Library.
+    `get_analog_displacement_calibration_response`. Response to `GetCalibration`. Known only from
+    the MicroStrain Communication Library.
 
     - mscl: Get Analog to Displacement Calibration (0x11,0x01)
     """
@@ -46,7 +46,7 @@ class OutputRateResponse(Response):
     """Displacement Output Data Rate response (0x11,0x82).
 
     No device is known for certain to support it. Also called `displacement_output_rate_response`.
-    Answers `OutputRate`. Known only from the MicroStrain Communication Library.
+    Response to `OutputRate`. Known only from the MicroStrain Communication Library.
 
     - mscl: Displacement Output Data Rate (0x11,0x02)
     """
@@ -74,7 +74,7 @@ class GetCalibration(Command[GetCalibrationResponse]):
     Reads the slope and offset with which the device converts ADC counts to displacement.
 
     No device is known for certain to support it. Also called `get_analog_displacement_calibration`.
-    Answered by `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.
+    Response: `GetCalibrationResponse`. Known only from the MicroStrain Communication Library.
 
     - mscl: Get Analog to Displacement Calibration (0x11,0x01)
     """
@@ -95,7 +95,7 @@ class OutputRate(Command[OutputRateResponse]):
     Reads the rate at which displacement is measured.
 
     No device is known for certain to support it. Also called `displacement_output_rate`. Functions:
-    `read`. Answered by `OutputRateResponse`. Known only from the MicroStrain Communication Library.
+    `read`. Response: `OutputRateResponse`. Known only from the MicroStrain Communication Library.
     Uncertain: Whether the rate can be written. MSCL only reads it.
 
     - mscl: Displacement Output Data Rate (0x11,0x02)

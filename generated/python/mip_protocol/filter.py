@@ -302,7 +302,8 @@ class ReferencePoint(codec.OpenEnum):
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Response to `VehicleDynamicsMode`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
     """
@@ -327,7 +328,7 @@ class VehicleDynamicsModeResponse(Response):
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -358,8 +359,8 @@ class SensorToVehicleRotationEulerResponse(Response):
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    Response to `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
     """
@@ -388,7 +389,7 @@ class SensorToVehicleOffsetResponse(Response):
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+    Response to `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -419,7 +420,7 @@ class AntennaOffsetResponse(Response):
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `EstimationControl`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -444,7 +445,7 @@ class EstimationControlResponse(Response):
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    Response to `GnssSource`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -469,7 +470,7 @@ class GnssSourceResponse(Response):
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `HeadingSource`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -494,7 +495,7 @@ class HeadingSourceResponse(Response):
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
-    Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by
+    Also called `auto_init_control_response`. Response to `AutoInitializationControl`. Supported by
     3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
@@ -520,7 +521,7 @@ class AutoInitializationControlResponse(Response):
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `AccelNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -548,7 +549,7 @@ class AccelNoiseResponse(Response):
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `GyroNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -576,7 +577,7 @@ class GyroNoiseResponse(Response):
 class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+    Response to `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -610,7 +611,7 @@ class AccelBiasModelResponse(Response):
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -645,7 +646,7 @@ class GyroBiasModelResponse(Response):
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
+    Response to `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
     MicroStrain MIP SDK.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
@@ -674,7 +675,7 @@ class AutoZuptResponse(Response):
 class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS,
+    Response to `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS,
     3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
@@ -704,7 +705,7 @@ class AutoAngularZuptResponse(Response):
 class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers `ReferencePosition`. Supported by 3DM-GX5-15.
+    Response to `ReferencePosition`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -745,7 +746,7 @@ class ReferencePositionResponse(Response):
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `GravityNoise`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -773,8 +774,8 @@ class GravityNoiseResponse(Response):
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
-    SDK.
+    Response to `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
     """
@@ -799,7 +800,8 @@ class PressureAltitudeNoiseResponse(Response):
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Response to `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
     """
@@ -826,7 +828,8 @@ class HardIronOffsetNoiseResponse(Response):
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Response to `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
     """
@@ -855,7 +858,7 @@ class SoftIronMatrixNoiseResponse(Response):
 class TareOrientationResponse(Response):
     """Tare orientation response (0x0D,0xA1).
 
-    No device is known for certain to support it. Answers `TareOrientation`. Uncertain: Which
+    No device is known for certain to support it. Response to `TareOrientation`. Uncertain: Which
     devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45
     have neither the read function nor the response.
 
@@ -883,7 +886,7 @@ class TareOrientationResponse(Response):
 class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers `EnableMeasurements`. Supported by 3DM-GX5-15.
+    Response to `EnableMeasurements`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -908,7 +911,7 @@ class EnableMeasurementsResponse(Response):
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Response to `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -935,8 +938,8 @@ class MagNoiseResponse(Response):
 class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    Response to `MagneticDeclinationSource`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+    3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     - 3dm-gq7: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -969,7 +972,7 @@ class MagneticDeclinationSourceResponse(Response):
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -1045,7 +1048,7 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
+    Response to `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
     MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
@@ -1134,7 +1137,7 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
+    Response to `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
     MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
@@ -1203,7 +1206,7 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+    Response to `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Altitude aiding (0x0D,0x47)
     """
@@ -1228,7 +1231,7 @@ class AltitudeAidingResponse(Response):
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response to `PitchRollAiding`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1253,8 +1256,8 @@ class PitchRollAidingResponse(Response):
 class MagneticInclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
-    Also called `inclination_source_response`. Answers `MagneticInclinationSource`. Known only from
-    the MicroStrain MIP SDK.
+    Also called `inclination_source_response`. Response to `MagneticInclinationSource`. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
@@ -1285,8 +1288,8 @@ class MagneticInclinationSourceResponse(Response):
 class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
-    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`. Known only
-    from the MicroStrain MIP SDK.
+    Also called `mag_field_magnitude_source_response`. Response to `MagneticMagnitudeSource`. Known
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -1317,7 +1320,7 @@ class MagneticMagnitudeSourceResponse(Response):
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
 
-    Answers `SensorToVehicleRotationDcm`. Known only from the MicroStrain MIP SDK.
+    Response to `SensorToVehicleRotationDcm`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -1346,7 +1349,7 @@ class SensorToVehicleRotationDcmResponse(Response):
 class SensorToVehicleRotationQuaternionResponse(Response):
     """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
 
-    Answers `SensorToVehicleRotationQuaternion`. Known only from the MicroStrain MIP SDK.
+    Response to `SensorToVehicleRotationQuaternion`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -1375,7 +1378,8 @@ class SensorToVehicleRotationQuaternionResponse(Response):
 class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Response to `AidingMeasurementEnable`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -1403,7 +1407,7 @@ class AidingMeasurementEnableResponse(Response):
 class KinematicConstraintResponse(Response):
     """Kinematic constraint response (0x0D,0xD1).
 
-    Answers `KinematicConstraint`. Known only from the MicroStrain MIP SDK.
+    Response to `KinematicConstraint`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Kinematic constraint (0x0D,0x51)
     """
@@ -1443,8 +1447,8 @@ class KinematicConstraintResponse(Response):
 class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
-    Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported
-    by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+    Also called `initialization_configuration_response`. Response to `InitializationConfig`.
+    Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -1545,7 +1549,7 @@ class InitializationConfigResponse(Response):
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1573,7 +1577,7 @@ class AdaptiveFilterOptionsResponse(Response):
 class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -1605,7 +1609,7 @@ class MultiAntennaOffsetResponse(Response):
 class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
-    Also called `rel_pos_configuration_response`. Answers `RelativePositionConfig`. Supported by
+    Also called `rel_pos_configuration_response`. Response to `RelativePositionConfig`. Supported by
     3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
@@ -1653,7 +1657,7 @@ class RelativePositionConfigResponse(Response):
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
-    Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by
+    Also called `ref_point_lever_arm_response`. Response to `ReferencePointLeverArm`. Supported by
     3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
@@ -1691,7 +1695,7 @@ class ReferencePointLeverArmResponse(Response):
 class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -1725,7 +1729,7 @@ class SpeedLeverArmResponse(Response):
 class VerticalGyroConstraintControlResponse(Response):
     """Vertical gyro constraint response (0x0D,0xE2).
 
-    Answers `VerticalGyroConstraintControl`. Known only from the MicroStrain MIP SDK.
+    Response to `VerticalGyroConstraintControl`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
@@ -1750,7 +1754,7 @@ class VerticalGyroConstraintControlResponse(Response):
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -1775,7 +1779,7 @@ class WheeledVehicleConstraintControlResponse(Response):
 class GnssAntennaCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
-    Also called `gnss_antenna_cal_control_response`. Answers `GnssAntennaCalibrationControl`.
+    Also called `gnss_antenna_cal_control_response`. Response to `GnssAntennaCalibrationControl`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
@@ -1914,7 +1918,7 @@ class SetInitialAttitudeFromImu(Command[None]):
     `filter_data.EulerAngles`. Known only from the MIP SDK of 2014, MicroStrain Communication
     Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set initial heading from
     mag, and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45.
-    Uncertain: Which devices have it.
+    Uncertain: Which devices support it.
 
     - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
     - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -1967,7 +1971,7 @@ class VehicleDynamicsMode(Command[R]):
 
     Adapts the filter to the expected motion.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `VehicleDynamicsModeResponse`. Probably changes filter_data (0x82). Supported by 3DM-GX5-45.
     Known only from the MicroStrain MIP SDK.
 
@@ -2041,7 +2045,7 @@ class SensorToVehicleRotationEuler(Command[R]):
 
     Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `SensorToVehicleRotationEulerResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -2138,7 +2142,7 @@ class SensorToVehicleOffset(Command[R]):
 
     Sets the origin of the vehicle frame relative to the sensor.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `SensorToVehicleOffsetResponse`. Changes `filter_data.LlhPosition`. Supported by 3DM-GX5-45.
     Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin
     of the vehicle frame, is inferred from the name.
@@ -2217,7 +2221,7 @@ class AntennaOffset(Command[R]):
 
     Sets the position of the GNSS antenna relative to the origin of the sensor.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `AntennaOffsetResponse`.
     Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
     `filter_data.NedVelocity`, `filter_data.EcefVelocity` and `filter_data.AntennaOffsetCorrection`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
@@ -2297,14 +2301,14 @@ class EstimationControl(Command[R]):
 
     Selects the states that the filter estimates.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EstimationControlResponse`. Changes `filter_data.GyroBias`, `filter_data.AccelBias`,
-    `filter_data.GyroScaleFactor`, `filter_data.AccelScaleFactor`,
-    `filter_data.AntennaOffsetCorrection`, `filter_data.MagOffset` and `filter_data.MagMatrix`.
-    Probably changes `filter_data.GyroBiasUncertainty`, `filter_data.AccelBiasUncertainty`,
-    `filter_data.GyroScaleFactorUncertainty`, `filter_data.AccelScaleFactorUncertainty`,
-    `filter_data.AntennaOffsetCorrectionUncertainty`, `filter_data.MagOffsetUncertainty` and
-    `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `EstimationControlResponse`.
+    Changes `filter_data.GyroBias`, `filter_data.AccelBias`, `filter_data.GyroScaleFactor`,
+    `filter_data.AccelScaleFactor`, `filter_data.AntennaOffsetCorrection`, `filter_data.MagOffset`
+    and `filter_data.MagMatrix`. Probably changes `filter_data.GyroBiasUncertainty`,
+    `filter_data.AccelBiasUncertainty`, `filter_data.GyroScaleFactorUncertainty`,
+    `filter_data.AccelScaleFactorUncertainty`, `filter_data.AntennaOffsetCorrectionUncertainty`,
+    `filter_data.MagOffsetUncertainty` and `filter_data.MagMatrixUncertainty`. Supported by
+    3DM-GX5-15 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -2384,7 +2388,7 @@ class GnssSource(Command[R]):
 
     Selects the GNSS receiver that aids the filter.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssSourceResponse`.
     Probably changes `filter_data.LlhPosition`, `filter_data.EcefPosition`,
     `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
     `filter_data.GnssPositionAidingStatus`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
@@ -2602,7 +2606,7 @@ class HeadingSource(Command[R]):
 
     Selects the source of the heading that aids the filter.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `HeadingSourceResponse`.
     Changes `filter_data.HeadingUpdateState`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
@@ -2686,7 +2690,7 @@ class AutoInitializationControl(Command[R]):
     Sets whether the filter initializes automatically at power-up.
 
     Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    Response: `AutoInitializationControlResponse`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
 
     Automatic initialization needs a valid heading source.
 
@@ -2756,7 +2760,7 @@ class AccelNoise(Command[R]):
 
     Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelNoiseResponse`.
     Probably changes `filter_data.LlhPositionUncertainty`, `filter_data.EcefPositionUncertainty`,
     `filter_data.NedVelocityUncertainty`, `filter_data.EcefVelocityUncertainty` and
     `filter_data.AccelBiasUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
@@ -2834,7 +2838,7 @@ class GyroNoise(Command[R]):
 
     Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty`,
     `filter_data.QuaternionAttitudeUncertainty` and `filter_data.GyroBiasUncertainty`. Supported by
     3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
@@ -2912,7 +2916,7 @@ class AccelBiasModel(Command[R]):
 
     Sets the parameters of the accelerometer bias drift model.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `AccelBiasModelResponse`.
     Probably changes `filter_data.AccelBias` and `filter_data.AccelBiasUncertainty`. Supported by
     3DM-CV7-GNSS/INS and 3DM-GX5-45.
 
@@ -3000,7 +3004,7 @@ class GyroBiasModel(Command[R]):
 
     Sets the parameters of the gyroscope bias drift model.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `GyroBiasModelResponse`.
     Probably changes `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`. Supported by
     3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
 
@@ -3089,8 +3093,8 @@ class AutoZupt(Command[R]):
 
     Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
-    Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoZuptResponse`. Probably
+    changes `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.NedVelocityUncertainty` and `filter_data.EcefVelocityUncertainty`. Supported by
     3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
@@ -3225,7 +3229,7 @@ class AutoAngularZupt(Command[R]):
 
     Sets whether the filter assumes that the device is not rotating while its angular rate is low.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `AutoAngularZuptResponse`.
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.GyroBias` and `filter_data.GyroBiasUncertainty`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
@@ -3304,7 +3308,7 @@ class TareOrientation(Command[R]):
 
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `TareOrientationResponse`.
     Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`,
     `sensor.DeltaVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.LinearAccel`, `filter_data.CompAngularRate`,
@@ -3424,9 +3428,9 @@ class ReferencePosition(Command[R]):
     Sets the position for which the device computes gravity (WGS84) and the magnetic field
     (WMM2015).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ReferencePositionResponse`. Changes `filter_data.Wgs84GravityMagnitude` and
-    `filter_data.MagneticModel`. Supported by 3DM-GX5-15.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `ReferencePositionResponse`.
+    Changes `filter_data.Wgs84GravityMagnitude` and `filter_data.MagneticModel`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -3575,7 +3579,7 @@ class GravityNoise(Command[R]):
 
     Sets the standard deviation of the gravity noise that the filter assumes (process noise).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `GravityNoiseResponse`.
     Probably changes `filter_data.EulerAnglesUncertainty` and
     `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
     3DM-GX5-45.
@@ -3653,7 +3657,7 @@ class PressureAltitudeNoise(Command[R]):
 
     Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `PressureAltitudeNoiseResponse`. Probably changes `filter_data.LlhPosition` and
     `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain
     MIP SDK.
@@ -3729,7 +3733,7 @@ class HardIronOffsetNoise(Command[R]):
 
     Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `HardIronOffsetNoiseResponse`. Probably changes `filter_data.MagOffset` and
     `filter_data.MagOffsetUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
     SDK.
@@ -3806,7 +3810,7 @@ class SoftIronMatrixNoise(Command[R]):
 
     Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `SoftIronMatrixNoiseResponse`. Probably changes `filter_data.MagMatrix` and
     `filter_data.MagMatrixUncertainty`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
     SDK.
@@ -3883,7 +3887,7 @@ class EnableMeasurements(Command[R]):
 
     Selects the inertial measurements that the filter uses.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `EnableMeasurementsResponse`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm`, `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
     `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15.
@@ -3957,11 +3961,10 @@ class MagNoise(Command[R]):
 
     Sets the standard deviation of the magnetometer noise that the filter assumes.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
-    Probably changes `filter_data.EulerAnglesUncertainty` and
-    `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-45. Known only from the
-    MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
-    measurement.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `MagNoiseResponse`. Probably
+    changes `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`.
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
+    process noise, although the noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -4031,7 +4034,7 @@ class MagneticDeclinationSource(Command[R]):
 
     Selects the source of the local declination of the magnetic field.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `MagneticDeclinationSourceResponse`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
@@ -4126,7 +4129,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
 
     Sets how far the filter trusts gravity measurements whose magnitude is not as expected.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
@@ -4286,7 +4289,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
 
     Sets how far the filter trusts a magnetic field whose magnitude is not as expected.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `MagMagnitudeErrorAdaptiveMeasurementResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
@@ -4461,7 +4464,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
 
     Sets how far the filter trusts a magnetic field whose dip angle is not as expected.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `MagDipAngleErrorAdaptiveMeasurementResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
     `filter_data.EulerAnglesUncertainty` and `filter_data.QuaternionAttitudeUncertainty`. Supported
@@ -4603,7 +4606,7 @@ class AltitudeAiding(Command[R]):
 
     Selects the source that aids the altitude in addition to GNSS.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `AltitudeAidingResponse`.
     Probably changes `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported
     by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
@@ -4676,7 +4679,7 @@ class PitchRollAiding(Command[R]):
 
     Selects the source that aids pitch and roll while the motion is gentle.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `PitchRollAidingResponse`.
     Probably changes `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
     `filter_data.EulerAngles`, `filter_data.EulerAnglesUncertainty` and
     `filter_data.QuaternionAttitudeUncertainty`. Supported by 3DM-GX5-15 and 3DM-GX5-45.
@@ -4748,7 +4751,7 @@ class MagneticInclinationSource(Command[R]):
     Selects the source of the local inclination (dip angle) of the magnetic field.
 
     Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `MagneticInclinationSourceResponse`. Probably changes
+    Response: `MagneticInclinationSourceResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
     listed in any device profile. Known only from the MicroStrain MIP SDK.
 
@@ -4836,7 +4839,7 @@ class MagneticMagnitudeSource(Command[R]):
     Selects the source of the local magnitude of the magnetic field.
 
     Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `MagneticMagnitudeSourceResponse`. Probably changes
+    `default`. Response: `MagneticMagnitudeSourceResponse`. Probably changes
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not
     listed in any device profile. Known only from the MicroStrain MIP SDK.
 
@@ -4924,7 +4927,7 @@ class SensorToVehicleRotationDcm(Command[R]):
 
     Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `SensorToVehicleRotationDcmResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -5008,7 +5011,7 @@ class SensorToVehicleRotationQuaternion(Command[R]):
 
     Sets the rotation from the sensor frame to the vehicle frame as a quaternion.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `SensorToVehicleRotationQuaternionResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -5097,7 +5100,7 @@ class AidingMeasurementEnable(Command[R]):
 
     Enables or disables one source of aiding measurements.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `AidingMeasurementEnableResponse`. Changes `filter_data.AidingMeasurementSummary`. Probably
     changes filter_data (0x82). Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
@@ -5198,12 +5201,12 @@ class KinematicConstraint(Command[R]):
 
     Sets the assumptions about the motion that the filter uses in place of measurements.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `KinematicConstraintResponse`. Probably changes `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Not listed in any device profile. Known only from the MicroStrain MIP
-    SDK. Uncertain: Whether there are further values. The SDK has plain numbers and states the
-    values in remarks.
+    SDK. Uncertain: Whether there are further values. The SDK uses plain numbers and lists the
+    values in comments.
 
     - mip-sdk-4: Kinematic constraint (0x0D,0x51)
     """
@@ -5298,7 +5301,7 @@ class InitializationConfig(Command[R]):
     Sets the sources and values of the initial attitude, position and velocity of the filter.
 
     Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `InitializationConfigResponse`. Probably changes `filter_data.Status`,
+    `default`. Response: `InitializationConfigResponse`. Probably changes `filter_data.Status`,
     `filter_data.LlhPosition`, `filter_data.EcefPosition`, `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
@@ -5482,7 +5485,7 @@ class AdaptiveFilterOptions(Command[R]):
 
     Sets how the filter adapts to measurements that do not fit its model.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `AdaptiveFilterOptionsResponse`. Probably changes filter_data (0x82). Supported by
     3DM-CV7-GNSS/INS.
 
@@ -5569,7 +5572,7 @@ class MultiAntennaOffset(Command[R]):
 
     Sets the position of the antenna of one receiver on devices with several antennas.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `MultiAntennaOffsetResponse`. Probably changes `filter_data.LlhPosition`,
     `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -5663,8 +5666,8 @@ class RelativePositionConfig(Command[R]):
     Sets the reference point of the relative position that the filter reports.
 
     Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Response: `RelativePositionConfigResponse`. Changes `filter_data.NedRelativePosition`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -5765,7 +5768,7 @@ class ReferencePointLeverArm(Command[R]):
     Moves the point to which the position and the velocity of the filter refer.
 
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`,
+    Response: `ReferencePointLeverArmResponse`. Changes `filter_data.LlhPosition`,
     `filter_data.EcefPosition`, `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
     `filter_data.NedRelativePosition`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -5910,7 +5913,7 @@ class SpeedLeverArm(Command[R]):
     Sets the position of the point whose speed is measured, such as the wheel that drives the
     odometer.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `SpeedLeverArmResponse`.
     Probably changes `filter_data.NedVelocity`, `filter_data.EcefVelocity` and
     `filter_data.OdometerScaleFactorError`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -5996,7 +5999,7 @@ class VerticalGyroConstraintControl(Command[R]):
 
     Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `VerticalGyroConstraintControlResponse`. Probably changes `filter_data.AttitudeQuaternion`,
     `filter_data.AttitudeDcm` and `filter_data.EulerAngles`. Not listed in any device profile. Known
     only from the MicroStrain MIP SDK.
@@ -6075,7 +6078,7 @@ class WheeledVehicleConstraintControl(Command[R]):
 
     Sets whether the filter assumes that the vehicle moves only along its x axis.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `WheeledVehicleConstraintControlResponse`. Probably changes `filter_data.NedVelocity`,
     `filter_data.EcefVelocity`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm` and
     `filter_data.EulerAngles`. Supported by 3DM-CV7-GNSS/INS.
@@ -6156,7 +6159,7 @@ class GnssAntennaCalibrationControl(Command[R]):
     Enables antenna offset calibration.
 
     Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Changes
+    `default`. Response: `GnssAntennaCalibrationControlResponse`. Changes
     `filter_data.MultiAntennaOffsetCorrection`. Probably changes
     `filter_data.MultiAntennaOffsetCorrectionUncertainty`. Supported by 3DM-CV7-GNSS/INS and
     3DM-GQ7-GNSS/INS.

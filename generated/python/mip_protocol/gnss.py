@@ -128,7 +128,7 @@ class ReceiverResetType(codec.OpenEnum):
     """
     HOT = 4
     """Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The name,
-    which an earlier branch of the SDK exchanges with that of 3.
+    which an earlier branch of the SDK swaps with that of 3.
     """
 
 
@@ -163,7 +163,7 @@ class SpartnConnection(codec.OpenEnum):
 class ReceiverInfoResponse(Response):
     """Receiver info response (0x0E,0x81).
 
-    Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -181,7 +181,7 @@ class ReceiverInfoResponse(Response):
         ("receiver_info", "", wire.Items(ReceiverInfoEntry, "num_receivers", 7)),
     )
 
-    # On the wire only: num_receivers. Number of physical receivers. The number of elements of
+    # On the wire only: num_receivers. Number of physical receivers. Counts the elements of
     # `receiver_info`.
     receiver_info: tuple[ReceiverInfoEntry, ...]
     """One entry for each receiver."""
@@ -193,7 +193,7 @@ class ReceiverInfoResponse(Response):
 class SignalConfigResponse(Response):
     """Signal configuration response (0x0E,0x82).
 
-    Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by
+    Also called `signal_configuration_response`. Response to `SignalConfig`. Supported by
     3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
@@ -245,8 +245,8 @@ class SignalConfigResponse(Response):
 class RtkConfigResponse(Response):
     """RTK configuration response (0x0E,0x84).
 
-    Also called `rtk_configuration_response`. Answers `RtkConfig`. Known only from the MicroStrain
-    MIP SDK.
+    Also called `rtk_configuration_response`. Response to `RtkConfig`. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: RTK configuration (0x0E,0x04)
     """
@@ -277,7 +277,7 @@ class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
     No device is known for certain to support it. Also called `rtk_dongle_configuration_response`.
-    Answers `RtkDongleConfig`. Known only from the MicroStrain MIP SDK.
+    Response to `RtkDongleConfig`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
     """
@@ -305,7 +305,7 @@ class RtkDongleConfigResponse(Response):
 class SpartnConfigResponse(Response):
     """SPARTN configuration response (0x0E,0xA0).
 
-    Also called `spartn_configuration_response`. Answers `SpartnConfig`. Supported by
+    Also called `spartn_configuration_response`. Response to `SpartnConfig`. Supported by
     3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
@@ -393,7 +393,7 @@ class ReceiverInfo(Command[ReceiverInfoResponse]):
 
     Gets the GNSS receivers of the device.
 
-    Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Response: `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -414,7 +414,7 @@ class SignalConfig(Command[R]):
     Selects the GNSS signals that the device uses.
 
     Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`,
+    Response: `SignalConfigResponse`. Probably changes `gnss_data.FixInfo`,
     `gnss_data.SatelliteStatus` and `gnss_data.Raw`. Supported by 3DM-CV7-GNSS/INS. On the
     3DM-GQ7-GNSS/INS: firmware > 1.0.10.
 
@@ -540,7 +540,7 @@ class ReceiverReset(Command[None]):
     Resets a GNSS receiver of the device.
 
     Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
-    devices have it. The SDK does not name any.
+    devices support it. The SDK does not name any.
 
     Only internal receivers can be reset. Some devices do not support all reset types.
 
@@ -573,10 +573,10 @@ class RtkConfig(Command[R]):
     Sets how readily the device fixes the ambiguities of an RTK solution.
 
     Also called `rtk_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `RtkConfigResponse`. Probably changes `gnss_data.FixInfo` and
-    `gnss_data.LlhPosition`. Not listed in any device profile. Known only from the MicroStrain MIP
-    SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report it as
-    experimental on the 3DM-GQ7, which accepts `conservative` only.
+    Response: `RtkConfigResponse`. Probably changes `gnss_data.FixInfo` and `gnss_data.LlhPosition`.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
+    devices support it. Users of the vendor's ROS driver report it as experimental on the 3DM-GQ7,
+    which accepts `conservative` only.
 
     The available modes differ by device.
 
@@ -659,7 +659,7 @@ class RtkDongleConfig(Command[R]):
     Switches the communication with a connected RTK dongle on or off.
 
     No device is known for certain to support it. Also called `rtk_dongle_configuration`. Functions:
-    `write`, `read`, `save`, `load` and `default`. Answered by `RtkDongleConfigResponse`. Probably
+    `write`, `read`, `save`, `load` and `default`. Response: `RtkDongleConfigResponse`. Probably
     changes `gnss_data.RtkCorrectionsStatus`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
@@ -737,9 +737,9 @@ class SpartnConfig(Command[R]):
     Sets the source and the keys of SPARTN corrections.
 
     Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `SpartnConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Supported
+    Response: `SpartnConfigResponse`. Probably changes `gnss_data.RtkCorrectionsStatus`. Supported
     by 3DM-CV7-GNSS/INS. Uncertain: Whether the device accepts upper and lower case. The section on
-    UART has the digits 0-9 and A-F, the description of the command has "bc" for 0xBC.
+    UART uses the digits 0-9 and A-F, the description of the command uses "bc" for 0xBC.
 
     A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any
     time. While SPARTN corrections are enabled, RTCM corrections are blocked. A key has 16 bytes,

@@ -3,8 +3,8 @@
 Measurements and status of GNSS receivers. Each receiver has a descriptor set; all have the same
 fields.
 
-Uncertain: Which devices send the fields that no manual lists for a set. The SDK lists all GNSS data
-sets the same fields.
+Uncertain: Which devices send the fields that no manual lists for a set. The SDK lists the same
+fields for all GNSS data sets.
 
 - gnss_data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.
 - gnss_1 (0x91): Measurements and status of the first internal GNSS receiver.

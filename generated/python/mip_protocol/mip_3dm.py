@@ -480,7 +480,7 @@ class Gx4SystemState(codec.OpenEnum):
 class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
-    Answers `ImuMessageFormat`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    Response to `ImuMessageFormat`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
     3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
@@ -499,7 +499,7 @@ class ImuMessageFormatResponse(Response):
         ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 84)),
     )
 
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations. Refers to fields of Sensor data."""
 
@@ -510,8 +510,8 @@ class ImuMessageFormatResponse(Response):
 class GnssMessageFormatResponse(Response):
     """GNSS Message Format response (0x0C,0x81).
 
-    Answers `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Response to `GnssMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT
+    and 3DM-RQ1-45-ST.
 
     - mip-sdk-4: GNSS Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -530,7 +530,7 @@ class GnssMessageFormatResponse(Response):
         ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 84)),
     )
 
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     # Range: 0 to 82.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations. Refers to fields of GNSS data."""
@@ -542,8 +542,8 @@ class GnssMessageFormatResponse(Response):
 class FilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
-    Answers `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
-    and 3DM-RQ1-45-ST.
+    Response to `FilterMessageFormat`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -561,7 +561,7 @@ class FilterMessageFormatResponse(Response):
         ("descriptors", "", wire.Items(types.DescriptorRate, "num_descriptors", 84)),
     )
 
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations. Refers to fields of Filter data."""
 
@@ -572,7 +572,7 @@ class FilterMessageFormatResponse(Response):
 class GetImuBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
-    Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-CX5-10,
+    Also called `imu_get_base_rate_response`. Response to `GetImuBaseRate`. Supported by 3DM-CX5-10,
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
@@ -598,9 +598,9 @@ class GetImuBaseRateResponse(Response):
 class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
-    Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Supported by 3DM-GQ4-45,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
-    SDK.
+    Also called `gnss_get_base_rate_response`. Response to `GetGnssBaseRate`. Supported by
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -625,7 +625,7 @@ class GetGnssBaseRateResponse(Response):
 class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
-    Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by
+    Also called `datastream_control_response`. Response to `DataStreamControl`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
@@ -665,8 +665,8 @@ class DataStreamControlResponse(Response):
 class ImuSignalConditioningResponse(Response):
     """IMU signal conditioning response (0x0C,0x86).
 
-    No device is known for certain to support it. Answers `ImuSignalConditioning`. Known only from
-    the MIP SDK of 2014 and MicroStrain Communication Library.
+    No device is known for certain to support it. Response to `ImuSignalConditioning`. Known only
+    from the MIP SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
     - mscl: IMU signal conditioning (0x0C,0x35)
@@ -754,7 +754,7 @@ class ImuSignalConditioningResponse(Response):
 class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
-    Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS,
+    Also called `uart_baudrate_response`. Response to `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS,
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
@@ -781,8 +781,8 @@ class UartBaudRateResponse(Response):
 class DataStreamFormatResponse(Response):
     """Data stream format response (0x0C,0x88).
 
-    No device is known for certain to support it. Answers `DataStreamFormat`. Known only from the
-    MIP SDK of 2014 and MicroStrain Communication Library.
+    No device is known for certain to support it. Response to `DataStreamFormat`. Known only from
+    the MIP SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Data stream format (0x0C,0x60)
     - mscl: Data stream format (0x0C,0x60)
@@ -811,8 +811,8 @@ class DataStreamFormatResponse(Response):
 class DevicePowerStateResponse(Response):
     """Device power state response (0x0C,0x89).
 
-    No device is known for certain to support it. Answers `DevicePowerState`. Known only from the
-    MIP SDK of 2014 and MicroStrain Communication Library.
+    No device is known for certain to support it. Response to `DevicePowerState`. Known only from
+    the MIP SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: Device power state (0x0C,0x61)
     - mscl: Device power state (0x0C,0x61)
@@ -841,7 +841,7 @@ class DevicePowerStateResponse(Response):
 class GetFilterBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
-    Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by
+    Also called `filter_get_base_rate_response`. Response to `GetFilterBaseRate`. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
@@ -867,7 +867,7 @@ class GetFilterBaseRateResponse(Response):
 class ImuLowPassFilterResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
-    Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by
+    Also called `imu_lowpass_filter_response`. Response to `ImuLowPassFilter`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
@@ -917,7 +917,7 @@ class ImuLowPassFilterResponse(Response):
 class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
-    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -935,7 +935,7 @@ class NmeaMessageFormatResponse(Response):
         ("format_entries", "", wire.Items(types.NmeaMessage, "count", 50)),
     )
 
-    # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
+    # On the wire only: count. Number of sentences. Counts the elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to stream."""
 
@@ -946,7 +946,7 @@ class NmeaMessageFormatResponse(Response):
 class GetBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
-    Answers `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    Response to `GetBaseRate`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
     3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
@@ -975,7 +975,7 @@ class GetBaseRateResponse(Response):
 class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
-    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -996,7 +996,7 @@ class MessageFormatResponse(Response):
 
     descriptor_set: int
     """Data descriptor set."""
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations. Refers to fields of `descriptor_set`."""
 
@@ -1010,9 +1010,9 @@ class DeviceStatusBasicRq1ImuResponse(Response):
 
     Timer only, in microseconds.
 
-    No device is known for certain to support it. Answers `DeviceStatus`. Sent if `status_selector`
-    is `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 lists the names of the values and
-    the unit of the timer; the descriptions are inferred from the names.
+    No device is known for certain to support it. Response to `DeviceStatus`. Sent if
+    `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: The SDK of 2014 lists the names of
+    the values and the unit of the timer; the descriptions are inferred from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1056,7 +1056,7 @@ class DeviceStatusBasicResponse(Response):
 
     State and timer.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
+    Response to `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` and
     `DeviceStatusBasicGx3Response` by the size of its data. Sent if `status_selector` is
     `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -1114,13 +1114,13 @@ class DeviceStatusBasicWithoutStateResponse(Response):
 
     Timer only.
 
-    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
     `DeviceStatusBasicResponse` and `DeviceStatusBasicGx3Response` by the size of its data. Sent if
-    `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: MSCL has it for the 3DM-GX4-15,
+    `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: MSCL uses it for the 3DM-GX4-15,
     3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the
     3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
-    Uncertain: The manual of the 3DM-GX5-45 has it too, but for the model number of another device;
-    MSCL has the layout with a state for that device.
+    Uncertain: The manual of the 3DM-GX5-45 documents it too, but for the model number of another
+    device; MSCL uses the layout with a state for that device.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -1166,7 +1166,7 @@ class DeviceStatusDiagnosticResponse(Response):
 
     State, timer, and the counters of streams and port.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
+    Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
@@ -1314,12 +1314,12 @@ class DeviceStatusDiagnosticGnssResponse(Response):
 
     State, timer, and the counters of pulses, streams, port and receiver.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+    Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
     `DeviceStatusDiagnosticGx3Response` by the size of its data. Sent if `status_selector` is
-    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL has
+    `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: MSCL uses
     it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
     Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred;
     the times are assumed to be in ms like the system timer.
@@ -1521,7 +1521,7 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
 
     The layout with GNSS, plus flags for parts that could not be started.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+    Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
@@ -1748,7 +1748,7 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
 
     The layout with GNSS, plus the temperature.
 
-    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
+    Response to `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse`, `DeviceStatusDiagnosticRq1ImuResponse` and
@@ -1975,7 +1975,7 @@ class DeviceStatusDiagnosticGx4Response(Response):
 
     Timer, and counters of pulses, streams, port and USB.
 
-    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticImuResponse`, `DeviceStatusDiagnosticGx4ImuResponse`,
@@ -2161,13 +2161,13 @@ class DeviceStatusDiagnosticImuResponse(Response):
 
     Timer, available sensors, temperature, and the counters of pulses, stream and port.
 
-    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticGx4ImuResponse`,
     `DeviceStatusDiagnosticRq1ImuResponse` and `DeviceStatusDiagnosticGx3Response` by the size of
-    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL has it
-    for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL
+    its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: MSCL uses
+    it for the 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL
     lists only the names of the values, from which the descriptions are inferred; the times are
     assumed to be in ms like the system timer. Uncertain: The units of the ranges are not known.
 
@@ -2348,7 +2348,7 @@ class DeviceStatusDiagnosticGx4ImuResponse(Response):
     Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
     port.
 
-    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
@@ -2533,7 +2533,7 @@ class DeviceStatusDiagnosticRq1ImuResponse(Response):
 
     Timer, temperature and supply, and the counters of pulses, stream and port.
 
-    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
@@ -2704,10 +2704,10 @@ class DeviceStatusBasicGx3Response(Response):
 
     State of the port.
 
-    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
     `DeviceStatusBasicResponse` and `DeviceStatusBasicWithoutStateResponse` by the size of its data.
-    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014 has
-    it, with the names of the values; the descriptions are inferred from the names.
+    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Uncertain: Only the SDK of 2014
+    contains it, with the names of the values; the descriptions are inferred from the names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -2787,13 +2787,14 @@ class DeviceStatusDiagnosticGx3Response(Response):
 
     State of the port, and the counters of the port, USB, receiver and IMU.
 
-    No device is known for certain to support it. Answers `DeviceStatus`. Distinguished from
+    No device is known for certain to support it. Response to `DeviceStatus`. Distinguished from
     `DeviceStatusDiagnosticResponse`, `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response`, `DeviceStatusDiagnosticImuResponse`,
     `DeviceStatusDiagnosticGx4ImuResponse` and `DeviceStatusDiagnosticRq1ImuResponse` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Uncertain: Only the
-    SDK of 2014 has it, with the names of the values; the descriptions are inferred from the names.
+    SDK of 2014 contains it, with the names of the values; the descriptions are inferred from the
+    names.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     - 3dm-gx5-35: 4.2.22 Device Status (0x0C, 0x64)
@@ -3046,8 +3047,8 @@ class DeviceStatusDiagnosticGx3Response(Response):
 class GpsDynamicsModeResponse(Response):
     """GPS dynamics mode response (0x0C,0x92).
 
-    No device is known for certain to support it. Answers `GpsDynamicsMode`. Known only from the MIP
-    SDK of 2014 and MicroStrain Communication Library.
+    No device is known for certain to support it. Response to `GpsDynamicsMode`. Known only from the
+    MIP SDK of 2014 and MicroStrain Communication Library.
 
     - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
     - mscl: GPS dynamics mode (0x0C,0x34)
@@ -3073,8 +3074,8 @@ class GpsDynamicsModeResponse(Response):
 class ImuTimestampResponse(Response):
     """IMU timestamp response (0x0C,0x93).
 
-    No device is known for certain to support it. Answers `ImuTimestamp`. Known only from the MIP
-    SDK of 2014.
+    No device is known for certain to support it. Response to `ImuTimestamp`. Known only from the
+    MIP SDK of 2014.
 
     - mip-sdk-2014: IMU timestamp (0x0C,0x36)
     """
@@ -3102,7 +3103,7 @@ class ImuTimestampResponse(Response):
 class ComplementaryFilterResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
-    Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
+    Response to `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
     3DM-GX5-35.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
@@ -3159,7 +3160,7 @@ class ComplementaryFilterResponse(Response):
 class AccelBiasResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
-    Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
+    Response to `AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
@@ -3192,9 +3193,9 @@ class GyroBiasResponse(Response):
 
     The bias in use.
 
-    Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by
-    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
-    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Also called `capture_gyro_bias_response`. Response to `GyroBias` and `CaptureGyroBias`.
+    Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
+    3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3224,7 +3225,7 @@ class GyroBiasResponse(Response):
 class MagHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
-    Answers `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    Response to `MagHardIronOffset`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
     3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
@@ -3255,7 +3256,7 @@ class MagHardIronOffsetResponse(Response):
 class MagSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
-    Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    Response to `MagSoftIronMatrix`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
     3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
@@ -3286,7 +3287,7 @@ class MagSoftIronMatrixResponse(Response):
 class ConingScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
-    Answers `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
+    Response to `ConingScullingEnable`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
@@ -3314,7 +3315,7 @@ class ConstellationSettingsResponse(Response):
 
     Tracking channels of the receiver and the setting of each constellation.
 
-    Answers `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
+    Response to `ConstellationSettings`. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -3339,8 +3340,8 @@ class ConstellationSettingsResponse(Response):
     """Number of channels of the receiver. Unit: 1."""
     max_channels_use: int
     """Maximum number of channels in use. Unit: 1."""
-    # On the wire only: config_count. Number of entries. The number of elements of `settings`.
-    # Range: 0 to 41.
+    # On the wire only: config_count. Number of entries. Counts the elements of `settings`. Range: 0
+    # to 41.
     settings: tuple[ConstellationSettingsEntry, ...]
     """One entry for each constellation."""
 
@@ -3358,7 +3359,7 @@ class ConstellationSettingsResponse(Response):
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
-    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+    Response to `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -3382,8 +3383,8 @@ class GnssSbasSettingsResponse(Response):
     """1 enables SBAS, 0 disables it. Range: 0 to 1."""
     sbas_options: SbasOptions
     """Purposes of SBAS."""
-    # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The
-    # number of elements of `included_prns`.
+    # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. Counts
+    # the elements of `included_prns`.
     included_prns: tuple[int, ...]
     """PRN numbers of the SBAS satellites to search for."""
 
@@ -3398,7 +3399,7 @@ class GnssSbasSettingsResponse(Response):
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+    Response to `GnssAssistedFix`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
     """
@@ -3426,7 +3427,8 @@ class GnssAssistedFixResponse(Response):
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
-    Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+    Response to `GnssTimeAssistance`. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
     """
@@ -3457,7 +3459,8 @@ class GnssTimeAssistanceResponse(Response):
 class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
-    Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `pps_source_response`. Response to `PpsSourceControl`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -3482,7 +3485,7 @@ class PpsSourceControlResponse(Response):
 class SensorToVehicleTransformEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
-    Also called `sensor_2_vehicle_transform_euler_response`. Answers
+    Also called `sensor_2_vehicle_transform_euler_response`. Response to
     `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
@@ -3514,7 +3517,7 @@ class SensorToVehicleTransformEulerResponse(Response):
 class SensorToVehicleTransformQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
-    Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+    Also called `sensor_2_vehicle_transform_quaternion_response`. Response to
     `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
@@ -3544,8 +3547,8 @@ class SensorToVehicleTransformQuaternionResponse(Response):
 class SensorToVehicleTransformDcmResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
-    Also called `sensor_2_vehicle_transform_dcm_response`. Answers `SensorToVehicleTransformDcm`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_dcm_response`. Response to
+    `SensorToVehicleTransformDcm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -3574,7 +3577,7 @@ class SensorToVehicleTransformDcmResponse(Response):
 class GetEventSupportResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -3598,7 +3601,7 @@ class GetEventSupportResponse(Response):
     """Query specified in the command."""
     max_instances: int
     """Number of slots; instances are numbered from 1 to this. Unit: 1."""
-    # On the wire only: num_entries. Number of types. The number of elements of `entries`.
+    # On the wire only: num_entries. Number of types. Counts the elements of `entries`.
     entries: tuple[EventSupportInfo, ...]
     """The types.
 
@@ -3618,7 +3621,7 @@ class GetEventSupportResponse(Response):
 class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
-    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `EventControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -3646,7 +3649,7 @@ class EventControlResponse(Response):
 class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
-    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -3664,7 +3667,7 @@ class GetEventTriggerStatusResponse(Response):
         ("triggers", "", wire.Items(EventTriggerStatusEntry, "count", 126)),
     )
 
-    # On the wire only: count. Number of entries. The number of elements of `triggers`.
+    # On the wire only: count. Number of entries. Counts the elements of `triggers`.
     triggers: tuple[EventTriggerStatusEntry, ...]
     """One entry per trigger, in the requested order, or by instance if all were requested."""
 
@@ -3675,7 +3678,7 @@ class GetEventTriggerStatusResponse(Response):
 class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
-    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -3693,7 +3696,7 @@ class GetEventActionStatusResponse(Response):
         ("actions", "", wire.Items(EventActionStatusEntry, "count", 126)),
     )
 
-    # On the wire only: count. Number of entries. The number of elements of `actions`.
+    # On the wire only: count. Number of entries. Counts the elements of `actions`.
     actions: tuple[EventActionStatusEntry, ...]
     """One entry per action, in the requested order, or by instance if all were requested."""
 
@@ -3704,8 +3707,8 @@ class GetEventActionStatusResponse(Response):
 class EventTriggerConfigResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
-    Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by 3DM-CV7-AHRS,
-    3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Also called `event_trigger_response`. Response to `EventTriggerConfig`. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -3767,7 +3770,7 @@ class EventTriggerConfigResponse(Response):
 class EventActionConfigResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
-    Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-AHRS,
+    Also called `event_action_response`. Response to `EventActionConfig`. Supported by 3DM-CV7-AHRS,
     3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
@@ -3829,7 +3832,7 @@ class EventActionConfigResponse(Response):
 class GpioConfigResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Response to `GpioConfig`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -3878,7 +3881,7 @@ class GpioConfigResponse(Response):
 class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
-    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    Response to `GpioState`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -3906,7 +3909,7 @@ class GpioStateResponse(Response):
 class OdometerConfigResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
-    Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `odometer_response`. Response to `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -3939,7 +3942,7 @@ class OdometerConfigResponse(Response):
 class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
-    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -3967,8 +3970,8 @@ class SensorRangeResponse(Response):
 class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
-    Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported
-    by 3DM-CV7-GNSS/INS.
+    Also called `calibrated_sensor_ranges_response`. Response to `GetCalibratedSensorRanges`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -3989,7 +3992,7 @@ class GetCalibratedSensorRangesResponse(Response):
 
     sensor: SensorRangeType
     """Sensor specified in the command."""
-    # On the wire only: num_ranges. Number of ranges. The number of elements of `ranges`.
+    # On the wire only: num_ranges. Number of ranges. Counts the elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
     """Ranges for which the sensor is calibrated.
 
@@ -4007,7 +4010,7 @@ class GetCalibratedSensorRangesResponse(Response):
 class LowPassFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
-    Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-AHRS,
+    Also called `lowpass_filter_response`. Response to `LowPassFilter`. Supported by 3DM-CV7-AHRS,
     3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
@@ -4086,7 +4089,7 @@ class PollImuData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send. Refers to fields of Sensor data."""
 
@@ -4131,7 +4134,7 @@ class PollGnssData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     # Range: 0 to 83.
     descriptors: tuple[PollEntry, ...]
     """Fields to send. Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place
@@ -4178,7 +4181,7 @@ class PollFilterData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send. Refers to fields of Filter data."""
 
@@ -4222,7 +4225,7 @@ class PollNmeaData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
+    # On the wire only: count. Number of sentences. Counts the elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to send."""
 
@@ -4240,7 +4243,7 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
 
     Gets the base rate, which is divided by the decimations of `ImuMessageFormat`.
 
-    Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-CX5-10,
+    Also called `imu_get_base_rate`. Response: `GetImuBaseRateResponse`. Supported by 3DM-CX5-10,
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
@@ -4261,9 +4264,9 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
 
     Gets the base rate, which is divided by the decimations of `GnssMessageFormat`.
 
-    Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
-    MicroStrain MIP SDK.
+    Also called `gnss_get_base_rate`. Response: `GetGnssBaseRateResponse`. Supported by 3DM-GQ4-45,
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -4283,9 +4286,9 @@ class ImuMessageFormat(Command[R]):
 
     Sets the fields of the sensor data packets (0x80), their order and their decimations.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ImuMessageFormatResponse`. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `ImuMessageFormatResponse`.
+    Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
+    3DM-RQ1-45-ST.
 
     The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device rejects the command
@@ -4313,7 +4316,7 @@ class ImuMessageFormat(Command[R]):
 
     function: FunctionSelector
     """Operation on the setting."""
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Refers to fields of Sensor data. Required for `write`."""
@@ -4363,9 +4366,8 @@ class GnssMessageFormat(Command[R]):
 
     Sets the fields of the GNSS data packets, their order and their decimations.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssMessageFormatResponse`.
+    Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
 
@@ -4392,7 +4394,7 @@ class GnssMessageFormat(Command[R]):
 
     function: FunctionSelector
     """Operation on the setting."""
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     # Range: 0 to 82. Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Refers to fields of GNSS data. Required for `write`."""
@@ -4442,7 +4444,7 @@ class FilterMessageFormat(Command[R]):
 
     Sets the fields of the filter data packets (0x82), their order and their decimations.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `FilterMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
     and 3DM-RQ1-45-ST.
 
@@ -4472,7 +4474,7 @@ class FilterMessageFormat(Command[R]):
 
     function: FunctionSelector
     """Operation on the setting."""
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Refers to fields of Filter data. Required for `write`."""
@@ -4524,7 +4526,7 @@ class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
 
     Gets the base rate, which is divided by the decimations of `FilterMessageFormat`.
 
-    Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
+    Also called `filter_get_base_rate`. Response: `GetFilterBaseRateResponse`. Supported by
     3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
@@ -4545,8 +4547,8 @@ class NmeaMessageFormat(Command[R]):
 
     Sets the NMEA sentences that the device streams.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `NmeaMessageFormatResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     A sentence may be listed several times with different talkers or sources. A sentence is sent
     only while the device is not idle and the data of the source is valid. The 3DM-CV7-GNSS/INS
@@ -4575,7 +4577,7 @@ class NmeaMessageFormat(Command[R]):
 
     function: FunctionSelector
     """Operation on the setting."""
-    # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
+    # On the wire only: count. Number of sentences. Counts the elements of `format_entries`.
     # Required for `write`.
     format_entries: tuple[types.NmeaMessage, ...] | None
     """Sentences to stream. Required for `write`."""
@@ -4654,7 +4656,7 @@ class PollData(Command[None]):
     """Data descriptor set. Range: 0x80 to 0xFE."""
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     descriptors: tuple[int, ...]
     """Field descriptors. Refers to fields of `descriptor_set`."""
 
@@ -4673,7 +4675,7 @@ class GetBaseRate(Command[GetBaseRateResponse]):
 
     Gets the base rate, which is divided by the decimations of a descriptor set.
 
-    Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+    Response: `GetBaseRateResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
     3DM-GQ7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
@@ -4702,7 +4704,7 @@ class MessageFormat(Command[R]):
 
     Sets the fields of the data packets of a descriptor set, their order and their decimations.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `MessageFormatResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
     The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List
@@ -4734,7 +4736,7 @@ class MessageFormat(Command[R]):
     """Operation on the setting."""
     descriptor_set: int | None
     """Data descriptor set; 0 means all of them (save, load, default)."""
-    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. Counts the elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Refers to fields of `descriptor_set`. Required for `write`."""
@@ -4823,9 +4825,8 @@ class DataStreamControl(Command[R]):
     Switches a data stream on or off.
 
     Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    3DM-RQ1-45-ST.
+    Response: `DataStreamControlResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
+    3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     Devices of the generations 3 to 5 identify the stream by a number (`LegacyDataStream`), other
     devices by its descriptor set. A newly enabled stream starts with current data, without any from
@@ -4956,7 +4957,7 @@ class ConstellationSettings(Command[R]):
     Selects the constellations that the GNSS receiver tracks, and their shares of its tracking
     channels.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `ConstellationSettingsResponse`. Probably changes `gnss_data.FixInfo`, `gnss_data.SvInfo` and
     `gnss_data.SatelliteStatus`. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Uncertain: The factory
     default. The SDK names only GPS and GLONASS as enabled, but has channels for SBAS and QZSS too.
@@ -4996,8 +4997,8 @@ class ConstellationSettings(Command[R]):
     """Maximum number of tracking channels in use; at most the number that the response reports as
     available. Unit: 1. Required for `write`.
     """
-    # On the wire only: config_count. Number of entries. The number of elements of `settings`.
-    # Range: 0 to 41. Required for `write`.
+    # On the wire only: config_count. Number of entries. Counts the elements of `settings`. Range: 0
+    # to 41. Required for `write`.
     settings: tuple[ConstellationSettingsEntry, ...] | None
     """One entry for each constellation. Required for `write`."""
 
@@ -5054,9 +5055,9 @@ class GnssSbasSettings(Command[R]):
 
     Sets how the GNSS receivers use satellite-based augmentation (SBAS).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssSbasSettingsResponse`. Probably changes `gnss_data.SbasInfo` and
-    `gnss_data.SbasCorrection`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssSbasSettingsResponse`.
+    Probably changes `gnss_data.SbasInfo` and `gnss_data.SbasCorrection`. Supported by
+    3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -5092,8 +5093,8 @@ class GnssSbasSettings(Command[R]):
 
     - On the 3DM-GX5-35: default `SbasOptions.ENABLE_RANGING` and `SbasOptions.ENABLE_CORRECTIONS`.
     """
-    # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The
-    # number of elements of `included_prns`. Required for `write`.
+    # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. Counts
+    # the elements of `included_prns`. Required for `write`.
     included_prns: tuple[int, ...] | None
     """PRN numbers of the SBAS satellites to search for. Required for `write`."""
 
@@ -5157,7 +5158,7 @@ class GnssAssistedFix(Command[R]):
     Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next
     power-up.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `GnssAssistedFixResponse`.
     Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
 
     The last fix is kept in the flash memory and the FRAM of the receiver. If you send the time with
@@ -5248,8 +5249,8 @@ class GnssTimeAssistance(Command[R]):
 
     Sends the current GPS time to the GNSS receiver.
 
-    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by
-    3DM-GX5-35. Known only from the MicroStrain MIP SDK.
+    Functions: `write` and `read`. Response: `GnssTimeAssistanceResponse`. Supported by 3DM-GX5-35.
+    Known only from the MicroStrain MIP SDK.
 
     It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
@@ -5323,7 +5324,7 @@ class PpsSourceControl(Command[R]):
 
     Selects the source of the pulse per second (PPS).
 
-    Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `PpsSourceControlResponse`. Changes `system_data.TimeSyncStatus`. Probably changes
     `shared.GpsTimestamp`, `shared.ExternalTimestamp` and `sensor.GpsTimestamp`. Supported by
     3DM-CV7-GNSS/INS.
@@ -5401,7 +5402,7 @@ class GetEventSupport(Command[GetEventSupportResponse]):
 
     Gets the types of event triggers or actions that the device supports, and the number of each.
 
-    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Response: `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -5429,7 +5430,7 @@ class EventControl(Command[R]):
 
     Enables, disables or tests an event trigger.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `EventControlResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
     Triggers are disabled by default and after configuration. A trigger of type none cannot be
@@ -5511,7 +5512,7 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
 
     Gets the type and the state of event triggers.
 
-    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Response: `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -5530,8 +5531,8 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
         ("requested_instances", "B", wire.Items(None, "requested_count", 252)),
     )
 
-    # On the wire only: requested_count. Number of requested triggers; 0 requests all slots. The
-    # number of elements of `requested_instances`.
+    # On the wire only: requested_count. Number of requested triggers; 0 requests all slots. Counts
+    # the elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Numbers of the triggers to report; none for all."""
 
@@ -5544,7 +5545,7 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
 
     Gets the type and the trigger of event actions.
 
-    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Response: `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -5563,8 +5564,8 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
         ("requested_instances", "B", wire.Items(None, "requested_count", 252)),
     )
 
-    # On the wire only: requested_count. Number of requested actions; 0 requests all slots. The
-    # number of elements of `requested_instances`.
+    # On the wire only: requested_count. Number of requested actions; 0 requests all slots. Counts
+    # the elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Numbers of the actions to report; none for all."""
 
@@ -5577,8 +5578,8 @@ class EventTriggerConfig(Command[R]):
 
     Configures the kind and the condition of an event trigger.
 
-    Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
+    `EventTriggerConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     The trigger is disabled afterwards; `EventControl` enables it. A GPIO trigger needs its pin
     configured by `GpioConfig`.
@@ -5694,8 +5695,8 @@ class EventActionConfig(Command[R]):
 
     Configures the trigger and the effect of an event action.
 
-    Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
+    `EventActionConfigResponse`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
     A packet holds one descriptor set; for several sets use several actions with the same trigger. A
     GPIO action needs its pin configured as an output with the gpio feature. In each event cycle,
@@ -5867,7 +5868,7 @@ class SensorToVehicleTransformEuler(Command[R]):
     Sets the mounting of the sensor in the vehicle as Euler angles.
 
     Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Changes `sensor.ScaledAccel`,
+    `default`. Response: `SensorToVehicleTransformEulerResponse`. Changes `sensor.ScaledAccel`,
     `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -5972,7 +5973,7 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     Sets the mounting of the sensor in the vehicle as a quaternion.
 
     Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
-    and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Changes
+    and `default`. Response: `SensorToVehicleTransformQuaternionResponse`. Changes
     `sensor.ScaledAccel`, `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`,
     `sensor.DeltaVelocity`, `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`,
     `sensor.CompEulerAngles`, `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`,
@@ -6065,7 +6066,7 @@ class SensorToVehicleTransformDcm(Command[R]):
     Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
 
     Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `SensorToVehicleTransformDcmResponse`. Changes `sensor.ScaledAccel`,
+    `default`. Response: `SensorToVehicleTransformDcmResponse`. Changes `sensor.ScaledAccel`,
     `sensor.ScaledGyro`, `sensor.ScaledMag`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`, `sensor.CompEulerAngles`,
     `filter_data.AttitudeQuaternion`, `filter_data.AttitudeDcm`, `filter_data.EulerAngles`,
@@ -6153,9 +6154,9 @@ class GpsDynamicsMode(Command[R]):
     Sets the dynamics that the GNSS receiver assumes of the vehicle.
 
     No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and
+    `default`. Response: `GpsDynamicsModeResponse`. Probably changes `gnss_data.LlhPosition` and
     `gnss_data.NedVelocity`. Known only from the MIP SDK of 2014 and MicroStrain Communication
-    Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+    Library. Uncertain: Which devices support it. The SDK of 2014 uses it in its example for the
     3DM-GX3-35 only.
 
     - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
@@ -6222,13 +6223,13 @@ class ImuSignalConditioning(Command[R]):
     Configures the filters and the orientation algorithm of 3-series devices.
 
     No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`,
+    `default`. Response: `ImuSignalConditioningResponse`. Changes `sensor.ScaledAccel`,
     `sensor.ScaledGyro`, `sensor.DeltaTheta`, `sensor.DeltaVelocity`,
     `sensor.CompOrientationMatrix`, `sensor.CompQuaternion` and `sensor.CompEulerAngles`. Probably
     changes `sensor.ScaledMag`. Known only from the MIP SDK of 2014 and MicroStrain Communication
     Library. Uncertain: The ranges, the defaults, and some of the flags. They are those of the
-    single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices have
-    it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every
+    single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices support
+    it. The SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: Whether every
     device sends `reserved` in the response. MSCL reads it without.
 
     The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
@@ -6390,9 +6391,9 @@ class ImuTimestamp(Command[R]):
 
     Sets or reads a time counter of the sensor data.
 
-    No device is known for certain to support it. Functions: `write` and `read`. Answered by
-    `ImuTimestampResponse`. Known only from the MIP SDK of 2014. Uncertain: Which devices have it.
-    The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read
+    No device is known for certain to support it. Functions: `write` and `read`. Response:
+    `ImuTimestampResponse`. Known only from the MIP SDK of 2014. Uncertain: Which devices support
+    it. The SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read
     includes `time`, which is ignored, or omits it, as is assumed.
 
     - mip-sdk-2014: IMU timestamp (0x0C,0x36)
@@ -6458,7 +6459,7 @@ class AccelBias(Command[R]):
 
     Sets the bias that is subtracted from the scaled acceleration.
 
-    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response:
     `AccelBiasResponse`. Changes `sensor.ScaledAccel`. Probably changes `sensor.DeltaVelocity` and
     `filter_data.AccelBias`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
@@ -6546,7 +6547,7 @@ class GyroBias(Command[R]):
 
     Sets the bias that is subtracted from the scaled angular rate.
 
-    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response:
     `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`,
     `filter_data.GyroBias` and `filter_data.Status`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
@@ -6632,10 +6633,10 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
 
     Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
 
-    Answered by `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes
-    `sensor.DeltaTheta`, `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s
-    to reply. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
-    3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    Response: `GyroBiasResponse`. Changes `sensor.ScaledGyro`. Probably changes `sensor.DeltaTheta`,
+    `filter_data.GyroBias` and `filter_data.Status`. The device may take 31 s to reply. Supported by
+    3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
+    3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The device must be at rest, with as little vibration as possible, for the whole time. The reply
     arrives after the averaging time. The bias is not saved; to save it, send `GyroBias` with save.
@@ -6669,7 +6670,7 @@ class MagHardIronOffset(Command[R]):
 
     Sets the offset that corrects the scaled magnetic field for hard iron.
 
-    Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response:
     `MagHardIronOffsetResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
     `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
@@ -6764,7 +6765,7 @@ class MagSoftIronMatrix(Command[R]):
 
     Sets the matrix that corrects the scaled magnetic field for soft iron.
 
-    Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response:
     `MagSoftIronMatrixResponse`. Changes `sensor.ScaledMag`. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
     3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS:
     `write`, `read`, `save`, `load` and `default` only. On the 3DM-CV7-AR: `write`, `read`, `save`,
@@ -6857,7 +6858,7 @@ class ConingScullingEnable(Command[R]):
 
     Enables or disables coning and sculling compensation.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `ConingScullingEnableResponse`. Probably changes `sensor.DeltaTheta` and `sensor.DeltaVelocity`.
     Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
@@ -6925,8 +6926,8 @@ class UartBaudRate(Command[R]):
 
     Sets the baud rate of the main port.
 
-    Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+    Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
+    `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
     The 3DM-GX5-15 replies at the old rate and accepts commands at the new rate 250 ms later. The
@@ -7000,7 +7001,7 @@ class GpioConfig(Command[R]):
 
     Sets the use of a GPIO pin.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `GpioConfigResponse`.
     Probably changes `system_data.GpioState` and `system_data.GpioAnalogValue`. Supported by
     3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
 
@@ -7110,7 +7111,7 @@ class GpioState(Command[R]):
 
     Sets or reads the state of a GPIO pin.
 
-    Functions: `write` and `read`. Answered by `GpioStateResponse`. Changes `system_data.GpioState`.
+    Functions: `write` and `read`. Response: `GpioStateResponse`. Changes `system_data.GpioState`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
 
     A read returns the level of the pin itself. A write has an effect only on a pin that is
@@ -7170,7 +7171,7 @@ class OdometerConfig(Command[R]):
 
     Configures the input from a wheel encoder.
 
-    Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `OdometerConfigResponse`. Changes `sensor.Odometer`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
@@ -7260,7 +7261,7 @@ class ImuLowPassFilter(Command[R]):
     Configures the low-pass filter of one sensor data quantity.
 
     For advanced use. Also called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load`
-    and `default`. Answered by `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`,
+    and `default`. Response: `ImuLowPassFilterResponse`. Changes `sensor.ScaledAccel`,
     `sensor.ScaledGyro`, `sensor.ScaledMag` and `sensor.ScaledPressure`. Supported by 3DM-CV7-AHRS,
     3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use `LowPassFilter` instead. Deprecated on the
@@ -7390,7 +7391,7 @@ class ComplementaryFilter(Command[R]):
     Configures the complementary filter, which computes the attitude independently of the estimation
     filter.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `ComplementaryFilterResponse`. Changes `sensor.CompOrientationMatrix`, `sensor.CompQuaternion`
     and `sensor.CompEulerAngles`. Probably changes `sensor.NorthVector` and `sensor.UpVector`.
     Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
@@ -7525,7 +7526,7 @@ class SensorRange(Command[R]):
 
     Sets the measuring range of a sensor.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `SensorRangeResponse`.
     Probably changes `sensor.ScaledAccel`, `sensor.ScaledGyro` and `sensor.OverrangeStatus`.
     Supported by 3DM-CV7-GNSS/INS.
 
@@ -7610,8 +7611,8 @@ class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
 
     Gets the ranges that a sensor supports.
 
-    Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `calibrated_sensor_ranges`. Response: `GetCalibratedSensorRangesResponse`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -7639,8 +7640,8 @@ class LowPassFilter(Command[R]):
 
     Configures the low-pass filter of a data field.
 
-    Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
-    by `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
+    Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Response: `LowPassFilterResponse`. Changes `sensor.ScaledAccel`, `sensor.ScaledGyro`,
     `sensor.ScaledMag`, `sensor.ScaledPressure`, `filter_data.CompAccel`,
     `filter_data.CompAngularRate` and `filter_data.LinearAccel`. Supported by 3DM-CV7-AHRS,
     3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS. On the 3DM-CV7-AHRS: firmware > 1.0.07. On
@@ -7782,8 +7783,8 @@ class DataStreamFormat(Command[R]):
     Selects MIP data or the raw data of a sensor for a stream.
 
     No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and
-    MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
+    `default`. Response: `DataStreamFormatResponse`. Known only from the MIP SDK of 2014 and
+    MicroStrain Communication Library. Uncertain: Which devices support it. A comment in the SDK of
     2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write require
     `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
     `format`.
@@ -7877,8 +7878,8 @@ class DevicePowerState(Command[R]):
     Sets the power state of an internal sensor.
 
     No device is known for certain to support it. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `DevicePowerStateResponse`. The device may take 5 s to reply. Known only
-    from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have
+    `default`. Response: `DevicePowerStateResponse`. The device may take 5 s to reply. Known only
+    from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices support
     it. A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The
     time-out. The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether `state`
     may be omitted with functions other than write. The SDK of 2014 sends `device` with every
@@ -7968,7 +7969,7 @@ class GpsAdvancedSettings(Command[None]):
 
     No device is known for certain to support it. For advanced use. Functions: `save`, `load` and
     `default`. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain:
-    Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
+    Which devices support it. A comment in the SDK of 2014 names the 3DM-GX3-35.
 
     In direct mode, your program configures the u-blox receiver with its own protocol; see
     `system.CommMode`.
@@ -8031,7 +8032,7 @@ class DeviceStatus(
 
     Gets the state of the device, in basic form or with counters.
 
-    For advanced use. Answered by `DeviceStatusBasicRq1ImuResponse`, `DeviceStatusBasicResponse`,
+    For advanced use. Response: `DeviceStatusBasicRq1ImuResponse`, `DeviceStatusBasicResponse`,
     `DeviceStatusBasicWithoutStateResponse`, `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response`, `DeviceStatusDiagnosticGx4Response`,

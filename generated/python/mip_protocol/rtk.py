@@ -3,7 +3,7 @@
 Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
 
 Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the names.
-Uncertain: How the strings are padded or ended.
+Uncertain: How the strings are padded or terminated.
 
 - mip-sdk-4: Rtk Commands (0x0F)
 """
@@ -73,7 +73,7 @@ class LedAction(codec.OpenEnum):
 class GetStatusFlagsResponse(Response):
     """Get status flags response (0x0F,0x81).
 
-    No device is known for certain to support it. Answers `GetStatusFlags`. Known only from the
+    No device is known for certain to support it. Response to `GetStatusFlags`. Known only from the
     MicroStrain MIP SDK.
 
     - mip-sdk-4: Get status flags (0x0F,0x01)
@@ -99,7 +99,7 @@ class GetStatusFlagsResponse(Response):
 class GetImeiResponse(Response):
     """Get IMEI response (0x0F,0x82).
 
-    Answers `GetImei`. Known only from the MicroStrain MIP SDK.
+    Response to `GetImei`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get IMEI (0x0F,0x02)
     """
@@ -124,7 +124,7 @@ class GetImeiResponse(Response):
 class GetImsiResponse(Response):
     """Get IMSI response (0x0F,0x83).
 
-    Answers `GetImsi`. Known only from the MicroStrain MIP SDK.
+    Response to `GetImsi`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get IMSI (0x0F,0x03)
     """
@@ -149,7 +149,7 @@ class GetImsiResponse(Response):
 class GetIccidResponse(Response):
     """Get ICCID response (0x0F,0x84).
 
-    Answers `GetIccid`. Known only from the MicroStrain MIP SDK.
+    Response to `GetIccid`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get ICCID (0x0F,0x04)
     """
@@ -174,8 +174,8 @@ class GetIccidResponse(Response):
 class GetRssiResponse(Response):
     """Get RSSI response (0x0F,0x85).
 
-    Answers `GetRssi`. Known only from the MicroStrain MIP SDK. Uncertain: That `valid` applies to
-    the other values is inferred.
+    Response to `GetRssi`. Known only from the MicroStrain MIP SDK. Uncertain: That `valid` applies
+    to the other values is inferred.
 
     - mip-sdk-4: Get RSSI (0x0F,0x05)
     """
@@ -206,7 +206,7 @@ class GetRssiResponse(Response):
 class ConnectedDeviceTypeResponse(Response):
     """Connected device type response (0x0F,0x86).
 
-    Answers `ConnectedDeviceType`. Known only from the MicroStrain MIP SDK.
+    Response to `ConnectedDeviceType`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Connected device type (0x0F,0x06)
     """
@@ -231,7 +231,7 @@ class ConnectedDeviceTypeResponse(Response):
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
-    No device is known for certain to support it. Also called `get_act_code_response`. Answers
+    No device is known for certain to support it. Also called `get_act_code_response`. Response to
     `GetActivationCode`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -257,7 +257,7 @@ class GetActivationCodeResponse(Response):
 class GetModemFirmwareVersionResponse(Response):
     """Get modem firmware version response (0x0F,0x88).
 
-    Answers `GetModemFirmwareVersion`. Known only from the MicroStrain MIP SDK.
+    Response to `GetModemFirmwareVersion`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get modem firmware version (0x0F,0x08)
     """
@@ -284,8 +284,8 @@ class ServiceStatusResponse(Response):
 
     Connection status according to the server.
 
-    Answers `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the counters
-    count.
+    Response to `ServiceStatus`. Known only from the MicroStrain MIP SDK. Uncertain: What the
+    counters count.
 
     - mip-sdk-4: Service status (0x0F,0x0A)
     """
@@ -328,7 +328,7 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
 
     Gets the state of the modem and of the corrections.
 
-    No device is known for certain to support it. Answered by `GetStatusFlagsResponse`. Known only
+    No device is known for certain to support it. Response: `GetStatusFlagsResponse`. Known only
     from the MicroStrain MIP SDK.
 
     The status word in the response has two forms, `types.RtkStatusFlags` and
@@ -352,7 +352,7 @@ class GetImei(Command[GetImeiResponse]):
 
     Gets the identity of the modem.
 
-    Answered by `GetImeiResponse`. Not listed in any device profile. Known only from the MicroStrain
+    Response: `GetImeiResponse`. Not listed in any device profile. Known only from the MicroStrain
     MIP SDK.
 
     - mip-sdk-4: Get IMEI (0x0F,0x02)
@@ -373,7 +373,7 @@ class GetImsi(Command[GetImsiResponse]):
 
     Gets the identity of the subscriber.
 
-    Answered by `GetImsiResponse`. Not listed in any device profile. Known only from the MicroStrain
+    Response: `GetImsiResponse`. Not listed in any device profile. Known only from the MicroStrain
     MIP SDK.
 
     - mip-sdk-4: Get IMSI (0x0F,0x03)
@@ -394,8 +394,8 @@ class GetIccid(Command[GetIccidResponse]):
 
     Gets the number of the SIM card.
 
-    Answered by `GetIccidResponse`. Not listed in any device profile. Known only from the
-    MicroStrain MIP SDK.
+    Response: `GetIccidResponse`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Get ICCID (0x0F,0x04)
     """
@@ -415,7 +415,7 @@ class GetRssi(Command[GetRssiResponse]):
 
     Gets the strength of the cellular signal.
 
-    Answered by `GetRssiResponse`. Not listed in any device profile. Known only from the MicroStrain
+    Response: `GetRssiResponse`. Not listed in any device profile. Known only from the MicroStrain
     MIP SDK.
 
     - mip-sdk-4: Get RSSI (0x0F,0x05)
@@ -436,7 +436,7 @@ class ConnectedDeviceType(Command[R]):
 
     Sets the type of device that the modem is connected to.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `ConnectedDeviceTypeResponse`. Not listed in any device profile. Known only from the MicroStrain
     MIP SDK.
 
@@ -508,7 +508,7 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
 
     Reads the code that activates the modem for its service.
 
-    No device is known for certain to support it. Also called `get_act_code`. Answered by
+    No device is known for certain to support it. Also called `get_act_code`. Response:
     `GetActivationCodeResponse`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -529,7 +529,7 @@ class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
 
     Gets the firmware version of the cellular modem.
 
-    Answered by `GetModemFirmwareVersionResponse`. Not listed in any device profile. Known only from
+    Response: `GetModemFirmwareVersionResponse`. Not listed in any device profile. Known only from
     the MicroStrain MIP SDK.
 
     - mip-sdk-4: Get modem firmware version (0x0F,0x08)
@@ -550,7 +550,7 @@ class ServiceStatus(Command[ServiceStatusResponse]):
 
     Queries a correction server about the connection, which also keeps it open.
 
-    Answered by `ServiceStatusResponse`. Sent by the device; the host replies. Not listed in any
+    Response: `ServiceStatusResponse`. Sent by the device; the host replies. Not listed in any
     device profile. Known only from the MicroStrain MIP SDK.
 
     The modem acts as the host and the server as the device.

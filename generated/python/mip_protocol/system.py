@@ -48,7 +48,7 @@ class ProtocolMode(codec.OpenEnum):
 class InterfaceControlResponse(Response):
     """Interface control response (0x7F,0x82).
 
-    Answers `InterfaceControl`. Supported by 3DM-CV7-GNSS/INS.
+    Response to `InterfaceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - mip-sdk-4: Interface control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
@@ -89,7 +89,7 @@ class InterfaceControlResponse(Response):
 class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Answers `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    Response to `CommMode`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -116,8 +116,8 @@ class InterfaceControl(Command[R]):
 
     Sets the protocols that a port receives and sends.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `InterfaceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `InterfaceControlResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     Accepted on the main port only. The main port always keeps MIP in both directions. The change
     takes effect before the ACK, which is sent on the main port. Bytes that arrive during the change
@@ -224,7 +224,7 @@ class CommMode(Command[R]):
 
     Switches the port between the device and one of its internal sensors.
 
-    For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `CommModeResponse`. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
 
     The ACK is sent in the old mode, just before the switch. In a direct mode, the device itself

@@ -771,7 +771,7 @@ class EventActionMessage(Structure):
     the base rate of the descriptor set divided by this value. At each activation, a packet is sent
     immediately and the count restarts.
     """
-    # On the wire only: num_fields. Number of fields in the packet. The number of elements of
+    # On the wire only: num_fields. Number of fields in the packet. Counts the elements of
     # `descriptors`. Range: 0 to 12.
     descriptors: tuple[int, ...]
     """Field descriptors, in order. Refers to fields of `descriptor_set`."""
@@ -1192,8 +1192,8 @@ class RtkStatusFlags(IntFlag):
     CONNECTION_TYPE = 0xF0
     """Kind of cellular connection. Bits 4 to 7."""
     RSSI = 0xFF00
-    """Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of the
-    vendor treats it as negative.
+    """Received signal strength. Bits 8 to 15. Uncertain: The unit and the sign; other software of
+    the vendor treats it as negative.
     """
     SIGNAL_QUALITY = 0xF0000
     """Quality of the modem's radio signal. Bits 16 to 19."""

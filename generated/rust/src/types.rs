@@ -919,7 +919,7 @@ tuple! { EventActionGpio pin: u8, mode: EventActionGpioMode }
 record! {
     /// An action that sends data packets.
     ///
-    /// The wire format also contains `num_fields`: Number of fields in the packet. The number of
+    /// The wire format also contains `num_fields`: Number of fields in the packet. Counts the
     /// elements of [`descriptors`](EventActionMessage::descriptors). Range: 0 to 12.
     ///
     /// Source: 3dm-cv7-gnss-ins: MessageParams.
@@ -1377,8 +1377,8 @@ bitfield! {
         /// Kind of cellular connection. Bits 4 to 7.
         CONNECTION_TYPE: u8 = 4..=7,
             connection_type, set_connection_type, with_connection_type;
-        /// Received signal strength. Bits 8 to 15. Uncertain: Its unit and sign; other software of
-        /// the vendor treats it as negative.
+        /// Received signal strength. Bits 8 to 15. Uncertain: The unit and the sign; other software
+        /// of the vendor treats it as negative.
         RSSI: u8 = 8..=15,
             rssi, set_rssi, with_rssi;
         /// Quality of the modem's radio signal. Bits 16 to 19.

@@ -53,9 +53,9 @@ def _exchange(f: m.Field, model: m.Model) -> Iterator[Fact]:
     if f.functions:
         yield fact("functions", functions(f.functions), "Functions: {}.")
     if f.responses:
-        yield fact("responses", joined([(field_ref(r),) for r in model.responses(f)], "or"), "Answered by {}.")
+        yield fact("responses", joined([(field_ref(r),) for r in model.responses(f)], "or"), "Response: {}.")
     if f.role == m.RESPONSE and model.commands(f):
-        yield fact("commands", joined([(field_ref(c),) for c in model.commands(f)]), "Answers {}.")
+        yield fact("commands", joined([(field_ref(c),) for c in model.commands(f)]), "Response to {}.")
     others = [g for g in model.layouts(f) if g is not f and g.signature == f.signature]
     if others:
         names = joined([(field_ref(g),) for g in others])

@@ -25,7 +25,7 @@ def facts(p: m.Parameter, record: m.Record, model: m.Model) -> list[Fact]:
         value = (str(p.reserved),) if sent else ()
         facts.append(fact("reserved", value, "Reserved: send {}." if sent else "Reserved."))
     if p.counts:
-        facts.append(fact("counts", (Ref(beside[p.counts], p.counts, record),), "The number of elements of {}."))
+        facts.append(fact("counts", (Ref(beside[p.counts], p.counts, record),), "Counts the elements of {}."))
     if p.tag:
         facts.append(fact("tag", (Ref(beside[p.tag], p.tag, record),), "Selected by {}."))
     if p.fields_of:

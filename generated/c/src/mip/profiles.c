@@ -2844,7 +2844,7 @@ const struct mip_profile mip_profile_dh3 = {
 
 static const char *const gq4_45_incomplete[] = {
     "The manual's table of contents is known only up to the commands of the set `3dm`. The unknown "
-    "part covers the sets `filter` and `system`.",
+    "part includes the sets `filter` and `system`.",
     "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
 };
 
@@ -5031,7 +5031,7 @@ static const char *const rq1_45_lt_also[] = {
 
 static const char *const rq1_45_lt_incomplete[] = {
     "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown "
-    "part covers the set `system`.",
+    "part includes the set `system`.",
     "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
 };
 
@@ -5138,7 +5138,7 @@ static const char *const rq1_45_st_also[] = {
 
 static const char *const rq1_45_st_incomplete[] = {
     "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown "
-    "part covers the set `system`.",
+    "part includes the set `system`.",
     "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
 };
 

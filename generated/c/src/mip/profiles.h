@@ -252,10 +252,10 @@ extern MIP_API const struct mip_profile mip_profile_dh3;
  *
  * Generation 4. Model number 6250. Manual: LORD 3DM-GQ4-45 Data Communications Protocol, of
  * September 26, 2015, known from its table of contents. This profile is incomplete: The manual's
- * table of contents is known only up to the commands of the set `3dm`. The unknown part covers the
- * sets `filter` and `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82,
- * but none of their fields are known. Uncertain: It may accept raw RTCM by a command whose layout
- * is not known.
+ * table of contents is known only up to the commands of the set `3dm`. The unknown part includes
+ * the sets `filter` and `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and
+ * 0x82, but none of their fields are known. Uncertain: It may accept raw RTCM by a command whose
+ * layout is not known.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -483,9 +483,9 @@ extern MIP_API const struct mip_profile mip_profile_mv5_ar;
  * Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data
  * Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
  * incomplete: The manual's table of contents is known only up to mip_filter_set_initial_heading.
- * The unknown part covers the set `system`. This profile is incomplete: It has the data sets 0x80,
- * 0x81 and 0x82, but none of their fields are known. Uncertain: The SDK writes the name with an
- * underscore before LT and ST.
+ * The unknown part includes the set `system`. This profile is incomplete: It has the data sets
+ * 0x80, 0x81 and 0x82, but none of their fields are known. Uncertain: The SDK writes the name with
+ * an underscore before LT and ST.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -498,9 +498,9 @@ extern MIP_API const struct mip_profile mip_profile_rq1_45_lt;
  * Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data
  * Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
  * incomplete: The manual's table of contents is known only up to mip_filter_set_initial_heading.
- * The unknown part covers the set `system`. This profile is incomplete: It has the data sets 0x80,
- * 0x81 and 0x82, but none of their fields are known. Uncertain: The SDK writes the name with an
- * underscore before LT and ST.
+ * The unknown part includes the set `system`. This profile is incomplete: It has the data sets
+ * 0x80, 0x81 and 0x82, but none of their fields are known. Uncertain: The SDK writes the name with
+ * an underscore before LT and ST.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features

@@ -698,7 +698,7 @@ struct mip_event_action_message {
      * sent immediately and the count restarts.
      */
     uint16_t decimation;
-    /** Number of fields in the packet. The number of elements of descriptors. Range: 0 to 12. */
+    /** Number of fields in the packet. Counts the elements of descriptors. Range: 0 to 12. */
     uint8_t num_fields;
     /** Field descriptors, in order. Refers to fields of descriptor_set. */
     uint8_t descriptors[249];
@@ -1130,7 +1130,7 @@ typedef uint32_t mip_rtk_status_flags;
 /** Bits 4 to 7. Kind of cellular connection. */
 #define MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE UINT32_C(0x000000F0)
 /**
- * Bits 8 to 15. Received signal strength. Uncertain: Its unit and sign; other software of the
+ * Bits 8 to 15. Received signal strength. Uncertain: The unit and the sign; other software of the
  * vendor treats it as negative.
  */
 #define MIP_RTK_STATUS_FLAGS_RSSI UINT32_C(0x0000FF00)
@@ -1180,7 +1180,7 @@ static inline void mip_rtk_status_flags_set_connection_type(mip_rtk_status_flags
 }
 
 /**
- * Bits 8 to 15. Received signal strength. Uncertain: Its unit and sign; other software of the
+ * Bits 8 to 15. Received signal strength. Uncertain: The unit and the sign; other software of the
  * vendor treats it as negative.
  */
 static inline uint8_t mip_rtk_status_flags_get_rssi(mip_rtk_status_flags flags) {

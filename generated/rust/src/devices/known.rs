@@ -4541,8 +4541,8 @@ const GQ4_45_2: &Evidence =
 ///
 /// Generation 4. Model number 6250. Manual: LORD 3DM-GQ4-45 Data Communications Protocol, of
 /// September 26, 2015, known from its table of contents. This profile is incomplete: The manual's
-/// table of contents is known only up to the commands of the set `3dm`. The unknown part covers the
-/// sets `filter` and `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and
+/// table of contents is known only up to the commands of the set `3dm`. The unknown part includes
+/// the sets `filter` and `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and
 /// 0x82, but none of their fields are known. Uncertain: It may accept raw RTCM by a command whose
 /// layout is not known.
 ///
@@ -4569,7 +4569,7 @@ pub static GQ4_45: Profile = Profile {
     generation: Some(4),
     manual: Some("3dm-gq4-45"),
     incomplete: &[
-        "The manual's table of contents is known only up to the commands of the set `3dm`. The unknown part covers the sets `filter` and `system`.",
+        "The manual's table of contents is known only up to the commands of the set `3dm`. The unknown part includes the sets `filter` and `system`.",
         "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ],
     fields: supported! {
@@ -8182,8 +8182,8 @@ const RQ1_45_LT_2: &Evidence =
 /// Also called 3DM-RQ1-45_LT. Generation 4. Model number 6232. Manual: LORD 3DM-RQ1-45 Data
 /// Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
 /// incomplete: The manual's table of contents is known only up to
-/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The unknown part covers the set
-/// `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of
+/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The unknown part includes the
+/// set `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of
 /// their fields are known. Uncertain: The SDK writes the name with an underscore before LT and ST.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
@@ -8215,7 +8215,7 @@ pub static RQ1_45_LT: Profile = Profile {
     generation: Some(4),
     manual: Some("3dm-rq1-45"),
     incomplete: &[
-        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part covers the set `system`.",
+        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part includes the set `system`.",
         "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ],
     fields: supported! {
@@ -8356,8 +8356,8 @@ const RQ1_45_ST_2: &Evidence =
 /// Also called 3DM-RQ1-45_ST. Generation 4. Model number 6239. Manual: LORD 3DM-RQ1-45 Data
 /// Communications Protocol, of June 25, 2013, known from its table of contents. This profile is
 /// incomplete: The manual's table of contents is known only up to
-/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The unknown part covers the set
-/// `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of
+/// [`filter::SetInitialHeading`](crate::filter::SetInitialHeading). The unknown part includes the
+/// set `system`. This profile is incomplete: It has the data sets 0x80, 0x81 and 0x82, but none of
 /// their fields are known. Uncertain: The SDK writes the name with an underscore before LT and ST.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
@@ -8389,7 +8389,7 @@ pub static RQ1_45_ST: Profile = Profile {
     generation: Some(4),
     manual: Some("3dm-rq1-45"),
     incomplete: &[
-        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part covers the set `system`.",
+        "The manual's table of contents is known only up to `filter.set_initial_heading`. The unknown part includes the set `system`.",
         "It has the data sets 0x80, 0x81 and 0x82, but none of their fields are known.",
     ],
     fields: supported! {

@@ -130,7 +130,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`FrameConfigResponse`]. Changes
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`FrameConfigResponse`]. Changes
     /// [`filter_data::AidingFrameConfigError`](crate::filter_data::AidingFrameConfigError).
     /// Probably changes
     /// [`filter_data::AidingFrameConfigErrorUncertainty`](crate::filter_data::AidingFrameConfigErrorUncertainty).
@@ -245,8 +245,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`EchoControlResponse`]. Supported
-    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`EchoControlResponse`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The manual does not contain the layout of the responses that carry the data back.
@@ -877,7 +877,7 @@ command! {
 record! {
     /// Frame configuration response (0x13,0x81).
     ///
-    /// Answers [`FrameConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// Response to [`FrameConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
@@ -931,7 +931,7 @@ field! {
 record! {
     /// Echo control response (0x13,0x9F).
     ///
-    /// Answers [`EchoControl`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// Response to [`EchoControl`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo

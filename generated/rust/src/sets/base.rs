@@ -144,7 +144,7 @@ record! {
     ///
     /// Gets the firmware version and the identity strings of the device.
     ///
-    /// Answered by [`GetDeviceInfoResponse`]. Supported by
+    /// Response: [`GetDeviceInfoResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
@@ -179,7 +179,7 @@ record! {
     ///
     /// Gets the command and data descriptors that the device supports.
     ///
-    /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by
+    /// Response: [`GetDeviceDescriptorsResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
@@ -217,7 +217,7 @@ record! {
     ///
     /// Runs the self test of the device and gets its result.
     ///
-    /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to reply. Supported by
+    /// Response: [`BuiltInTestResponse`]. The device may take 10 s to reply. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -291,7 +291,7 @@ record! {
     ///
     /// Gets the supported descriptors that did not fit into the reply of [`GetDeviceDescriptors`].
     ///
-    /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by
+    /// Response: [`GetExtendedDescriptorsResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35) and
@@ -327,7 +327,7 @@ record! {
     ///
     /// Gets the flags of the tests that run all the time. It does not interrupt operation.
     ///
-    /// Also called `continuous_bit`. Answered by [`ContinuousBuiltInTestResponse`]. Supported by
+    /// Also called `continuous_bit`. Response: [`ContinuousBuiltInTestResponse`]. Supported by
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is less thorough than [`BuiltInTest`].
@@ -364,7 +364,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`CommSpeedResponse`]. Supported by
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`CommSpeedResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -469,7 +469,7 @@ record! {
     /// Sets the week number or the time of week of the external (GPS) time.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ)
-    /// and [apply](types::FunctionSelector::APPLY). Answered by [`GpsTimeUpdateWeekNumberResponse`]
+    /// and [apply](types::FunctionSelector::APPLY). Response: [`GpsTimeUpdateWeekNumberResponse`]
     /// or [`GpsTimeUpdateTowResponse`]. Changes
     /// [`filter_data::Timestamp`](crate::filter_data::Timestamp),
     /// [`sensor::GpsTimestamp`](crate::sensor::GpsTimestamp),
@@ -592,11 +592,12 @@ command! {
 record! {
     /// Get device information response (0x01,0x81).
     ///
-    /// Answers [`GetDeviceInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
-    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// Response to [`GetDeviceInfo`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
@@ -628,7 +629,7 @@ field! {
 record! {
     /// Get device descriptors response (0x01,0x82).
     ///
-    /// Answers [`GetDeviceDescriptors`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// Response to [`GetDeviceDescriptors`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
@@ -661,7 +662,7 @@ field! {
 record! {
     /// Built-in test response (0x01,0x83).
     ///
-    /// Answers [`BuiltInTest`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Response to [`BuiltInTest`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -758,7 +759,7 @@ record! {
     ///
     /// The current week number.
     ///
-    /// Answers [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
+    /// Response to [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
     /// [`GpsTimeField::WEEK_NUMBER`]. Supported by [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
     /// [3DM-GX5-35](crate::devices::GX5_35).
@@ -797,7 +798,7 @@ record! {
     ///
     /// The current time of week.
     ///
-    /// Answers [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
+    /// Response to [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
     /// [`GpsTimeField::TOW`]. Supported by [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
     /// [3DM-GX5-35](crate::devices::GX5_35).
@@ -834,10 +835,11 @@ field! {
 record! {
     /// Get device descriptors (extended) response (0x01,0x86).
     ///
-    /// Answers [`GetExtendedDescriptors`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`GetExtendedDescriptors`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
@@ -865,7 +867,7 @@ field! {
 record! {
     /// Continuous built-in test response (0x01,0x88).
     ///
-    /// Also called `continuous_bit_response`. Answers [`ContinuousBuiltInTest`]. Supported by
+    /// Also called `continuous_bit_response`. Response to [`ContinuousBuiltInTest`]. Supported by
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
@@ -934,7 +936,7 @@ field! {
 record! {
     /// Comm port speed response (0x01,0x89).
     ///
-    /// Answers [`CommSpeed`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// Response to [`CommSpeed`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///

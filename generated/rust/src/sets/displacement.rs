@@ -20,8 +20,8 @@ record! {
     /// Reads the slope and offset with which the device converts ADC counts to displacement.
     ///
     /// No device is known for certain to support it. Also called
-    /// `get_analog_displacement_calibration`. Answered by [`GetCalibrationResponse`]. Known only
-    /// from the MicroStrain Communication Library.
+    /// `get_analog_displacement_calibration`. Response: [`GetCalibrationResponse`]. Known only from
+    /// the MicroStrain Communication Library.
     ///
     /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -51,7 +51,7 @@ record! {
     /// Reads the rate at which displacement is measured.
     ///
     /// No device is known for certain to support it. Also called `displacement_output_rate`.
-    /// Functions: [read](types::FunctionSelector::READ). Answered by [`OutputRateResponse`]. Known
+    /// Functions: [read](types::FunctionSelector::READ). Response: [`OutputRateResponse`]. Known
     /// only from the MicroStrain Communication Library. Uncertain: Whether the rate can be written.
     /// MSCL only reads it.
     ///
@@ -133,8 +133,8 @@ record! {
     /// Get Analog to Displacement Calibration response (0x11,0x81).
     ///
     /// No device is known for certain to support it. Also called
-    /// `get_analog_displacement_calibration_response`. Answers [`GetCalibration`]. Known only from
-    /// the MicroStrain Communication Library.
+    /// `get_analog_displacement_calibration_response`. Response to [`GetCalibration`]. Known only
+    /// from the MicroStrain Communication Library.
     ///
     /// Source: mscl: Get Analog to Displacement Calibration (0x11,0x01).
     #[derive(Copy, Default)]
@@ -175,8 +175,8 @@ record! {
     /// Displacement Output Data Rate response (0x11,0x82).
     ///
     /// No device is known for certain to support it. Also called
-    /// `displacement_output_rate_response`. Answers [`OutputRate`]. Known only from the MicroStrain
-    /// Communication Library.
+    /// `displacement_output_rate_response`. Response to [`OutputRate`]. Known only from the
+    /// MicroStrain Communication Library.
     ///
     /// Source: mscl: Displacement Output Data Rate (0x11,0x02).
     #[derive(Copy, Default, Eq, Hash)]

@@ -475,7 +475,7 @@ record! {
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Known only from the MIP SDK
     /// of 2014, MicroStrain Communication Library and MicroStrain MIP SDK. Uncertain: The name. The
     /// SDK calls it set initial heading from mag, and has no layout; the SDK of 2014 has this
-    /// layout, in its example for the 3DM-GX3-45. Uncertain: Which devices have it.
+    /// layout, in its example for the 3DM-GX3-45. Uncertain: Which devices support it.
     ///
     /// Source: mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04); mip-sdk-2014: Set Initial
     /// Attitude From AHRS (0x0D,0x04); mscl: Set Initial Attitude From AHRS (0x0D,0x04).
@@ -545,7 +545,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`VehicleDynamicsModeResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`VehicleDynamicsModeResponse`].
     /// Probably changes filter_data (0x82). Supported by [3DM-GX5-45](crate::devices::GX5_45).
     /// Known only from the MicroStrain MIP SDK.
     ///
@@ -605,7 +605,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`SensorToVehicleRotationEulerResponse`]. Changes
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
@@ -699,7 +699,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorToVehicleOffsetResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`SensorToVehicleOffsetResponse`].
     /// Changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
     /// The direction, from the sensor to the origin of the vehicle frame, is inferred from the
@@ -762,7 +762,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AntennaOffsetResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`AntennaOffsetResponse`]. Probably
     /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
@@ -831,7 +831,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`EstimationControlResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`EstimationControlResponse`].
     /// Changes [`filter_data::GyroBias`](crate::filter_data::GyroBias),
     /// [`filter_data::AccelBias`](crate::filter_data::AccelBias),
     /// [`filter_data::GyroScaleFactor`](crate::filter_data::GyroScaleFactor),
@@ -925,7 +925,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSourceResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssSourceResponse`]. Probably
     /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
@@ -1130,7 +1130,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`HeadingSourceResponse`]. Changes
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`HeadingSourceResponse`]. Changes
     /// [`filter_data::HeadingUpdateState`](crate::filter_data::HeadingUpdateState). Probably
     /// changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
@@ -1210,7 +1210,7 @@ record! {
     /// Also called `auto_init_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`AutoInitializationControlResponse`]. Supported by
+    /// Response: [`AutoInitializationControlResponse`]. Supported by
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Automatic initialization needs a valid heading source.
@@ -1270,7 +1270,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelNoiseResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`AccelNoiseResponse`]. Probably
     /// changes [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty),
     /// [`filter_data::EcefPositionUncertainty`](crate::filter_data::EcefPositionUncertainty),
     /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty),
@@ -1337,7 +1337,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroNoiseResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`GyroNoiseResponse`]. Probably
     /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty),
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty)
     /// and [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported
@@ -1402,8 +1402,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelBiasModelResponse`].
-    /// Probably changes [`filter_data::AccelBias`](crate::filter_data::AccelBias) and
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`AccelBiasModelResponse`]. Probably
+    /// changes [`filter_data::AccelBias`](crate::filter_data::AccelBias) and
     /// [`filter_data::AccelBiasUncertainty`](crate::filter_data::AccelBiasUncertainty). Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
@@ -1468,7 +1468,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroBiasModelResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`GyroBiasModelResponse`]. Probably
     /// changes [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::GyroBiasUncertainty`](crate::filter_data::GyroBiasUncertainty). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
@@ -1535,7 +1535,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoZuptResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`AutoZuptResponse`]. Probably
     /// changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
     /// [`filter_data::NedVelocityUncertainty`](crate::filter_data::NedVelocityUncertainty) and
@@ -1682,9 +1682,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoAngularZuptResponse`].
-    /// Probably changes
-    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`AutoAngularZuptResponse`]. Probably
+    /// changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
@@ -1757,8 +1756,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`TareOrientationResponse`].
-    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`TareOrientationResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
     /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
@@ -1906,7 +1905,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ReferencePositionResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ReferencePositionResponse`].
     /// Changes [`filter_data::Wgs84GravityMagnitude`](crate::filter_data::Wgs84GravityMagnitude)
     /// and [`filter_data::MagneticModel`](crate::filter_data::MagneticModel). Supported by
     /// [3DM-GX5-15](crate::devices::GX5_15).
@@ -2041,7 +2040,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GravityNoiseResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`GravityNoiseResponse`]. Probably
     /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
     /// and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
@@ -2107,7 +2106,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`PressureAltitudeNoiseResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`PressureAltitudeNoiseResponse`].
     /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
     /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
@@ -2170,7 +2169,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`HardIronOffsetNoiseResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`HardIronOffsetNoiseResponse`].
     /// Probably changes [`filter_data::MagOffset`](crate::filter_data::MagOffset) and
     /// [`filter_data::MagOffsetUncertainty`](crate::filter_data::MagOffsetUncertainty). Supported
     /// by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
@@ -2230,7 +2229,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SoftIronMatrixNoiseResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`SoftIronMatrixNoiseResponse`].
     /// Probably changes [`filter_data::MagMatrix`](crate::filter_data::MagMatrix) and
     /// [`filter_data::MagMatrixUncertainty`](crate::filter_data::MagMatrixUncertainty). Supported
     /// by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
@@ -2290,7 +2289,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`EnableMeasurementsResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`EnableMeasurementsResponse`].
     /// Probably changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
@@ -2354,7 +2353,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MagNoiseResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`MagNoiseResponse`]. Probably
     /// changes [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty)
     /// and
     /// [`filter_data::QuaternionAttitudeUncertainty`](crate::filter_data::QuaternionAttitudeUncertainty).
@@ -2416,7 +2415,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`MagneticDeclinationSourceResponse`]. Probably changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
@@ -2496,7 +2495,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Probably changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
@@ -2617,7 +2616,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Probably changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
@@ -2746,7 +2745,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Probably changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
@@ -2847,8 +2846,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AltitudeAidingResponse`].
-    /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`AltitudeAidingResponse`]. Probably
+    /// changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and
     /// [`filter_data::LlhPositionUncertainty`](crate::filter_data::LlhPositionUncertainty).
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
@@ -2909,9 +2908,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`PitchRollAidingResponse`].
-    /// Probably changes
-    /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`PitchRollAidingResponse`]. Probably
+    /// changes [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm),
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles),
     /// [`filter_data::EulerAnglesUncertainty`](crate::filter_data::EulerAnglesUncertainty) and
@@ -2973,7 +2971,7 @@ record! {
     /// Also called `inclination_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`MagneticInclinationSourceResponse`]. Probably changes
+    /// Response: [`MagneticInclinationSourceResponse`]. Probably changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
@@ -3045,8 +3043,8 @@ record! {
     /// Also called `mag_field_magnitude_source`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagneticMagnitudeSourceResponse`]. Probably changes
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`MagneticMagnitudeSourceResponse`].
+    /// Probably changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
@@ -3117,7 +3115,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`SensorToVehicleRotationDcmResponse`]. Changes
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
@@ -3195,7 +3193,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`SensorToVehicleRotationQuaternionResponse`]. Changes
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
@@ -3272,8 +3270,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`AidingMeasurementEnableResponse`]. Changes
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`AidingMeasurementEnableResponse`].
+    /// Changes
     /// [`filter_data::AidingMeasurementSummary`](crate::filter_data::AidingMeasurementSummary).
     /// Probably changes filter_data (0x82). Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -3350,14 +3348,14 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`KinematicConstraintResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`KinematicConstraintResponse`].
     /// Probably changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
     /// [`filter_data::EulerAngles`](crate::filter_data::EulerAngles). Not listed in any device
     /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether there are further
-    /// values. The SDK has plain numbers and states the values in remarks.
+    /// values. The SDK uses plain numbers and lists the values in comments.
     ///
     /// Source: mip-sdk-4: Kinematic constraint (0x0D,0x51).
     #[derive(Copy, Eq, Hash)]
@@ -3431,7 +3429,7 @@ record! {
     /// Also called `initialization_configuration`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`InitializationConfigResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`InitializationConfigResponse`].
     /// Probably changes [`filter_data::Status`](crate::filter_data::Status),
     /// [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
@@ -3570,7 +3568,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AdaptiveFilterOptionsResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`AdaptiveFilterOptionsResponse`].
     /// Probably changes filter_data (0x82). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -3635,7 +3633,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MultiAntennaOffsetResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`MultiAntennaOffsetResponse`].
     /// Probably changes [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
@@ -3708,7 +3706,7 @@ record! {
     /// Also called `rel_pos_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RelativePositionConfigResponse`]. Changes
+    /// Response: [`RelativePositionConfigResponse`]. Changes
     /// [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -3786,7 +3784,7 @@ record! {
     /// Also called `ref_point_lever_arm`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`ReferencePointLeverArmResponse`]. Changes
+    /// Response: [`ReferencePointLeverArmResponse`]. Changes
     /// [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     /// [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
@@ -3926,7 +3924,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SpeedLeverArmResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`SpeedLeverArmResponse`]. Probably
     /// changes [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
     /// [`filter_data::OdometerScaleFactorError`](crate::filter_data::OdometerScaleFactorError).
@@ -3994,7 +3992,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`VerticalGyroConstraintControlResponse`]. Probably changes
     /// [`filter_data::AttitudeQuaternion`](crate::filter_data::AttitudeQuaternion),
     /// [`filter_data::AttitudeDcm`](crate::filter_data::AttitudeDcm) and
@@ -4057,7 +4055,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`WheeledVehicleConstraintControlResponse`]. Probably changes
     /// [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
     /// [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity),
@@ -4124,7 +4122,7 @@ record! {
     /// Also called `gnss_antenna_cal_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Changes
+    /// Response: [`GnssAntennaCalibrationControlResponse`]. Changes
     /// [`filter_data::MultiAntennaOffsetCorrection`](crate::filter_data::MultiAntennaOffsetCorrection).
     /// Probably changes
     /// [`filter_data::MultiAntennaOffsetCorrectionUncertainty`](crate::filter_data::MultiAntennaOffsetCorrectionUncertainty).
@@ -4190,8 +4188,8 @@ command! {
 record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
-    /// Answers [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Response to [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle dynamics mode (0x0D,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4222,8 +4220,8 @@ field! {
 record! {
     /// Sensor to vehicle frame transformation response (0x0D,0x81).
     ///
-    /// Answers [`SensorToVehicleRotationEuler`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`SensorToVehicleRotationEuler`]. Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Copy, Default)]
@@ -4273,8 +4271,8 @@ field! {
 record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
-    /// Answers [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Response to [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor to vehicle offset (0x0D,0x12).
     #[derive(Copy, Default)]
@@ -4307,8 +4305,9 @@ field! {
 record! {
     /// GNSS antenna offset response (0x0D,0x83).
     ///
-    /// Answers [`AntennaOffset`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`AntennaOffset`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Copy, Default)]
@@ -4342,7 +4341,7 @@ field! {
 record! {
     /// Estimation control flags response (0x0D,0x84).
     ///
-    /// Answers [`EstimationControl`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
+    /// Response to [`EstimationControl`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
@@ -4374,7 +4373,7 @@ field! {
 record! {
     /// GNSS aiding source response (0x0D,0x86).
     ///
-    /// Answers [`GnssSource`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Response to [`GnssSource`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
@@ -4406,7 +4405,7 @@ field! {
 record! {
     /// Heading update control response (0x0D,0x87).
     ///
-    /// Answers [`HeadingSource`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
+    /// Response to [`HeadingSource`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
@@ -4438,8 +4437,8 @@ field! {
 record! {
     /// Automatic initialization response (0x0D,0x88).
     ///
-    /// Also called `auto_init_control_response`. Answers [`AutoInitializationControl`]. Supported
-    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Also called `auto_init_control_response`. Response to [`AutoInitializationControl`].
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4472,7 +4471,7 @@ field! {
 record! {
     /// Accelerometer noise response (0x0D,0x89).
     ///
-    /// Answers [`AccelNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Response to [`AccelNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
@@ -4507,7 +4506,7 @@ field! {
 record! {
     /// Gyroscope noise response (0x0D,0x8A).
     ///
-    /// Answers [`GyroNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Response to [`GyroNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
@@ -4542,8 +4541,8 @@ field! {
 record! {
     /// Accelerometer bias model response (0x0D,0x8B).
     ///
-    /// Answers [`AccelBiasModel`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
-    /// and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`AccelBiasModel`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Copy, Default)]
@@ -4581,8 +4580,9 @@ field! {
 record! {
     /// Gyroscope bias model response (0x0D,0x8C).
     ///
-    /// Answers [`GyroBiasModel`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`GyroBiasModel`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
@@ -4621,7 +4621,7 @@ field! {
 record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
-    /// Answers [`AutoZupt`]. Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// Response to [`AutoZupt`]. Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
     /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
@@ -4661,9 +4661,10 @@ field! {
 record! {
     /// Zero angular rate update response (0x0D,0x8E).
     ///
-    /// Answers [`AutoAngularZupt`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
-    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// Response to [`AutoAngularZupt`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
@@ -4703,7 +4704,7 @@ field! {
 record! {
     /// Set reference position response (0x0D,0x90).
     ///
-    /// Answers [`ReferencePosition`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Response to [`ReferencePosition`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Copy, Default)]
@@ -4760,7 +4761,7 @@ field! {
 record! {
     /// Gravity noise response (0x0D,0x93).
     ///
-    /// Answers [`GravityNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Response to [`GravityNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
@@ -4795,8 +4796,8 @@ field! {
 record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
-    /// Answers [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Response to [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Pressure altitude noise (0x0D,0x29).
     #[derive(Copy, Default)]
@@ -4830,8 +4831,8 @@ field! {
 record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
-    /// Answers [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Response to [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard iron offset noise (0x0D,0x2B).
     #[derive(Copy, Default)]
@@ -4864,8 +4865,8 @@ field! {
 record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
-    /// Answers [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// only from the MicroStrain MIP SDK.
+    /// Response to [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45).
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft iron matrix noise (0x0D,0x2C).
     #[derive(Copy, Default)]
@@ -4898,8 +4899,8 @@ field! {
 record! {
     /// Tare orientation response (0x0D,0xA1).
     ///
-    /// No device is known for certain to support it. Answers [`TareOrientation`]. Uncertain: Which
-    /// devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and
+    /// No device is known for certain to support it. Response to [`TareOrientation`]. Uncertain:
+    /// Which devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and
     /// 3DM-GX5-45 have neither the read function nor the response.
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare orientation
@@ -4932,7 +4933,7 @@ field! {
 record! {
     /// Enable or disable measurements response (0x0D,0xB0).
     ///
-    /// Answers [`EnableMeasurements`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
+    /// Response to [`EnableMeasurements`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4963,8 +4964,8 @@ field! {
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the
-    /// MicroStrain MIP SDK.
+    /// Response to [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy, Default)]
@@ -4997,7 +4998,7 @@ field! {
 record! {
     /// Magnetic declination source response (0x0D,0xB2).
     ///
-    /// Answers [`MagneticDeclinationSource`]. Supported by
+    /// Response to [`MagneticDeclinationSource`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
     /// and [3DM-GX5-45](crate::devices::GX5_45).
@@ -5040,7 +5041,7 @@ field! {
 record! {
     /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
     ///
-    /// Answers [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by
+    /// Response to [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
@@ -5116,7 +5117,7 @@ field! {
 record! {
     /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
     ///
-    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`]. Supported by
+    /// Response to [`MagMagnitudeErrorAdaptiveMeasurement`]. Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
@@ -5197,7 +5198,7 @@ field! {
 record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
-    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by
+    /// Response to [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
@@ -5261,8 +5262,8 @@ field! {
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Response to [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Altitude aiding (0x0D,0x47).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5293,7 +5294,7 @@ field! {
 record! {
     /// Pitch and roll aiding response (0x0D,0xBB).
     ///
-    /// Answers [`PitchRollAiding`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
+    /// Response to [`PitchRollAiding`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
@@ -5325,8 +5326,8 @@ field! {
 record! {
     /// Magnetic inclination source response (0x0D,0xBC).
     ///
-    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`]. Known only
-    /// from the MicroStrain MIP SDK.
+    /// Also called `inclination_source_response`. Response to [`MagneticInclinationSource`]. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
     #[derive(Copy, Default)]
@@ -5365,7 +5366,7 @@ field! {
 record! {
     /// Magnetic field magnitude source response (0x0D,0xBD).
     ///
-    /// Also called `mag_field_magnitude_source_response`. Answers [`MagneticMagnitudeSource`].
+    /// Also called `mag_field_magnitude_source_response`. Response to [`MagneticMagnitudeSource`].
     /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
@@ -5404,7 +5405,7 @@ field! {
 record! {
     /// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
     ///
-    /// Answers [`SensorToVehicleRotationDcm`]. Known only from the MicroStrain MIP SDK.
+    /// Response to [`SensorToVehicleRotationDcm`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
     #[derive(Copy, Default)]
@@ -5437,7 +5438,7 @@ field! {
 record! {
     /// Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
     ///
-    /// Answers [`SensorToVehicleRotationQuaternion`]. Known only from the MicroStrain MIP SDK.
+    /// Response to [`SensorToVehicleRotationQuaternion`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
     #[derive(Copy, Default)]
@@ -5470,8 +5471,9 @@ field! {
 record! {
     /// Aiding measurement control response (0x0D,0xD0).
     ///
-    /// Answers [`AidingMeasurementEnable`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
-    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`AidingMeasurementEnable`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5505,7 +5507,7 @@ field! {
 record! {
     /// Kinematic constraint response (0x0D,0xD1).
     ///
-    /// Answers [`KinematicConstraint`]. Known only from the MicroStrain MIP SDK.
+    /// Response to [`KinematicConstraint`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Kinematic constraint (0x0D,0x51).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5552,7 +5554,7 @@ field! {
 record! {
     /// Navigation filter initialization response (0x0D,0xD2).
     ///
-    /// Also called `initialization_configuration_response`. Answers [`InitializationConfig`].
+    /// Also called `initialization_configuration_response`. Response to [`InitializationConfig`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
@@ -5643,7 +5645,7 @@ field! {
 record! {
     /// Adaptive filter control response (0x0D,0xD3).
     ///
-    /// Answers [`AdaptiveFilterOptions`]. Supported by
+    /// Response to [`AdaptiveFilterOptions`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
@@ -5682,7 +5684,7 @@ field! {
 record! {
     /// GNSS multi-antenna offset response (0x0D,0xD4).
     ///
-    /// Answers [`MultiAntennaOffset`]. Supported by
+    /// Response to [`MultiAntennaOffset`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
@@ -5721,8 +5723,8 @@ field! {
 record! {
     /// Relative position configuration response (0x0D,0xD5).
     ///
-    /// Also called `rel_pos_configuration_response`. Answers [`RelativePositionConfig`]. Supported
-    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `rel_pos_configuration_response`. Response to [`RelativePositionConfig`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
     #[derive(Copy, Default)]
@@ -5770,8 +5772,8 @@ field! {
 record! {
     /// Reference point lever arm response (0x0D,0xD6).
     ///
-    /// Also called `ref_point_lever_arm_response`. Answers [`ReferencePointLeverArm`]. Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Also called `ref_point_lever_arm_response`. Response to [`ReferencePointLeverArm`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     #[derive(Copy, Default)]
@@ -5807,7 +5809,8 @@ field! {
 record! {
     /// Speed measurement lever arm response (0x0D,0xE1).
     ///
-    /// Answers [`SpeedLeverArm`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`SpeedLeverArm`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
     #[derive(Copy)]
@@ -5853,7 +5856,7 @@ field! {
 record! {
     /// Vertical gyro constraint response (0x0D,0xE2).
     ///
-    /// Answers [`VerticalGyroConstraintControl`]. Known only from the MicroStrain MIP SDK.
+    /// Response to [`VerticalGyroConstraintControl`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
     #[derive(Copy, Default, Eq, Hash)]
@@ -5886,7 +5889,7 @@ field! {
 record! {
     /// Wheeled vehicle constraint response (0x0D,0xE3).
     ///
-    /// Answers [`WheeledVehicleConstraintControl`]. Supported by
+    /// Response to [`WheeledVehicleConstraintControl`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
@@ -5920,8 +5923,9 @@ field! {
 record! {
     /// GNSS antenna offset calibration response (0x0D,0xE4).
     ///
-    /// Also called `gnss_antenna_cal_control_response`. Answers [`GnssAntennaCalibrationControl`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Also called `gnss_antenna_cal_control_response`. Response to
+    /// [`GnssAntennaCalibrationControl`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);

@@ -142,7 +142,7 @@ open_enum! {
         /// usually keep their satellite data in a hot start and lose it in a warm one.
         WARM = 3, "warm";
         /// Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The
-        /// name, which an earlier branch of the SDK exchanges with that of 3.
+        /// name, which an earlier branch of the SDK swaps with that of 3.
         HOT = 4, "hot";
     }
 }
@@ -183,7 +183,7 @@ record! {
     ///
     /// Gets the GNSS receivers of the device.
     ///
-    /// Answered by [`ReceiverInfoResponse`]. Supported by
+    /// Response: [`ReceiverInfoResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
@@ -216,7 +216,7 @@ record! {
     /// Also called `signal_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`SignalConfigResponse`]. Probably changes
+    /// Response: [`SignalConfigResponse`]. Probably changes
     /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
     /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus) and
     /// [`gnss_data::Raw`](crate::gnss_data::Raw). Supported by
@@ -304,7 +304,7 @@ record! {
     /// Resets a GNSS receiver of the device.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
-    /// devices have it. The SDK does not name any.
+    /// devices support it. The SDK does not name any.
     ///
     /// - Only internal receivers can be reset.
     /// - Some devices do not support all reset types.
@@ -343,10 +343,10 @@ record! {
     /// Also called `rtk_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RtkConfigResponse`]. Probably changes
+    /// Response: [`RtkConfigResponse`]. Probably changes
     /// [`gnss_data::FixInfo`](crate::gnss_data::FixInfo) and
     /// [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition). Not listed in any device profile.
-    /// Known only from the MicroStrain MIP SDK. Uncertain: Which devices have it. Users of the
+    /// Known only from the MicroStrain MIP SDK. Uncertain: Which devices support it. Users of the
     /// vendor's ROS driver report it as experimental on the 3DM-GQ7, which accepts `conservative`
     /// only.
     ///
@@ -410,10 +410,9 @@ record! {
     /// No device is known for certain to support it. Also called `rtk_dongle_configuration`.
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`RtkDongleConfigResponse`].
-    /// Probably changes
-    /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Known only from
-    /// the MicroStrain MIP SDK.
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`RtkDongleConfigResponse`]. Probably
+    /// changes [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: RTK dongle configuration (0x0E,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -474,11 +473,11 @@ record! {
     /// Also called `spartn_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`SpartnConfigResponse`]. Probably changes
+    /// Response: [`SpartnConfigResponse`]. Probably changes
     /// [`gnss_data::RtkCorrectionsStatus`](crate::gnss_data::RtkCorrectionsStatus). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Uncertain: Whether the device accepts
-    /// upper and lower case. The section on UART has the digits 0-9 and A-F, the description of the
-    /// command has "bc" for 0xBC.
+    /// upper and lower case. The section on UART uses the digits 0-9 and A-F, the description of
+    /// the command uses "bc" for 0xBC.
     ///
     /// - A change of `enable` or `type` takes effect only after a power cycle; keys can be changed
     ///   at any time.
@@ -582,9 +581,9 @@ command! {
 record! {
     /// Receiver info response (0x0E,0x81).
     ///
-    /// Answers [`ReceiverInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`ReceiverInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `num_receivers`: Number of physical receivers. The number of
+    /// The wire format also contains `num_receivers`: Number of physical receivers. Counts the
     /// elements of [`receiver_info`](ReceiverInfoResponse::receiver_info).
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
@@ -615,7 +614,7 @@ field! {
 record! {
     /// Signal configuration response (0x0E,0x82).
     ///
-    /// Also called `signal_configuration_response`. Answers [`SignalConfig`]. Supported by
+    /// Also called `signal_configuration_response`. Response to [`SignalConfig`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
@@ -664,7 +663,7 @@ field! {
 record! {
     /// RTK configuration response (0x0E,0x84).
     ///
-    /// Also called `rtk_configuration_response`. Answers [`RtkConfig`]. Known only from the
+    /// Also called `rtk_configuration_response`. Response to [`RtkConfig`]. Known only from the
     /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: RTK configuration (0x0E,0x04).
@@ -700,7 +699,7 @@ record! {
     /// RTK dongle configuration response (0x0E,0x90).
     ///
     /// No device is known for certain to support it. Also called
-    /// `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Known only from the
+    /// `rtk_dongle_configuration_response`. Response to [`RtkDongleConfig`]. Known only from the
     /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: RTK dongle configuration (0x0E,0x10).
@@ -737,7 +736,7 @@ field! {
 record! {
     /// SPARTN configuration response (0x0E,0xA0).
     ///
-    /// Also called `spartn_configuration_response`. Answers [`SpartnConfig`]. Supported by
+    /// Also called `spartn_configuration_response`. Response to [`SpartnConfig`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN

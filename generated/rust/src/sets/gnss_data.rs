@@ -1,8 +1,8 @@
 //! GNSS data (0x81, 0x91, 0x92, 0x93, 0x94, 0x95): Measurements and status of GNSS receivers. Each
 //! receiver has a descriptor set; all have the same fields.
 //!
-//! Uncertain: Which devices send the fields that no manual lists for a set. The SDK lists all GNSS
-//! data sets the same fields.
+//! Uncertain: Which devices send the fields that no manual lists for a set. The SDK lists the same
+//! fields for all GNSS data sets.
 
 // The macros are in `src/macros`; `cargo doc` shows what they generate. `open_enum!` and
 // `bitfield!`: types of values; `record!`: a structure with its codec; `union!`: its alternatives;

@@ -549,7 +549,7 @@ record! {
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollImuData::descriptors).
     ///
     /// - An empty list polls the fields that [`ImuMessageFormat`] stores; if nothing is stored, the
@@ -602,7 +602,7 @@ record! {
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     /// Known only from the MicroStrain MIP SDK.
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
     ///
     /// - An empty list polls the format stored by [`GnssMessageFormat`]; if none is stored, the
@@ -656,7 +656,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollFilterData::descriptors).
     ///
     /// - An empty list polls the fields that [`FilterMessageFormat`] stores; if none are, the
@@ -708,7 +708,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
-    /// The wire format also contains `count`: Number of sentences. The number of elements of
+    /// The wire format also contains `count`: Number of sentences. Counts the elements of
     /// [`format_entries`](PollNmeaData::format_entries).
     ///
     /// - An empty list polls the stored NMEA format; if none is stored, the device rejects the
@@ -754,7 +754,7 @@ record! {
     ///
     /// Gets the base rate, which is divided by the decimations of [`ImuMessageFormat`].
     ///
-    /// Also called `imu_get_base_rate`. Answered by [`GetImuBaseRateResponse`]. Supported by
+    /// Also called `imu_get_base_rate`. Response: [`GetImuBaseRateResponse`]. Supported by
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -786,7 +786,7 @@ record! {
     ///
     /// Gets the base rate, which is divided by the decimations of [`GnssMessageFormat`].
     ///
-    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. Supported by
+    /// Also called `gnss_get_base_rate`. Response: [`GetGnssBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
@@ -820,13 +820,13 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuMessageFormatResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuMessageFormatResponse`].
     /// Supported by [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -892,12 +892,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssMessageFormatResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssMessageFormatResponse`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -962,12 +962,12 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`FilterMessageFormatResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`FilterMessageFormatResponse`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](FilterMessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -1031,7 +1031,7 @@ record! {
     ///
     /// Gets the base rate, which is divided by the decimations of [`FilterMessageFormat`].
     ///
-    /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
+    /// Also called `filter_get_base_rate`. Response: [`GetFilterBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -1065,10 +1065,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`NmeaMessageFormatResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`NmeaMessageFormatResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `count`: Number of sentences. The number of elements of
+    /// The wire format also contains `count`: Number of sentences. Counts the elements of
     /// [`format_entries`](NmeaMessageFormat::format_entries). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -1135,7 +1135,7 @@ record! {
     /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](PollData::descriptors).
     ///
     /// - An empty list polls the fields that [`MessageFormat`] stores; if nothing is stored, the
@@ -1192,7 +1192,7 @@ record! {
     ///
     /// Gets the base rate, which is divided by the decimations of a descriptor set.
     ///
-    /// Answered by [`GetBaseRateResponse`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// Response: [`GetBaseRateResponse`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
@@ -1230,10 +1230,10 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MessageFormatResponse`].
-    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`MessageFormatResponse`]. Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](MessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -1337,7 +1337,7 @@ record! {
     /// Also called `datastream_control`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`DataStreamControlResponse`]. Supported by
+    /// Response: [`DataStreamControlResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -1491,7 +1491,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConstellationSettingsResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ConstellationSettingsResponse`].
     /// Probably changes [`gnss_data::FixInfo`](crate::gnss_data::FixInfo),
     /// [`gnss_data::SvInfo`](crate::gnss_data::SvInfo) and
     /// [`gnss_data::SatelliteStatus`](crate::gnss_data::SatelliteStatus). Supported by
@@ -1499,7 +1499,7 @@ record! {
     /// The factory default. The SDK names only GPS and GLONASS as enabled, but has channels for
     /// SBAS and QZSS too.
     ///
-    /// The wire format also contains `config_count`: Number of entries. The number of elements of
+    /// The wire format also contains `config_count`: Number of entries. Counts the elements of
     /// [`settings`](ConstellationSettings::settings). Range: 0 to 41. Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -1576,15 +1576,15 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSbasSettingsResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssSbasSettingsResponse`].
     /// Probably changes [`gnss_data::SbasInfo`](crate::gnss_data::SbasInfo) and
     /// [`gnss_data::SbasCorrection`](crate::gnss_data::SbasCorrection). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45) and
     /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
-    /// for all. The number of elements of [`included_prns`](GnssSbasSettings::included_prns).
-    /// Required for [write](types::FunctionSelector::WRITE).
+    /// for all. Counts the elements of [`included_prns`](GnssSbasSettings::included_prns). Required
+    /// for [write](types::FunctionSelector::WRITE).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     #[derive(Eq, Hash)]
@@ -1662,7 +1662,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssAssistedFixResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`GnssAssistedFixResponse`].
     /// Supported by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
@@ -1731,7 +1731,7 @@ record! {
     /// Sends the current GPS time to the GNSS receiver.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Answered by [`GnssTimeAssistanceResponse`]. Supported
+    /// [read](types::FunctionSelector::READ). Response: [`GnssTimeAssistanceResponse`]. Supported
     /// by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
@@ -1799,7 +1799,7 @@ record! {
     /// Also called `pps_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`PpsSourceControlResponse`]. Changes
+    /// Response: [`PpsSourceControlResponse`]. Changes
     /// [`system_data::TimeSyncStatus`](crate::system_data::TimeSyncStatus). Probably changes
     /// [`shared::GpsTimestamp`](crate::shared::GpsTimestamp),
     /// [`shared::ExternalTimestamp`](crate::shared::ExternalTimestamp) and
@@ -1872,7 +1872,7 @@ record! {
     /// Gets the types of event triggers or actions that the device supports, and the number of
     /// each.
     ///
-    /// Answered by [`GetEventSupportResponse`]. Supported by
+    /// Response: [`GetEventSupportResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
@@ -1907,7 +1907,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`EventControlResponse`]. Supported
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`EventControlResponse`]. Supported
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Triggers are disabled by default and after configuration.
@@ -1969,11 +1969,11 @@ record! {
     ///
     /// Gets the type and the state of event triggers.
     ///
-    /// Answered by [`GetEventTriggerStatusResponse`]. Supported by
+    /// Response: [`GetEventTriggerStatusResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `requested_count`: Number of requested triggers; 0 requests
-    /// all slots. The number of elements of
+    /// all slots. Counts the elements of
     /// [`requested_instances`](GetEventTriggerStatus::requested_instances).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
@@ -2010,11 +2010,11 @@ record! {
     ///
     /// Gets the type and the trigger of event actions.
     ///
-    /// Answered by [`GetEventActionStatusResponse`]. Supported by
+    /// Response: [`GetEventActionStatusResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// The wire format also contains `requested_count`: Number of requested actions; 0 requests all
-    /// slots. The number of elements of
+    /// slots. Counts the elements of
     /// [`requested_instances`](GetEventActionStatus::requested_instances).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
@@ -2054,7 +2054,7 @@ record! {
     /// Also called `event_trigger`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`EventTriggerConfigResponse`]. Supported by
+    /// Response: [`EventTriggerConfigResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -2155,7 +2155,7 @@ record! {
     /// Also called `event_action`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`EventActionConfigResponse`]. Supported by
+    /// Response: [`EventActionConfigResponse`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -2315,7 +2315,7 @@ record! {
     /// Also called `sensor_2_vehicle_transform_euler`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`SensorToVehicleTransformEulerResponse`]. Changes
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
@@ -2417,7 +2417,7 @@ record! {
     /// Also called `sensor_2_vehicle_transform_quaternion`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`SensorToVehicleTransformQuaternionResponse`]. Changes
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
@@ -2501,7 +2501,7 @@ record! {
     /// Also called `sensor_2_vehicle_transform_dcm`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [default](types::FunctionSelector::DEFAULT). Response:
     /// [`SensorToVehicleTransformDcmResponse`]. Changes
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
@@ -2585,11 +2585,11 @@ record! {
     /// No device is known for certain to support it. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpsDynamicsModeResponse`].
-    /// Probably changes [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`GpsDynamicsModeResponse`]. Probably
+    /// changes [`gnss_data::LlhPosition`](crate::gnss_data::LlhPosition) and
     /// [`gnss_data::NedVelocity`](crate::gnss_data::NedVelocity). Known only from the MIP SDK of
-    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices have it. The SDK of
-    /// 2014 has it in its example for the 3DM-GX3-35 only.
+    /// 2014 and MicroStrain Communication Library. Uncertain: Which devices support it. The SDK of
+    /// 2014 uses it in its example for the 3DM-GX3-35 only.
     ///
     /// Source: mip-sdk-2014: GPS dynamics mode (0x0C,0x34); mscl: GPS dynamics mode (0x0C,0x34).
     #[derive(Copy, Eq, Hash)]
@@ -2646,7 +2646,7 @@ record! {
     /// No device is known for certain to support it. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuSignalConditioningResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuSignalConditioningResponse`].
     /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
@@ -2657,9 +2657,9 @@ record! {
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Known only from the MIP SDK of 2014 and
     /// MicroStrain Communication Library. Uncertain: The ranges, the defaults, and some of the
     /// flags. They are those of the single-byte protocol of the 3DM-GX3, which has the same record.
-    /// Uncertain: Which devices have it. The SDK of 2014 has it in its example for the 3DM-GX3-35
-    /// only. Uncertain: Whether every device sends `reserved` in the response. MSCL reads it
-    /// without.
+    /// Uncertain: Which devices support it. The SDK of 2014 uses it in its example for the
+    /// 3DM-GX3-35 only. Uncertain: Whether every device sends `reserved` in the response. MSCL
+    /// reads it without.
     ///
     /// - The filters are moving averages; the first zero of their response is at 1000 Hz divided by
     ///   the width.
@@ -2763,10 +2763,10 @@ record! {
     /// Sets or reads a time counter of the sensor data.
     ///
     /// No device is known for certain to support it. Functions:
-    /// [write](types::FunctionSelector::WRITE) and [read](types::FunctionSelector::READ). Answered
-    /// by [`ImuTimestampResponse`]. Known only from the MIP SDK of 2014. Uncertain: Which devices
-    /// have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a
-    /// read includes `time`, which is ignored, or omits it, as is assumed.
+    /// [write](types::FunctionSelector::WRITE) and [read](types::FunctionSelector::READ). Response:
+    /// [`ImuTimestampResponse`]. Known only from the MIP SDK of 2014. Uncertain: Which devices
+    /// support it. The SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain:
+    /// Whether a read includes `time`, which is ignored, or omits it, as is assumed.
     ///
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Eq, Hash)]
@@ -2817,7 +2817,7 @@ record! {
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
-    /// [apply](types::FunctionSelector::APPLY). Answered by [`AccelBiasResponse`]. Changes
+    /// [apply](types::FunctionSelector::APPLY). Response: [`AccelBiasResponse`]. Changes
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel). Probably changes
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity) and
     /// [`filter_data::AccelBias`](crate::filter_data::AccelBias). Supported by
@@ -2890,7 +2890,7 @@ record! {
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
-    /// [apply](types::FunctionSelector::APPLY). Answered by [`GyroBiasResponse`]. Changes
+    /// [apply](types::FunctionSelector::APPLY). Response: [`GyroBiasResponse`]. Changes
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro). Probably changes
     /// [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
@@ -2968,7 +2968,7 @@ record! {
     ///
     /// Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     ///
-    /// Answered by [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
+    /// Response: [`GyroBiasResponse`]. Changes [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
     /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta),
     /// [`filter_data::GyroBias`](crate::filter_data::GyroBias) and
     /// [`filter_data::Status`](crate::filter_data::Status). The device may take 31 s to reply.
@@ -3020,7 +3020,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
-    /// Answered by [`MagHardIronOffsetResponse`]. Changes
+    /// Response: [`MagHardIronOffsetResponse`]. Changes
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -3106,7 +3106,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
-    /// Answered by [`MagSoftIronMatrixResponse`]. Changes
+    /// Response: [`MagSoftIronMatrixResponse`]. Changes
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
@@ -3190,7 +3190,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConingScullingEnableResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ConingScullingEnableResponse`].
     /// Probably changes [`sensor::DeltaTheta`](crate::sensor::DeltaTheta) and
     /// [`sensor::DeltaVelocity`](crate::sensor::DeltaVelocity). Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -3251,7 +3251,7 @@ record! {
     /// Also called `uart_baudrate`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`UartBaudRateResponse`]. Supported by
+    /// Response: [`UartBaudRateResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -3319,7 +3319,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpioConfigResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`GpioConfigResponse`]. Probably
     /// changes [`system_data::GpioState`](crate::system_data::GpioState) and
     /// [`system_data::GpioAnalogValue`](crate::system_data::GpioAnalogValue). Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
@@ -3484,7 +3484,7 @@ record! {
     /// Sets or reads the state of a GPIO pin.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Answered by [`GpioStateResponse`]. Changes
+    /// [read](types::FunctionSelector::READ). Response: [`GpioStateResponse`]. Changes
     /// [`system_data::GpioState`](crate::system_data::GpioState). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -3547,9 +3547,8 @@ record! {
     /// Also called `odometer`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`OdometerConfigResponse`]. Changes
-    /// [`sensor::Odometer`](crate::sensor::Odometer). Supported by
-    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response: [`OdometerConfigResponse`]. Changes [`sensor::Odometer`](crate::sensor::Odometer).
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Copy)]
@@ -3624,8 +3623,8 @@ record! {
     /// For advanced use. Also called `imu_lowpass_filter`. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuLowPassFilterResponse`].
-    /// Changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ImuLowPassFilterResponse`]. Changes
+    /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag) and
     /// [`sensor::ScaledPressure`](crate::sensor::ScaledPressure). Supported by
@@ -3728,7 +3727,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ComplementaryFilterResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ComplementaryFilterResponse`].
     /// Changes [`sensor::CompOrientationMatrix`](crate::sensor::CompOrientationMatrix),
     /// [`sensor::CompQuaternion`](crate::sensor::CompQuaternion) and
     /// [`sensor::CompEulerAngles`](crate::sensor::CompEulerAngles). Probably changes
@@ -3829,7 +3828,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorRangeResponse`]. Probably
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`SensorRangeResponse`]. Probably
     /// changes [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro) and
     /// [`sensor::OverrangeStatus`](crate::sensor::OverrangeStatus). Supported by
@@ -3893,7 +3892,7 @@ record! {
     ///
     /// Gets the ranges that a sensor supports.
     ///
-    /// Also called `calibrated_sensor_ranges`. Answered by [`GetCalibratedSensorRangesResponse`].
+    /// Also called `calibrated_sensor_ranges`. Response: [`GetCalibratedSensorRangesResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
@@ -3929,7 +3928,7 @@ record! {
     /// Also called `lowpass_filter`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`LowPassFilterResponse`]. Changes
+    /// Response: [`LowPassFilterResponse`]. Changes
     /// [`sensor::ScaledAccel`](crate::sensor::ScaledAccel),
     /// [`sensor::ScaledGyro`](crate::sensor::ScaledGyro),
     /// [`sensor::ScaledMag`](crate::sensor::ScaledMag),
@@ -4026,9 +4025,9 @@ record! {
     /// No device is known for certain to support it. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DataStreamFormatResponse`]. Known
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`DataStreamFormatResponse`]. Known
     /// only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which
-    /// devices have it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain:
+    /// devices support it. A comment in the SDK of 2014 restricts it to the 3DM-GX3-35. Uncertain:
     /// Whether functions other than write require `format`. The SDK of 2014 sends both parameters
     /// with every function, and a 0 in place of `format`.
     ///
@@ -4092,12 +4091,13 @@ record! {
     /// No device is known for certain to support it. Functions:
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`DevicePowerStateResponse`]. The
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`DevicePowerStateResponse`]. The
     /// device may take 5 s to reply. Known only from the MIP SDK of 2014 and MicroStrain
-    /// Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014 names
-    /// the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses one longer
-    /// than usual; 5 s is assumed. Uncertain: Whether `state` may be omitted with functions other
-    /// than write. The SDK of 2014 sends `device` with every function, and a 0 in place of `state`.
+    /// Communication Library. Uncertain: Which devices support it. A comment in the SDK of 2014
+    /// names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The SDK of 2014 uses one
+    /// longer than usual; 5 s is assumed. Uncertain: Whether `state` may be omitted with functions
+    /// other than write. The SDK of 2014 sends `device` with every function, and a 0 in place of
+    /// `state`.
     ///
     /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Eq, Hash)]
@@ -4158,8 +4158,8 @@ record! {
     /// No device is known for certain to support it. For advanced use. Functions:
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Known only from the MIP SDK of 2014 and
-    /// MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of
-    /// 2014 names the 3DM-GX3-35.
+    /// MicroStrain Communication Library. Uncertain: Which devices support it. A comment in the SDK
+    /// of 2014 names the 3DM-GX3-35.
     ///
     /// - In direct mode, your program configures the u-blox receiver with its own protocol; see
     ///   [`system::CommMode`](crate::system::CommMode).
@@ -4204,7 +4204,7 @@ record! {
     ///
     /// Gets the state of the device, in basic form or with counters.
     ///
-    /// For advanced use. Answered by [`DeviceStatusBasicRq1ImuResponse`],
+    /// For advanced use. Response: [`DeviceStatusBasicRq1ImuResponse`],
     /// [`DeviceStatusBasicResponse`], [`DeviceStatusBasicWithoutStateResponse`],
     /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
@@ -4301,12 +4301,12 @@ responses! {
 record! {
     /// IMU Message Format response (0x0C,0x80).
     ///
-    /// Answers [`ImuMessageFormat`]. Supported by [3DM-CX5-10](crate::devices::CX5_10),
+    /// Response to [`ImuMessageFormat`]. Supported by [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](ImuMessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
@@ -4339,11 +4339,11 @@ field! {
 record! {
     /// GNSS Message Format response (0x0C,0x81).
     ///
-    /// Answers [`GnssMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Response to [`GnssMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](GnssMessageFormatResponse::descriptors). Range: 0 to 82.
     ///
     /// Source: mip-sdk-4: GNSS Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
@@ -4377,11 +4377,11 @@ field! {
 record! {
     /// Estimation Filter Message Format response (0x0C,0x82).
     ///
-    /// Answers [`FilterMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Response to [`FilterMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](FilterMessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
@@ -4414,7 +4414,7 @@ field! {
 record! {
     /// Get IMU Data Base Rate response (0x0C,0x83).
     ///
-    /// Also called `imu_get_base_rate_response`. Answers [`GetImuBaseRate`]. Supported by
+    /// Also called `imu_get_base_rate_response`. Response to [`GetImuBaseRate`]. Supported by
     /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -4450,7 +4450,7 @@ field! {
 record! {
     /// Get GNSS Data Base Rate response (0x0C,0x84).
     ///
-    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Supported by
+    /// Also called `gnss_get_base_rate_response`. Response to [`GetGnssBaseRate`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
@@ -4486,7 +4486,7 @@ field! {
 record! {
     /// Data Stream Control response (0x0C,0x85).
     ///
-    /// Also called `datastream_control_response`. Answers [`DataStreamControl`]. Supported by
+    /// Also called `datastream_control_response`. Response to [`DataStreamControl`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-CX5-10](crate::devices::CX5_10),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
@@ -4571,8 +4571,8 @@ field! {
 record! {
     /// IMU signal conditioning response (0x0C,0x86).
     ///
-    /// No device is known for certain to support it. Answers [`ImuSignalConditioning`]. Known only
-    /// from the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// No device is known for certain to support it. Response to [`ImuSignalConditioning`]. Known
+    /// only from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: IMU signal conditioning (0x0C,0x35); mscl: IMU signal conditioning
     /// (0x0C,0x35).
@@ -4645,7 +4645,7 @@ field! {
 record! {
     /// UART Baud Rate response (0x0C,0x87).
     ///
-    /// Also called `uart_baudrate_response`. Answers [`UartBaudRate`]. Supported by
+    /// Also called `uart_baudrate_response`. Response to [`UartBaudRate`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -4682,8 +4682,8 @@ field! {
 record! {
     /// Data stream format response (0x0C,0x88).
     ///
-    /// No device is known for certain to support it. Answers [`DataStreamFormat`]. Known only from
-    /// the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// No device is known for certain to support it. Response to [`DataStreamFormat`]. Known only
+    /// from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: Data stream format (0x0C,0x60); mscl: Data stream format (0x0C,0x60).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4717,8 +4717,8 @@ field! {
 record! {
     /// Device power state response (0x0C,0x89).
     ///
-    /// No device is known for certain to support it. Answers [`DevicePowerState`]. Known only from
-    /// the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// No device is known for certain to support it. Response to [`DevicePowerState`]. Known only
+    /// from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: Device power state (0x0C,0x61); mscl: Device power state (0x0C,0x61).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4752,7 +4752,7 @@ field! {
 record! {
     /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
     ///
-    /// Also called `filter_get_base_rate_response`. Answers [`GetFilterBaseRate`]. Supported by
+    /// Also called `filter_get_base_rate_response`. Response to [`GetFilterBaseRate`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -4788,7 +4788,7 @@ field! {
 record! {
     /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
     ///
-    /// Also called `imu_lowpass_filter_response`. Answers [`ImuLowPassFilter`]. Supported by
+    /// Also called `imu_lowpass_filter_response`. Response to [`ImuLowPassFilter`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
@@ -4850,10 +4850,10 @@ field! {
 record! {
     /// NMEA Message Format response (0x0C,0x8C).
     ///
-    /// Answers [`NmeaMessageFormat`]. Supported by
+    /// Response to [`NmeaMessageFormat`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `count`: Number of sentences. The number of elements of
+    /// The wire format also contains `count`: Number of sentences. Counts the elements of
     /// [`format_entries`](NmeaMessageFormatResponse::format_entries).
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
@@ -4884,7 +4884,7 @@ field! {
 record! {
     /// Get Data Base Rate response (0x0C,0x8E).
     ///
-    /// Answers [`GetBaseRate`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// Response to [`GetBaseRate`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
@@ -4922,9 +4922,10 @@ field! {
 record! {
     /// Message Format response (0x0C,0x8F).
     ///
-    /// Answers [`MessageFormat`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`MessageFormat`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. Counts the elements of
     /// [`descriptors`](MessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
@@ -4962,7 +4963,7 @@ record! {
     ///
     /// Timer only, in microseconds.
     ///
-    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Sent if
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
     /// Uncertain: The SDK of 2014 lists the names of the values and the unit of the timer; the
     /// descriptions are inferred from the names.
@@ -5012,8 +5013,8 @@ record! {
     ///
     /// State and timer.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicWithoutStateResponse`] and
-    /// [`DeviceStatusBasicGx3Response`] by the size of its data. Sent if
+    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicWithoutStateResponse`]
+    /// and [`DeviceStatusBasicGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::BASIC`].
     /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
@@ -5087,14 +5088,14 @@ record! {
     ///
     /// Timer only.
     ///
-    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
-    /// [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicGx3Response`] by the size of its data.
-    /// Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::BASIC`]. Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
+    /// from [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicGx3Response`] by the size of its
+    /// data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::BASIC`]. Uncertain: MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25,
     /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the 3DM-GX4-15, the 3DM-GX4-25
     /// and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it is inferred.
-    /// Uncertain: The manual of the 3DM-GX5-45 has it too, but for the model number of another
-    /// device; MSCL has the layout with a state for that device.
+    /// Uncertain: The manual of the 3DM-GX5-45 documents it too, but for the model number of
+    /// another device; MSCL uses the layout with a state for that device.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
@@ -5144,7 +5145,7 @@ record! {
     ///
     /// State, timer, and the counters of streams and port.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticGnssResponse`],
+    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
@@ -5266,14 +5267,14 @@ record! {
     ///
     /// State, timer, and the counters of pulses, streams, port and receiver.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
+    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
     /// [`DeviceStatusDiagnosticGx3Response`] by the size of its data. Sent if
     /// [`status_selector`](DeviceStatus::status_selector) is [`DeviceStatusSelector::DIAGNOSTIC`].
     /// Supported by [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
-    /// Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is
+    /// Uncertain: MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is
     /// from a manual. Uncertain: MSCL lists only the names of the values, from which the
     /// descriptions are inferred; the times are assumed to be in ms like the system timer.
     ///
@@ -5435,7 +5436,7 @@ record! {
     ///
     /// The layout with GNSS, plus flags for parts that could not be started.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
+    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
@@ -5615,7 +5616,7 @@ record! {
     ///
     /// The layout with GNSS, plus the temperature.
     ///
-    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
+    /// Response to [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticGx4ImuResponse`], [`DeviceStatusDiagnosticRq1ImuResponse`] and
@@ -5801,8 +5802,8 @@ record! {
     ///
     /// Timer, and counters of pulses, streams, port and USB.
     ///
-    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
-    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
+    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticImuResponse`], [`DeviceStatusDiagnosticGx4ImuResponse`],
     /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
@@ -5958,13 +5959,13 @@ record! {
     ///
     /// Timer, available sensors, temperature, and the counters of pulses, stream and port.
     ///
-    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
-    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
+    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticGx4ImuResponse`],
     /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10
     /// and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the
     /// values, from which the descriptions are inferred; the times are assumed to be in ms like the
     /// system timer. Uncertain: The units of the ranges are not known.
@@ -6104,8 +6105,8 @@ record! {
     /// Timer, available sensors and their ranges, temperature, and the counters of pulses, stream
     /// and port.
     ///
-    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
-    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
+    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticRq1ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
@@ -6251,8 +6252,8 @@ record! {
     ///
     /// Timer, temperature and supply, and the counters of pulses, stream and port.
     ///
-    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
-    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
+    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticGx4ImuResponse`] and [`DeviceStatusDiagnosticGx3Response`] by the
@@ -6389,11 +6390,11 @@ record! {
     ///
     /// State of the port.
     ///
-    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
-    /// [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicWithoutStateResponse`] by the size of
-    /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::BASIC`]. Uncertain: Only the SDK of 2014 has it, with the names of
-    /// the values; the descriptions are inferred from the names.
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
+    /// from [`DeviceStatusBasicResponse`] and [`DeviceStatusBasicWithoutStateResponse`] by the size
+    /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::BASIC`]. Uncertain: Only the SDK of 2014 contains it, with the names
+    /// of the values; the descriptions are inferred from the names.
     ///
     /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
@@ -6455,14 +6456,14 @@ record! {
     ///
     /// State of the port, and the counters of the port, USB, receiver and IMU.
     ///
-    /// No device is known for certain to support it. Answers [`DeviceStatus`]. Distinguished from
-    /// [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
+    /// No device is known for certain to support it. Response to [`DeviceStatus`]. Distinguished
+    /// from [`DeviceStatusDiagnosticResponse`], [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`], [`DeviceStatusDiagnosticImuResponse`],
     /// [`DeviceStatusDiagnosticGx4ImuResponse`] and [`DeviceStatusDiagnosticRq1ImuResponse`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
-    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: Only the SDK of 2014 has it, with the names
-    /// of the values; the descriptions are inferred from the names.
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Uncertain: Only the SDK of 2014 contains it, with the
+    /// names of the values; the descriptions are inferred from the names.
     ///
     /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
@@ -6662,8 +6663,8 @@ field! {
 record! {
     /// GPS dynamics mode response (0x0C,0x92).
     ///
-    /// No device is known for certain to support it. Answers [`GpsDynamicsMode`]. Known only from
-    /// the MIP SDK of 2014 and MicroStrain Communication Library.
+    /// No device is known for certain to support it. Response to [`GpsDynamicsMode`]. Known only
+    /// from the MIP SDK of 2014 and MicroStrain Communication Library.
     ///
     /// Source: mip-sdk-2014: GPS dynamics mode (0x0C,0x34); mscl: GPS dynamics mode (0x0C,0x34).
     #[derive(Copy, Default, Eq, Hash)]
@@ -6694,8 +6695,8 @@ field! {
 record! {
     /// IMU timestamp response (0x0C,0x93).
     ///
-    /// No device is known for certain to support it. Answers [`ImuTimestamp`]. Known only from the
-    /// MIP SDK of 2014.
+    /// No device is known for certain to support it. Response to [`ImuTimestamp`]. Known only from
+    /// the MIP SDK of 2014.
     ///
     /// Source: mip-sdk-2014: IMU timestamp (0x0C,0x36).
     #[derive(Copy, Default, Eq, Hash)]
@@ -6729,7 +6730,7 @@ field! {
 record! {
     /// Complementary Filter Configuration response (0x0C,0x97).
     ///
-    /// Answers [`ComplementaryFilter`]. Supported by
+    /// Response to [`ComplementaryFilter`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
@@ -6783,7 +6784,7 @@ field! {
 record! {
     /// Accelerometer Bias Configuration response (0x0C,0x9A).
     ///
-    /// Answers [`AccelBias`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// Response to [`AccelBias`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -6822,7 +6823,7 @@ record! {
     ///
     /// The bias in use.
     ///
-    /// Also called `capture_gyro_bias_response`. Answers [`GyroBias`] and [`CaptureGyroBias`].
+    /// Also called `capture_gyro_bias_response`. Response to [`GyroBias`] and [`CaptureGyroBias`].
     /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
@@ -6861,7 +6862,7 @@ field! {
 record! {
     /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
     ///
-    /// Answers [`MagHardIronOffset`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// Response to [`MagHardIronOffset`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -6898,7 +6899,7 @@ field! {
 record! {
     /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
     ///
-    /// Answers [`MagSoftIronMatrix`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// Response to [`MagSoftIronMatrix`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
@@ -6935,7 +6936,7 @@ field! {
 record! {
     /// Coning and Sculling Enable response (0x0C,0x9E).
     ///
-    /// Answers [`ConingScullingEnable`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// Response to [`ConingScullingEnable`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
@@ -6972,10 +6973,10 @@ record! {
     ///
     /// Tracking channels of the receiver and the setting of each constellation.
     ///
-    /// Answers [`ConstellationSettings`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and
+    /// Response to [`ConstellationSettings`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and
     /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
-    /// The wire format also contains `config_count`: Number of entries. The number of elements of
+    /// The wire format also contains `config_count`: Number of entries. Counts the elements of
     /// [`settings`](ConstellationSettingsResponse::settings). Range: 0 to 41.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
@@ -7021,12 +7022,12 @@ field! {
 record! {
     /// GNSS SBAS Settings response (0x0C,0xA1).
     ///
-    /// Answers [`GnssSbasSettings`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
-    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// Response to [`GnssSbasSettings`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45) and
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
-    /// for all. The number of elements of
-    /// [`included_prns`](GnssSbasSettingsResponse::included_prns).
+    /// for all. Counts the elements of [`included_prns`](GnssSbasSettingsResponse::included_prns).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     #[derive(Default, Eq, Hash)]
@@ -7068,8 +7069,8 @@ field! {
 record! {
     /// GNSS Assisted Fix response (0x0C,0xA2).
     ///
-    /// Answers [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Known only
-    /// from the MicroStrain MIP SDK.
+    /// Response to [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: GNSS Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
@@ -7115,7 +7116,7 @@ field! {
 record! {
     /// GNSS Time Assistance response (0x0C,0xA3).
     ///
-    /// Answers [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Known
+    /// Response to [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). Known
     /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: GNSS Time Assistance (0x0C,0x24).
@@ -7165,7 +7166,7 @@ field! {
 record! {
     /// PPS Source Control response (0x0C,0xA8).
     ///
-    /// Also called `pps_source_response`. Answers [`PpsSourceControl`]. Supported by
+    /// Also called `pps_source_response`. Response to [`PpsSourceControl`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
@@ -7197,7 +7198,7 @@ field! {
 record! {
     /// Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
     ///
-    /// Also called `sensor_2_vehicle_transform_euler_response`. Answers
+    /// Also called `sensor_2_vehicle_transform_euler_response`. Response to
     /// [`SensorToVehicleTransformEuler`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
@@ -7250,7 +7251,7 @@ field! {
 record! {
     /// Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
     ///
-    /// Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+    /// Also called `sensor_2_vehicle_transform_quaternion_response`. Response to
     /// [`SensorToVehicleTransformQuaternion`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -7285,7 +7286,7 @@ field! {
 record! {
     /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
     ///
-    /// Also called `sensor_2_vehicle_transform_dcm_response`. Answers
+    /// Also called `sensor_2_vehicle_transform_dcm_response`. Response to
     /// [`SensorToVehicleTransformDcm`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -7321,9 +7322,10 @@ field! {
 record! {
     /// Get Supported Events response (0x0C,0xB4).
     ///
-    /// Answers [`GetEventSupport`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`GetEventSupport`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `num_entries`: Number of types. The number of elements of
+    /// The wire format also contains `num_entries`: Number of types. Counts the elements of
     /// [`entries`](GetEventSupportResponse::entries).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
@@ -7371,7 +7373,7 @@ field! {
 record! {
     /// Event Control response (0x0C,0xB5).
     ///
-    /// Answers [`EventControl`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`EventControl`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7407,10 +7409,10 @@ field! {
 record! {
     /// Get Event Trigger Status response (0x0C,0xB6).
     ///
-    /// Answers [`GetEventTriggerStatus`]. Supported by
+    /// Response to [`GetEventTriggerStatus`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `count`: Number of entries. The number of elements of
+    /// The wire format also contains `count`: Number of entries. Counts the elements of
     /// [`triggers`](GetEventTriggerStatusResponse::triggers).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
@@ -7441,10 +7443,10 @@ field! {
 record! {
     /// Get Event Action Status response (0x0C,0xB7).
     ///
-    /// Answers [`GetEventActionStatus`]. Supported by
+    /// Response to [`GetEventActionStatus`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `count`: Number of entries. The number of elements of
+    /// The wire format also contains `count`: Number of entries. Counts the elements of
     /// [`actions`](GetEventActionStatusResponse::actions).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
@@ -7475,7 +7477,7 @@ field! {
 record! {
     /// Event Trigger Configuration response (0x0C,0xB8).
     ///
-    /// Also called `event_trigger_response`. Answers [`EventTriggerConfig`]. Supported by
+    /// Also called `event_trigger_response`. Response to [`EventTriggerConfig`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -7517,7 +7519,7 @@ field! {
 record! {
     /// Event Action Configuration response (0x0C,0xB9).
     ///
-    /// Also called `event_action_response`. Answers [`EventActionConfig`]. Supported by
+    /// Also called `event_action_response`. Response to [`EventActionConfig`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
@@ -7567,7 +7569,7 @@ field! {
 record! {
     /// GPIO Configuration response (0x0C,0xC1).
     ///
-    /// Answers [`GpioConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// Response to [`GpioConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
     /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
@@ -7694,7 +7696,7 @@ field! {
 record! {
     /// GPIO State response (0x0C,0xC2).
     ///
-    /// Answers [`GpioState`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// Response to [`GpioState`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
@@ -7731,7 +7733,7 @@ field! {
 record! {
     /// Odometer Configuration response (0x0C,0xC3).
     ///
-    /// Also called `odometer_response`. Answers [`OdometerConfig`]. Supported by
+    /// Also called `odometer_response`. Response to [`OdometerConfig`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
@@ -7781,7 +7783,7 @@ field! {
 record! {
     /// Sensor Range response (0x0C,0xD2).
     ///
-    /// Answers [`SensorRange`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`SensorRange`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     #[derive(Copy, Default, Eq, Hash)]
@@ -7815,10 +7817,10 @@ field! {
 record! {
     /// Get Calibrated Sensor Ranges response (0x0C,0xD3).
     ///
-    /// Also called `calibrated_sensor_ranges_response`. Answers [`GetCalibratedSensorRanges`].
+    /// Also called `calibrated_sensor_ranges_response`. Response to [`GetCalibratedSensorRanges`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// The wire format also contains `num_ranges`: Number of ranges. The number of elements of
+    /// The wire format also contains `num_ranges`: Number of ranges. Counts the elements of
     /// [`ranges`](GetCalibratedSensorRangesResponse::ranges).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
@@ -7861,7 +7863,7 @@ field! {
 record! {
     /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
     ///
-    /// Also called `lowpass_filter_response`. Answers [`LowPassFilter`]. Supported by
+    /// Also called `lowpass_filter_response`. Response to [`LowPassFilter`]. Supported by
     /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).

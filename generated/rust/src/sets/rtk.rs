@@ -1,7 +1,7 @@
 //! RTK commands (0x0F): Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
 //!
 //! Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the
-//! names. Uncertain: How the strings are padded or ended.
+//! names. Uncertain: How the strings are padded or terminated.
 //!
 //! Source: mip-sdk-4: Rtk Commands (0x0F).
 
@@ -73,7 +73,7 @@ record! {
     ///
     /// Gets the state of the modem and of the corrections.
     ///
-    /// No device is known for certain to support it. Answered by [`GetStatusFlagsResponse`]. Known
+    /// No device is known for certain to support it. Response: [`GetStatusFlagsResponse`]. Known
     /// only from the MicroStrain MIP SDK.
     ///
     /// - The status word in the response has two forms, [`types::RtkStatusFlags`] and
@@ -106,7 +106,7 @@ record! {
     ///
     /// Gets the identity of the modem.
     ///
-    /// Answered by [`GetImeiResponse`]. Not listed in any device profile. Known only from the
+    /// Response: [`GetImeiResponse`]. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get IMEI (0x0F,0x02).
@@ -136,7 +136,7 @@ record! {
     ///
     /// Gets the identity of the subscriber.
     ///
-    /// Answered by [`GetImsiResponse`]. Not listed in any device profile. Known only from the
+    /// Response: [`GetImsiResponse`]. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get IMSI (0x0F,0x03).
@@ -166,7 +166,7 @@ record! {
     ///
     /// Gets the number of the SIM card.
     ///
-    /// Answered by [`GetIccidResponse`]. Not listed in any device profile. Known only from the
+    /// Response: [`GetIccidResponse`]. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get ICCID (0x0F,0x04).
@@ -196,7 +196,7 @@ record! {
     ///
     /// Gets the strength of the cellular signal.
     ///
-    /// Answered by [`GetRssiResponse`]. Not listed in any device profile. Known only from the
+    /// Response: [`GetRssiResponse`]. Not listed in any device profile. Known only from the
     /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get RSSI (0x0F,0x05).
@@ -228,8 +228,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConnectedDeviceTypeResponse`].
-    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`ConnectedDeviceTypeResponse`]. Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Connected device type (0x0F,0x06).
     #[derive(Copy, Eq, Hash)]
@@ -283,7 +283,7 @@ record! {
     ///
     /// Reads the code that activates the modem for its service.
     ///
-    /// No device is known for certain to support it. Also called `get_act_code`. Answered by
+    /// No device is known for certain to support it. Also called `get_act_code`. Response:
     /// [`GetActivationCodeResponse`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
@@ -313,8 +313,8 @@ record! {
     ///
     /// Gets the firmware version of the cellular modem.
     ///
-    /// Answered by [`GetModemFirmwareVersionResponse`]. Not listed in any device profile. Known
-    /// only from the MicroStrain MIP SDK.
+    /// Response: [`GetModemFirmwareVersionResponse`]. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get modem firmware version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -343,8 +343,8 @@ record! {
     ///
     /// Queries a correction server about the connection, which also keeps it open.
     ///
-    /// Answered by [`ServiceStatusResponse`]. Sent by the device; the host replies. Not listed in
-    /// any device profile. Known only from the MicroStrain MIP SDK.
+    /// Response: [`ServiceStatusResponse`]. Sent by the device; the host replies. Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The modem acts as the host and the server as the device.
     ///
@@ -494,8 +494,8 @@ command! {
 record! {
     /// Get status flags response (0x0F,0x81).
     ///
-    /// No device is known for certain to support it. Answers [`GetStatusFlags`]. Known only from
-    /// the MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Response to [`GetStatusFlags`]. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get status flags (0x0F,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -526,7 +526,7 @@ field! {
 record! {
     /// Get IMEI response (0x0F,0x82).
     ///
-    /// Answers [`GetImei`]. Known only from the MicroStrain MIP SDK.
+    /// Response to [`GetImei`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get IMEI (0x0F,0x02).
     #[derive(Copy, Default, Eq, Hash)]
@@ -557,7 +557,7 @@ field! {
 record! {
     /// Get IMSI response (0x0F,0x83).
     ///
-    /// Answers [`GetImsi`]. Known only from the MicroStrain MIP SDK.
+    /// Response to [`GetImsi`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get IMSI (0x0F,0x03).
     #[derive(Copy, Default, Eq, Hash)]
@@ -588,7 +588,7 @@ field! {
 record! {
     /// Get ICCID response (0x0F,0x84).
     ///
-    /// Answers [`GetIccid`]. Known only from the MicroStrain MIP SDK.
+    /// Response to [`GetIccid`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get ICCID (0x0F,0x04).
     #[derive(Copy, Default, Eq, Hash)]
@@ -619,7 +619,7 @@ field! {
 record! {
     /// Get RSSI response (0x0F,0x85).
     ///
-    /// Answers [`GetRssi`]. Known only from the MicroStrain MIP SDK. Uncertain: That `valid`
+    /// Response to [`GetRssi`]. Known only from the MicroStrain MIP SDK. Uncertain: That `valid`
     /// applies to the other values is inferred.
     ///
     /// Source: mip-sdk-4: Get RSSI (0x0F,0x05).
@@ -665,7 +665,7 @@ field! {
 record! {
     /// Connected device type response (0x0F,0x86).
     ///
-    /// Answers [`ConnectedDeviceType`]. Known only from the MicroStrain MIP SDK.
+    /// Response to [`ConnectedDeviceType`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Connected device type (0x0F,0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -696,8 +696,8 @@ field! {
 record! {
     /// Get activation code response (0x0F,0x87).
     ///
-    /// No device is known for certain to support it. Also called `get_act_code_response`. Answers
-    /// [`GetActivationCode`]. Known only from the MicroStrain MIP SDK.
+    /// No device is known for certain to support it. Also called `get_act_code_response`. Response
+    /// to [`GetActivationCode`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -728,7 +728,7 @@ field! {
 record! {
     /// Get modem firmware version response (0x0F,0x88).
     ///
-    /// Answers [`GetModemFirmwareVersion`]. Known only from the MicroStrain MIP SDK.
+    /// Response to [`GetModemFirmwareVersion`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get modem firmware version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -761,7 +761,7 @@ record! {
     ///
     /// Connection status according to the server.
     ///
-    /// Answers [`ServiceStatus`]. Known only from the MicroStrain MIP SDK. Uncertain: What the
+    /// Response to [`ServiceStatus`]. Known only from the MicroStrain MIP SDK. Uncertain: What the
     /// counters count.
     ///
     /// Source: mip-sdk-4: Service status (0x0F,0x0A).

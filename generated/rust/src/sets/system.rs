@@ -55,7 +55,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`InterfaceControlResponse`].
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`InterfaceControlResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Accepted on the main port only. The main port always keeps MIP in both directions.
@@ -136,7 +136,7 @@ record! {
     /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`CommModeResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
+    /// Response: [`CommModeResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The ACK is sent in the old mode, just before the switch.
@@ -195,7 +195,8 @@ command! {
 record! {
     /// Interface control response (0x7F,0x82).
     ///
-    /// Answers [`InterfaceControl`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
+    /// Response to [`InterfaceControl`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: mip-sdk-4: Interface control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
     #[derive(Copy, Default, Eq, Hash)]
@@ -238,7 +239,7 @@ field! {
 record! {
     /// Communication mode response (0x7F,0x90).
     ///
-    /// Answers [`CommMode`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
+    /// Response to [`CommMode`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
     /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).

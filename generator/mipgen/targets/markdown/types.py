@@ -53,7 +53,7 @@ def bits(page: Page, t: m.Bitfield, anchor: str = "") -> str:
         ])  # fmt: skip
     if others and t.scalar:
         rows.append(["other bits", code(hexadecimal(others, t.size)), "", "", "Reserved or unknown: ignore them."])
-    return table(rows, ["Place", "Mask", "Byte.bit", "Name", "Description"])
+    return table(rows, ["Bits", "Mask", "Byte.bit", "Name", "Description"])
 
 
 def _anchor(before: str, name: str) -> str:

@@ -95,7 +95,7 @@ export declare class Strings extends Data {
     constructor(values: Values<Strings>);
     /** Padded with spaces. */
     model: string;
-    /** On the wire only: length. Of the name. The number of elements of `name`. */
+    /** On the wire only: length. Of the name. Counts the elements of `name`. */
     /** The name. */
     name: string;
     /** All that follows. */
@@ -218,7 +218,7 @@ export declare class Own extends Data {
  */
 export declare class Cloud extends Data {
     constructor(values: Values<Cloud>);
-    /** On the wire only: num_points. Number of points. The number of elements of `points`. */
+    /** On the wire only: num_points. Number of points. Counts the elements of `points`. */
     /** The points. */
     points: types.Point[];
     /** Behind an array that fills the field. Unit: s. */

@@ -53,7 +53,7 @@ export interface Circle {
 export interface Path {
     /** Does it return to its start? */
     closed: boolean;
-    /** On the wire only: num_points. Number of points. The number of elements of `points`. */
+    /** On the wire only: num_points. Number of points. Counts the elements of `points`. */
     /** The points. */
     points: types.Point[];
 }
@@ -113,7 +113,7 @@ export declare const ModelBFaults: Bitfield<ModelBFaults> & {
 /**
  * Settings response (0x01,0x82).
  *
- * Answers `Settings`. Supported by Model A, Model B and Model C.
+ * Response to `Settings`. Supported by Model A, Model B and Model C.
  *
  * - guide: Settings
  * - leaflet: Settings
@@ -140,7 +140,7 @@ export declare class SettingsResponse extends Response {
 /**
  * Set time response (0x01,0x83).
  *
- * Answers `SetTime`. Sent if `part` is `types.Mode.FAST`. Supported by Model A and Model C.
+ * Response to `SetTime`. Sent if `part` is `types.Mode.FAST`. Supported by Model A and Model C.
  *
  * - guide: Set time
  */
@@ -153,7 +153,7 @@ export declare class SetTimeFastResponse extends Response {
 /**
  * Set time response (0x01,0x84).
  *
- * Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A and Model C.
+ * Response to `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A and Model C.
  *
  * - guide: Set time
  */
@@ -166,7 +166,7 @@ export declare class SetTimeSlowResponse extends Response {
 /**
  * Choice response (0x01,0x88).
  *
- * Answers `Choice`. Supported by Model A.
+ * Response to `Choice`. Supported by Model A.
  *
  * - guide: Choice
  */
@@ -191,13 +191,13 @@ export declare class ChoiceResponse extends Response {
 /**
  * List response (0x01,0x89).
  *
- * Answers `List`. Supported by Model A and Model C.
+ * Response to `List`. Supported by Model A and Model C.
  *
  * - guide: List
  */
 export declare class ListResponse extends Response {
     constructor(values: Values<ListResponse>);
-    /** On the wire only: count. Number of items. The number of elements of `items`. */
+    /** On the wire only: count. Number of items. Counts the elements of `items`. */
     /** The items. */
     items: number[];
 }
@@ -205,7 +205,7 @@ export declare class ListResponse extends Response {
 /**
  * Inventory response (0x01,0x8A).
  *
- * Answers `Inventory`. Supported by Model A and Model C.
+ * Response to `Inventory`. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
@@ -218,7 +218,7 @@ export declare class InventoryResponse extends Response {
 /**
  * Pin response (0x01,0x8B).
  *
- * Answers `Pin`. Supported by Model A and Model C.
+ * Response to `Pin`. Supported by Model A and Model C.
  *
  * - guide: Pin
  */
@@ -238,8 +238,8 @@ export declare class PinResponse extends Response {
 /**
  * Hello response (0x01,0x8C).
  *
- * No device is known for certain to support it. Also called `keep_alive_response` and `welcome`. Answers `Hello`. Known
- * only from the Kit of names. Uncertain: When it comes.
+ * No device is known for certain to support it. Also called `keep_alive_response` and `welcome`. Response to `Hello`.
+ * Known only from the Kit of names. Uncertain: When it comes.
  *
  * - sheet: Hello
  */
@@ -252,7 +252,7 @@ export declare class HelloResponse extends Response {
 /**
  * Readings response (0x01,0x8D).
  *
- * Answers `Readings`. Supported by Model A and Model C.
+ * Response to `Readings`. Supported by Model A and Model C.
  *
  * - guide: Readings
  */
@@ -260,7 +260,7 @@ export declare class ReadingsResponse extends Response {
     constructor(values: Values<ReadingsResponse>);
     /** What was asked for. */
     drive: Drive;
-    /** On the wire only: count. Number of readings. The number of elements of `readings`. */
+    /** On the wire only: count. Number of readings. Counts the elements of `readings`. */
     /**
      * The readings.
      *
@@ -282,7 +282,7 @@ export declare class ReadingsResponse extends Response {
  *
  * As long as the short layout. A further constant tells it from that one.
  *
- * Answers `Status`. Sent if `selector` is 1. Supported by Model C.
+ * Response to `Status`. Sent if `selector` is 1. Supported by Model C.
  *
  * - guide: Status
  */
@@ -300,7 +300,7 @@ export declare class StatusPaged extends Response {
 /**
  * Status response (0x01,0x90).
  *
- * Answers `Status`. Sent if `selector` is 1. Supported by Model A and Model B.
+ * Response to `Status`. Sent if `selector` is 1. Supported by Model A and Model B.
  *
  * - guide: Status
  */
@@ -320,8 +320,8 @@ export declare class StatusShort extends Response {
 /**
  * Status response (0x01,0x90).
  *
- * Answers `Status`. Distinguished from `StatusOld` and `StatusFull` by the size of its data. Sent if `selector` is 2.
- * Supported by Model B.
+ * Response to `Status`. Distinguished from `StatusOld` and `StatusFull` by the size of its data. Sent if `selector` is
+ * 2. Supported by Model B.
  *
  * - guide: Status
  */
@@ -346,8 +346,8 @@ export declare class StatusLong extends Response {
  *
  * The long layout of old devices. Its size tells it from the others.
  *
- * Answers `Status`. Distinguished from `StatusLong` and `StatusFull` by the size of its data. Sent if `selector` is 2.
- * Supported by Model A.
+ * Response to `Status`. Distinguished from `StatusLong` and `StatusFull` by the size of its data. Sent if `selector` is
+ * 2. Supported by Model A.
  *
  * - guide: Status
  */
@@ -362,8 +362,8 @@ export declare class StatusOld extends Response {
 /**
  * Status response (0x01,0x90).
  *
- * Answers `Status`. Distinguished from `StatusLong` and `StatusOld` by the size of its data. Sent if `selector` is 2.
- * Supported by Model C.
+ * Response to `Status`. Distinguished from `StatusLong` and `StatusOld` by the size of its data. Sent if `selector` is
+ * 2. Supported by Model C.
  *
  * - guide: Status
  */
@@ -382,7 +382,7 @@ export declare class StatusFull extends Response {
 /**
  * Bias response (0x01,0x9B).
  *
- * Answers `Bias` and `CaptureBias`. Supported by Model A and Model C.
+ * Response to `Bias` and `CaptureBias`. Supported by Model A and Model C.
  *
  * - guide: Bias
  * - leaflet: Bias
@@ -412,7 +412,7 @@ export declare class Ping extends Command<undefined> {
  *
  * Every function, and a prefix of parameters for each.
  *
- * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by `SettingsResponse`. Supported by Model
+ * Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `SettingsResponse`. Supported by Model
  * A, Model B and Model C. On the Model B: `write` and `read` only. On the Model C: `write`, `read` and `save` only.
  *
  * - guide: Settings
@@ -460,8 +460,8 @@ export declare class Settings<R extends Response | undefined = undefined | Setti
  *
  * Two responses for one command.
  *
- * Functions: `write`, `read` and `apply`. Answered by `SetTimeFastResponse` or `SetTimeSlowResponse`. Supported by
- * Model A and Model C.
+ * Functions: `write`, `read` and `apply`. Response: `SetTimeFastResponse` or `SetTimeSlowResponse`. Supported by Model
+ * A and Model C.
  *
  * Send it once a second.
  *
@@ -488,7 +488,7 @@ export declare class SetTime<R extends Response | undefined = undefined | SetTim
  *
  * Layouts of one response, told apart by constants and by size.
  *
- * For advanced use. Answered by `StatusPaged`, `StatusShort`, `StatusLong`, `StatusOld` or `StatusFull`. The device may
+ * For advanced use. Response: `StatusPaged`, `StatusShort`, `StatusLong`, `StatusOld` or `StatusFull`. The device may
  * take 2.5 s to reply. Supported by Model A, Model B and Model C.
  *
  * - guide: Status
@@ -509,7 +509,7 @@ export declare class Status extends Command<StatusPaged | StatusShort | StatusLo
  *
  * Its response serves another command too.
  *
- * Functions: `write`, `read`, `save`, `load` and `default`. Answered by `BiasVector`. Changes `measurements.Accel` and
+ * Functions: `write`, `read`, `save`, `load` and `default`. Response: `BiasVector`. Changes `measurements.Accel` and
  * `measurements.Gust`. Probably changes more (0x81). Supported by Model A and Model C.
  *
  * - guide: Bias
@@ -538,7 +538,7 @@ export declare class Bias<R extends Response | undefined = undefined | BiasVecto
  *
  * Measures the bias.
  *
- * Answered by `BiasVector`. Probably changes `measurements.Accel`. Supported by Model A and Model C. Deprecated on the
+ * Response: `BiasVector`. Probably changes `measurements.Accel`. Supported by Model A and Model C. Deprecated on the
  * Model C: use `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
  *
  * - guide: Capture bias
@@ -562,7 +562,7 @@ export declare class Formats extends Command<undefined> {
     constructor(values: Values<Formats>);
     /** Send no acknowledge. */
     suppressAck: boolean;
-    /** On the wire only: num_segments. Number of segments. The number of elements of `segments`. */
+    /** On the wire only: num_segments. Number of segments. Counts the elements of `segments`. */
     /** Between a counter and its array. Deprecated. */
     checkpoint: number;
     /** The segments. */
@@ -574,7 +574,7 @@ export declare class Formats extends Command<undefined> {
  *
  * A tagged union with an empty variant, nested unions, arrays and strings in it.
  *
- * Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A.
+ * Functions: `write` and `read`. Response: `ChoiceResponse`. Supported by Model A.
  *
  * - guide: Choice
  */
@@ -607,7 +607,7 @@ export declare class Choice<R extends Response | undefined = undefined | ChoiceR
  *
  * Optional counted array; a read may carry a zero count.
  *
- * Functions: `write`, `read` and `save`. Answered by `ListResponse`. Supported by Model A and Model C.
+ * Functions: `write`, `read` and `save`. Response: `ListResponse`. Supported by Model A and Model C.
  *
  * - guide: List
  */
@@ -615,7 +615,7 @@ export declare class List<R extends Response | undefined = undefined | ListRespo
     constructor(values: Values<List>);
     /** Operation on the setting. */
     function: FunctionSelector;
-    /** On the wire only: count. Number of items. The number of elements of `items`. Required for `write`. */
+    /** On the wire only: count. Number of items. Counts the elements of `items`. Required for `write`. */
     /** The items. Required for `write`. */
     items?: number[];
     /** Apply the new setting. */
@@ -631,7 +631,7 @@ export declare class List<R extends Response | undefined = undefined | ListRespo
  *
  * Answers with an array to the end of the field.
  *
- * Answered by `InventoryResponse`. Supported by Model A and Model C.
+ * Response: `InventoryResponse`. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
@@ -644,7 +644,7 @@ export declare class Inventory extends Command<InventoryResponse> {
  *
  * The names of one number depend on another.
  *
- * Functions: `write` and `read`. Answered by `PinResponse`. Supported by Model A and Model C.
+ * Functions: `write` and `read`. Response: `PinResponse`. Supported by Model A and Model C.
  *
  * - guide: Pin
  */
@@ -672,7 +672,7 @@ export declare class Pin<R extends Response | undefined = undefined | PinRespons
  *
  * The device asks and a host answers.
  *
- * No device is known for certain to support it. Also called `keep_alive`. Answered by `HelloResponse`. Sent by the
+ * No device is known for certain to support it. Also called `keep_alive`. Response: `HelloResponse`. Sent by the
  * device; the host replies. Known only from the Kit of names.
  *
  * - sheet: Hello
@@ -690,7 +690,7 @@ export declare class Hello extends Command<HelloResponse> {
  *
  * A parameter outside of a structure says how its members are read.
  *
- * Answered by `ReadingsResponse`. Supported by Model A and Model C.
+ * Response: `ReadingsResponse`. Supported by Model A and Model C.
  *
  * - guide: Readings
  */
@@ -715,7 +715,7 @@ export declare class Poll extends Command<undefined> {
     descriptorSet: number;
     /** Field descriptor. Refers to fields of Measurements. Default: 0x01. */
     first: number;
-    /** On the wire only: count. Number of fields. The number of elements of `descriptors`. */
+    /** On the wire only: count. Number of fields. Counts the elements of `descriptors`. */
     /** Field descriptors. Refers to fields of `descriptorSet`. */
     descriptors: number[];
 }

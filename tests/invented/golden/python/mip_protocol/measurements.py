@@ -203,7 +203,7 @@ class Strings(Shared, Data):
 
     model: str
     """Padded with spaces."""
-    # On the wire only: length. Of the name. The number of elements of `name`.
+    # On the wire only: length. Of the name. Counts the elements of `name`.
     name: str
     """The name."""
     rest: str
@@ -443,7 +443,7 @@ class Cloud(Shared, Data):
         ("stamp", "Q", None),
     )
 
-    # On the wire only: num_points. Number of points. The number of elements of `points`.
+    # On the wire only: num_points. Number of points. Counts the elements of `points`.
     points: tuple[types.Point, ...]
     """The points."""
     stamp: int

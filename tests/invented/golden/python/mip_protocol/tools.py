@@ -96,7 +96,7 @@ class Path(Structure):
 
     closed: bool
     """Does it return to its start?"""
-    # On the wire only: num_points. Number of points. The number of elements of `points`.
+    # On the wire only: num_points. Number of points. Counts the elements of `points`.
     points: tuple[types.Point, ...]
     """The points."""
 
@@ -172,7 +172,7 @@ class ModelBFaults(IntFlag):
 class SettingsResponse(Response):
     """Settings response (0x01,0x82).
 
-    Answers `Settings`. Supported by Model A, Model B and Model C.
+    Response to `Settings`. Supported by Model A, Model B and Model C.
 
     - guide: Settings
     - leaflet: Settings
@@ -222,7 +222,7 @@ class SettingsResponse(Response):
 class SetTimeFastResponse(Response):
     """Set time response (0x01,0x83).
 
-    Answers `SetTime`. Sent if `part` is `types.Mode.FAST`. Supported by Model A and Model C.
+    Response to `SetTime`. Sent if `part` is `types.Mode.FAST`. Supported by Model A and Model C.
 
     - guide: Set time
     """
@@ -247,7 +247,7 @@ class SetTimeFastResponse(Response):
 class SetTimeSlowResponse(Response):
     """Set time response (0x01,0x84).
 
-    Answers `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A and Model C.
+    Response to `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A and Model C.
 
     - guide: Set time
     """
@@ -272,7 +272,7 @@ class SetTimeSlowResponse(Response):
 class ChoiceResponse(Response):
     """Choice response (0x01,0x88).
 
-    Answers `Choice`. Supported by Model A.
+    Response to `Choice`. Supported by Model A.
 
     - guide: Choice
     """
@@ -333,7 +333,7 @@ class ChoiceResponse(Response):
 class ListResponse(Response):
     """List response (0x01,0x89).
 
-    Answers `List`. Supported by Model A and Model C.
+    Response to `List`. Supported by Model A and Model C.
 
     - guide: List
     """
@@ -351,7 +351,7 @@ class ListResponse(Response):
         ("items", "H", wire.Items(None, "count", 126)),
     )
 
-    # On the wire only: count. Number of items. The number of elements of `items`.
+    # On the wire only: count. Number of items. Counts the elements of `items`.
     items: tuple[int, ...]
     """The items."""
 
@@ -362,7 +362,7 @@ class ListResponse(Response):
 class InventoryResponse(Response):
     """Inventory response (0x01,0x8A).
 
-    Answers `Inventory`. Supported by Model A and Model C.
+    Response to `Inventory`. Supported by Model A and Model C.
 
     - guide: Inventory
     """
@@ -387,7 +387,7 @@ class InventoryResponse(Response):
 class PinResponse(Response):
     """Pin response (0x01,0x8B).
 
-    Answers `Pin`. Supported by Model A and Model C.
+    Response to `Pin`. Supported by Model A and Model C.
 
     - guide: Pin
     """
@@ -420,7 +420,7 @@ class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
     No device is known for certain to support it. Also called `keep_alive_response` and `welcome`.
-    Answers `Hello`. Known only from the Kit of names. Uncertain: When it comes.
+    Response to `Hello`. Known only from the Kit of names. Uncertain: When it comes.
 
     - sheet: Hello
     """
@@ -445,7 +445,7 @@ class HelloResponse(Response):
 class ReadingsResponse(Response):
     """Readings response (0x01,0x8D).
 
-    Answers `Readings`. Supported by Model A and Model C.
+    Response to `Readings`. Supported by Model A and Model C.
 
     - guide: Readings
     """
@@ -467,7 +467,7 @@ class ReadingsResponse(Response):
 
     drive: Drive
     """What was asked for."""
-    # On the wire only: count. Number of readings. The number of elements of `readings`.
+    # On the wire only: count. Number of readings. Counts the elements of `readings`.
     readings: tuple[Reading, ...]
     """The readings.
 
@@ -492,7 +492,7 @@ class StatusPaged(Response):
 
     As long as the short layout. A further constant tells it from that one.
 
-    Answers `Status`. Sent if `selector` is 1. Supported by Model C.
+    Response to `Status`. Sent if `selector` is 1. Supported by Model C.
 
     - guide: Status
     """
@@ -537,7 +537,7 @@ class StatusPaged(Response):
 class StatusShort(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Sent if `selector` is 1. Supported by Model A and Model B.
+    Response to `Status`. Sent if `selector` is 1. Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -572,8 +572,8 @@ class StatusShort(Response):
 class StatusLong(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Distinguished from `StatusOld` and `StatusFull` by the size of its data. Sent
-    if `selector` is 2. Supported by Model B.
+    Response to `Status`. Distinguished from `StatusOld` and `StatusFull` by the size of its data.
+    Sent if `selector` is 2. Supported by Model B.
 
     - guide: Status
     """
@@ -623,8 +623,8 @@ class StatusOld(Response):
 
     The long layout of old devices. Its size tells it from the others.
 
-    Answers `Status`. Distinguished from `StatusLong` and `StatusFull` by the size of its data. Sent
-    if `selector` is 2. Supported by Model A.
+    Response to `Status`. Distinguished from `StatusLong` and `StatusFull` by the size of its data.
+    Sent if `selector` is 2. Supported by Model A.
 
     - guide: Status
     """
@@ -655,8 +655,8 @@ class StatusOld(Response):
 class StatusFull(Response):
     """Status response (0x01,0x90).
 
-    Answers `Status`. Distinguished from `StatusLong` and `StatusOld` by the size of its data. Sent
-    if `selector` is 2. Supported by Model C.
+    Response to `Status`. Distinguished from `StatusLong` and `StatusOld` by the size of its data.
+    Sent if `selector` is 2. Supported by Model C.
 
     - guide: Status
     """
@@ -699,7 +699,7 @@ class StatusFull(Response):
 class BiasVector(Response):
     """Bias response (0x01,0x9B).
 
-    Answers `Bias` and `CaptureBias`. Supported by Model A and Model C.
+    Response to `Bias` and `CaptureBias`. Supported by Model A and Model C.
 
     - guide: Bias
     - leaflet: Bias
@@ -749,9 +749,9 @@ class Settings(Command[R]):
 
     Every function, and a prefix of parameters for each.
 
-    Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `SettingsResponse`. Supported by Model A, Model B and Model C. On the Model B: `write` and
-    `read` only. On the Model C: `write`, `read` and `save` only.
+    Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Response: `SettingsResponse`.
+    Supported by Model A, Model B and Model C. On the Model B: `write` and `read` only. On the Model
+    C: `write`, `read` and `save` only.
 
     - guide: Settings
     - leaflet: Settings
@@ -873,7 +873,7 @@ class SetTime(Command[R]):
 
     Two responses for one command.
 
-    Functions: `write`, `read` and `apply`. Answered by `SetTimeFastResponse` or
+    Functions: `write`, `read` and `apply`. Response: `SetTimeFastResponse` or
     `SetTimeSlowResponse`. Supported by Model A and Model C.
 
     Send it once a second.
@@ -943,7 +943,7 @@ class Status(Command[StatusPaged | StatusShort | StatusLong | StatusOld | Status
 
     Layouts of one response, told apart by constants and by size.
 
-    For advanced use. Answered by `StatusPaged`, `StatusShort`, `StatusLong`, `StatusOld` or
+    For advanced use. Response: `StatusPaged`, `StatusShort`, `StatusLong`, `StatusOld` or
     `StatusFull`. The device may take 2.5 s to reply. Supported by Model A, Model B and Model C.
 
     - guide: Status
@@ -989,7 +989,7 @@ class Bias(Command[R]):
 
     Its response serves another command too.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `BiasVector`. Changes
+    Functions: `write`, `read`, `save`, `load` and `default`. Response: `BiasVector`. Changes
     `measurements.Accel` and `measurements.Gust`. Probably changes more (0x81). Supported by Model A
     and Model C.
 
@@ -1061,8 +1061,8 @@ class CaptureBias(Command[BiasVector]):
 
     Measures the bias.
 
-    Answered by `BiasVector`. Probably changes `measurements.Accel`. Supported by Model A and Model
-    C. Deprecated on the Model C: use `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
+    Response: `BiasVector`. Probably changes `measurements.Accel`. Supported by Model A and Model C.
+    Deprecated on the Model C: use `Bias` instead. On the Model C: firmware >= 1.0, < 1.1.
 
     - guide: Capture bias
     """
@@ -1112,7 +1112,7 @@ class Formats(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire only: num_segments. Number of segments. The number of elements of `segments`.
+    # On the wire only: num_segments. Number of segments. Counts the elements of `segments`.
     checkpoint: int
     """Between a counter and its array. Deprecated."""
     segments: tuple[types.Segment, ...]
@@ -1135,7 +1135,7 @@ class Choice(Command[R]):
 
     A tagged union with an empty variant, nested unions, arrays and strings in it.
 
-    Functions: `write` and `read`. Answered by `ChoiceResponse`. Supported by Model A.
+    Functions: `write` and `read`. Response: `ChoiceResponse`. Supported by Model A.
 
     - guide: Choice
     """
@@ -1227,8 +1227,8 @@ class List(Command[R]):
 
     Optional counted array; a read may carry a zero count.
 
-    Functions: `write`, `read` and `save`. Answered by `ListResponse`. Supported by Model A and
-    Model C.
+    Functions: `write`, `read` and `save`. Response: `ListResponse`. Supported by Model A and Model
+    C.
 
     - guide: List
     """
@@ -1252,7 +1252,7 @@ class List(Command[R]):
 
     function: FunctionSelector
     """Operation on the setting."""
-    # On the wire only: count. Number of items. The number of elements of `items`. Required for
+    # On the wire only: count. Number of items. Counts the elements of `items`. Required for
     # `write`.
     items: tuple[int, ...] | None
     """The items. Required for `write`."""
@@ -1288,7 +1288,7 @@ class Inventory(Command[InventoryResponse]):
 
     Answers with an array to the end of the field.
 
-    Answered by `InventoryResponse`. Supported by Model A and Model C.
+    Response: `InventoryResponse`. Supported by Model A and Model C.
 
     - guide: Inventory
     """
@@ -1308,7 +1308,7 @@ class Pin(Command[R]):
 
     The names of one number depend on another.
 
-    Functions: `write` and `read`. Answered by `PinResponse`. Supported by Model A and Model C.
+    Functions: `write` and `read`. Response: `PinResponse`. Supported by Model A and Model C.
 
     - guide: Pin
     """
@@ -1366,7 +1366,7 @@ class Hello(Command[HelloResponse]):
 
     The device asks and a host answers.
 
-    No device is known for certain to support it. Also called `keep_alive`. Answered by
+    No device is known for certain to support it. Also called `keep_alive`. Response:
     `HelloResponse`. Sent by the device; the host replies. Known only from the Kit of names.
 
     - sheet: Hello
@@ -1399,7 +1399,7 @@ class Readings(Command[ReadingsResponse]):
 
     A parameter outside of a structure says how its members are read.
 
-    Answered by `ReadingsResponse`. Supported by Model A and Model C.
+    Response: `ReadingsResponse`. Supported by Model A and Model C.
 
     - guide: Readings
     """
@@ -1451,7 +1451,7 @@ class Poll(Command[None]):
     """Data descriptor set. Range: 0x80 to 0xFE."""
     first: int
     """Field descriptor. Refers to fields of Measurements. Default: 0x01."""
-    # On the wire only: count. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: count. Number of fields. Counts the elements of `descriptors`.
     descriptors: tuple[int, ...]
     """Field descriptors. Refers to fields of `descriptor_set`."""
 

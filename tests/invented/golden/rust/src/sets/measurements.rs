@@ -164,7 +164,7 @@ record! {
     /// Occurs in measurements (0x80), more (0x81) and copy (0x92). Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// The wire format also contains `length`: Of the name. The number of elements of
+    /// The wire format also contains `length`: Of the name. Counts the elements of
     /// [`name`](Strings::name).
     ///
     /// Source: guide: Strings; guide: Second strings.
@@ -441,7 +441,7 @@ record! {
     /// Occurs in measurements (0x80) and copy (0x92). Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// The wire format also contains `num_points`: Number of points. The number of elements of
+    /// The wire format also contains `num_points`: Number of points. Counts the elements of
     /// [`points`](Cloud::points).
     ///
     /// Source: guide: Cloud.

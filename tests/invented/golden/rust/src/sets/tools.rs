@@ -126,7 +126,7 @@ constructors! {
 record! {
     /// A counted array at its end.
     ///
-    /// The wire format also contains `num_points`: Number of points. The number of elements of
+    /// The wire format also contains `num_points`: Number of points. Counts the elements of
     /// [`points`](Path::points).
     #[derive(Default, Eq, Hash)]
     pub struct Path {
@@ -280,7 +280,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
     /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
-    /// Answered by [`SettingsResponse`]. Supported by [Model A](crate::devices::MODEL_A), [Model
+    /// Response: [`SettingsResponse`]. Supported by [Model A](crate::devices::MODEL_A), [Model
     /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C). On the [Model
     /// B](crate::devices::MODEL_B): [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ) only. On the [Model C](crate::devices::MODEL_C):
@@ -381,7 +381,7 @@ record! {
     /// Two responses for one command.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ)
-    /// and [apply](types::FunctionSelector::APPLY). Answered by [`SetTimeFastResponse`] or
+    /// and [apply](types::FunctionSelector::APPLY). Response: [`SetTimeFastResponse`] or
     /// [`SetTimeSlowResponse`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
     /// C](crate::devices::MODEL_C).
     ///
@@ -452,8 +452,8 @@ record! {
     ///
     /// Layouts of one response, told apart by constants and by size.
     ///
-    /// For advanced use. Answered by [`StatusPaged`], [`StatusShort`], [`StatusLong`],
-    /// [`StatusOld`] or [`StatusFull`]. The device may take 2.5 s to reply. Supported by [Model
+    /// For advanced use. Response: [`StatusPaged`], [`StatusShort`], [`StatusLong`], [`StatusOld`]
+    /// or [`StatusFull`]. The device may take 2.5 s to reply. Supported by [Model
     /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
     /// C](crate::devices::MODEL_C).
     ///
@@ -523,7 +523,7 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`BiasVector`]. Changes
+    /// [default](types::FunctionSelector::DEFAULT). Response: [`BiasVector`]. Changes
     /// [`measurements::Accel`](crate::measurements::Accel) and
     /// [`measurements::Gust`](crate::measurements::Gust). Probably changes more (0x81). Supported
     /// by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
@@ -581,7 +581,7 @@ record! {
     ///
     /// Measures the bias.
     ///
-    /// Answered by [`BiasVector`]. Probably changes
+    /// Response: [`BiasVector`]. Probably changes
     /// [`measurements::Accel`](crate::measurements::Accel). Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). Deprecated on the [Model
     /// C](crate::devices::MODEL_C): use [`Bias`] instead. On the [Model
@@ -622,7 +622,7 @@ record! {
     /// Not acknowledged if [`suppress_ack`](Formats::suppress_ack) is true. Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// The wire format also contains `num_segments`: Number of segments. The number of elements of
+    /// The wire format also contains `num_segments`: Number of segments. Counts the elements of
     /// [`segments`](Formats::segments).
     ///
     /// Source: guide: Formats.
@@ -672,7 +672,7 @@ record! {
     /// A tagged union with an empty variant, nested unions, arrays and strings in it.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Answered by [`ChoiceResponse`]. Supported by [Model
+    /// [read](types::FunctionSelector::READ). Response: [`ChoiceResponse`]. Supported by [Model
     /// A](crate::devices::MODEL_A).
     ///
     /// Source: guide: Choice.
@@ -759,10 +759,10 @@ record! {
     /// Optional counted array; a read may carry a zero count.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ)
-    /// and [save](types::FunctionSelector::SAVE). Answered by [`ListResponse`]. Supported by [Model
+    /// and [save](types::FunctionSelector::SAVE). Response: [`ListResponse`]. Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// The wire format also contains `count`: Number of items. The number of elements of
+    /// The wire format also contains `count`: Number of items. Counts the elements of
     /// [`items`](List::items). Required for [write](types::FunctionSelector::WRITE).
     ///
     /// Source: guide: List.
@@ -814,8 +814,8 @@ record! {
     ///
     /// Answers with an array to the end of the field.
     ///
-    /// Answered by [`InventoryResponse`]. Supported by [Model A](crate::devices::MODEL_A) and
-    /// [Model C](crate::devices::MODEL_C).
+    /// Response: [`InventoryResponse`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Inventory.
     #[derive(Copy, Default, Eq, Hash)]
@@ -845,7 +845,7 @@ record! {
     /// The names of one number depend on another.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE) and
-    /// [read](types::FunctionSelector::READ). Answered by [`PinResponse`]. Supported by [Model
+    /// [read](types::FunctionSelector::READ). Response: [`PinResponse`]. Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Pin.
@@ -920,7 +920,7 @@ record! {
     ///
     /// The device asks and a host answers.
     ///
-    /// No device is known for certain to support it. Also called `keep_alive`. Answered by
+    /// No device is known for certain to support it. Also called `keep_alive`. Response:
     /// [`HelloResponse`]. Sent by the device; the host replies. Known only from the Kit of names.
     ///
     /// Source: sheet: Hello.
@@ -976,7 +976,7 @@ record! {
     ///
     /// A parameter outside of a structure says how its members are read.
     ///
-    /// Answered by [`ReadingsResponse`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// Response: [`ReadingsResponse`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
     /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Readings.
@@ -1011,7 +1011,7 @@ record! {
     ///
     /// Supported by [Model C](crate::devices::MODEL_C).
     ///
-    /// The wire format also contains `count`: Number of fields. The number of elements of
+    /// The wire format also contains `count`: Number of fields. Counts the elements of
     /// [`descriptors`](Poll::descriptors).
     ///
     /// Source: guide: Formats.
@@ -1061,7 +1061,7 @@ command! {
 record! {
     /// Settings response (0x01,0x82).
     ///
-    /// Answers [`Settings`]. Supported by [Model A](crate::devices::MODEL_A), [Model
+    /// Response to [`Settings`]. Supported by [Model A](crate::devices::MODEL_A), [Model
     /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Settings; leaflet: Settings.
@@ -1132,8 +1132,8 @@ field! {
 record! {
     /// Set time response (0x01,0x83).
     ///
-    /// Answers [`SetTime`]. Sent if [`part`](SetTime::part) is [`types::Mode::FAST`]. Supported by
-    /// [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    /// Response to [`SetTime`]. Sent if [`part`](SetTime::part) is [`types::Mode::FAST`]. Supported
+    /// by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Set time.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1166,8 +1166,8 @@ field! {
 record! {
     /// Set time response (0x01,0x84).
     ///
-    /// Answers [`SetTime`]. Sent if [`part`](SetTime::part) is [`types::Mode::SLOW`]. Supported by
-    /// [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
+    /// Response to [`SetTime`]. Sent if [`part`](SetTime::part) is [`types::Mode::SLOW`]. Supported
+    /// by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Set time.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1200,7 +1200,7 @@ field! {
 record! {
     /// Choice response (0x01,0x88).
     ///
-    /// Answers [`Choice`]. Supported by [Model A](crate::devices::MODEL_A).
+    /// Response to [`Choice`]. Supported by [Model A](crate::devices::MODEL_A).
     ///
     /// Source: guide: Choice.
     #[derive(Default)]
@@ -1237,10 +1237,10 @@ field! {
 record! {
     /// List response (0x01,0x89).
     ///
-    /// Answers [`List`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// Response to [`List`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
     /// C](crate::devices::MODEL_C).
     ///
-    /// The wire format also contains `count`: Number of items. The number of elements of
+    /// The wire format also contains `count`: Number of items. Counts the elements of
     /// [`items`](ListResponse::items).
     ///
     /// Source: guide: List.
@@ -1271,7 +1271,7 @@ field! {
 record! {
     /// Inventory response (0x01,0x8A).
     ///
-    /// Answers [`Inventory`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// Response to [`Inventory`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
     /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Inventory.
@@ -1298,7 +1298,7 @@ field! {
 record! {
     /// Pin response (0x01,0x8B).
     ///
-    /// Answers [`Pin`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// Response to [`Pin`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
     /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Pin.
@@ -1365,7 +1365,8 @@ record! {
     /// Hello response (0x01,0x8C).
     ///
     /// No device is known for certain to support it. Also called `keep_alive_response` and
-    /// `welcome`. Answers [`Hello`]. Known only from the Kit of names. Uncertain: When it comes.
+    /// `welcome`. Response to [`Hello`]. Known only from the Kit of names. Uncertain: When it
+    /// comes.
     ///
     /// Source: sheet: Hello.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1398,10 +1399,10 @@ field! {
 record! {
     /// Readings response (0x01,0x8D).
     ///
-    /// Answers [`Readings`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// Response to [`Readings`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
     /// C](crate::devices::MODEL_C).
     ///
-    /// The wire format also contains `count`: Number of readings. The number of elements of
+    /// The wire format also contains `count`: Number of readings. Counts the elements of
     /// [`readings`](ReadingsResponse::readings).
     ///
     /// Source: guide: Readings.
@@ -1452,7 +1453,7 @@ record! {
     ///
     /// As long as the short layout. A further constant tells it from that one.
     ///
-    /// Answers [`Status`]. Sent if [`selector`](Status::selector) is 1. Supported by [Model
+    /// Response to [`Status`]. Sent if [`selector`](Status::selector) is 1. Supported by [Model
     /// C](crate::devices::MODEL_C).
     ///
     /// The wire format also contains `model`: The model. Always 4711.
@@ -1497,7 +1498,7 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Sent if [`selector`](Status::selector) is 1. Supported by [Model
+    /// Response to [`Status`]. Sent if [`selector`](Status::selector) is 1. Supported by [Model
     /// A](crate::devices::MODEL_A) and [Model B](crate::devices::MODEL_B).
     ///
     /// The wire format also contains `model`: The model. Always 4711.
@@ -1560,8 +1561,8 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Distinguished from [`StatusOld`] and [`StatusFull`] by the size of its
-    /// data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
+    /// Response to [`Status`]. Distinguished from [`StatusOld`] and [`StatusFull`] by the size of
+    /// its data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
     /// B](crate::devices::MODEL_B).
     ///
     /// The wire format also contains `model`: The model. Always 4711.
@@ -1631,8 +1632,8 @@ record! {
     ///
     /// The long layout of old devices. Its size tells it from the others.
     ///
-    /// Answers [`Status`]. Distinguished from [`StatusLong`] and [`StatusFull`] by the size of its
-    /// data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
+    /// Response to [`Status`]. Distinguished from [`StatusLong`] and [`StatusFull`] by the size of
+    /// its data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
     /// A](crate::devices::MODEL_A).
     ///
     /// The wire format also contains `model`: The model. Always 4711.
@@ -1672,8 +1673,8 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Distinguished from [`StatusLong`] and [`StatusOld`] by the size of its
-    /// data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
+    /// Response to [`Status`]. Distinguished from [`StatusLong`] and [`StatusOld`] by the size of
+    /// its data. Sent if [`selector`](Status::selector) is 2. Supported by [Model
     /// C](crate::devices::MODEL_C).
     ///
     /// The wire format also contains `model`: The model. Always 4711.
@@ -1723,8 +1724,8 @@ field! {
 record! {
     /// Bias response (0x01,0x9B).
     ///
-    /// Answers [`Bias`] and [`CaptureBias`]. Supported by [Model A](crate::devices::MODEL_A) and
-    /// [Model C](crate::devices::MODEL_C).
+    /// Response to [`Bias`] and [`CaptureBias`]. Supported by [Model A](crate::devices::MODEL_A)
+    /// and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Bias; leaflet: Bias.
     #[derive(Copy, Default)]
