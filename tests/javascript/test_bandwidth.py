@@ -70,7 +70,7 @@ def test_what_no_port_carries(page: browser.Page) -> None:
     assert device is not None
     base = next(r.hertz for r in device.base_rates if r.set.name == "sensor")
     wanted = [["sensor", s.name, base] for s in device.supports if s.name.startswith("sensor.")]
-    assert page.run(f"choose({device.id!r}, {wanted})")["ports"]["UART 1"] == "none of its baud rates is enough"
+    assert page.run(f"choose({device.id!r}, {wanted})")["ports"]["UART 1"] == "none of its baud rates is sufficient"
 
 
 def test_nothing_chosen(page: browser.Page) -> None:
@@ -115,7 +115,7 @@ def test_random_streams(page: browser.Page, device: str) -> None:
         assert found["need"].endswith(f"at least {math.ceil(round(need, 6))} Bd.")
         for port in d.ports:
             enough = [r for r in port.baud_rates if r >= need]
-            none = "none of its baud rates is enough" if port.baud_rates else "no baud rate"
+            none = "none of its baud rates is sufficient" if port.baud_rates else "no baud rate"
             assert found["ports"][port.name] == (str(min(enough)) if enough else none)
 
 

@@ -289,16 +289,16 @@ def test_what_is_no_field_leads_to_the_hits_of_the_finder(own: browser.Page, fra
 
 def test_what_the_address_cannot_give_is_said(own: browser.Page) -> None:
     """The reason, and the address stays until something is changed."""
-    why = "The packet of the address cannot be taken over: "
+    why = "The packet in the address cannot be used: "
     for fragment, problem in {
-        "756501030301775924": "Bytes that no parameter has are left out: 1 at the end of base.ping.",
+        "756501030301775924": "Bytes that belong to no parameter are left out: 1 at the end of base.ping.",
         "756501020201E0C7": f"{why}its checksum is e0 c7, but should be e0 c6.",
         "756501020201E0C6756501020201E0C6": f"{why}its 16 bytes are not a whole packet.",
-        "75650100DB05": f"{why}it has no field.",
+        "75650100DB05": f"{why}it has no fields.",
         codec.build(model("real"), 1, [(0x7D, b"")]).hex(): f"{why}there is no field with descriptor 0x7D in its set.",
         codec.build(model("real"), 1, [(0x09, b"")]).hex(): f"{why}the data is 1 byte short.",
-        "no such thing": "The address has neither the name of a field nor a packet.",
-        "%": "The address has neither the name of a field nor a packet.",
+        "no such thing": "The address contains neither the name of a field nor a packet.",
+        "%": "The address contains neither the name of a field nor a packet.",
         "base.ping": None,
     }.items():
         start(own, fragment)

@@ -415,7 +415,7 @@ def write_core(results: list[tuple[Proof, Result]]) -> None:
     rows = [
         f"| `{p.sources[0]}` | {p.name} | {p.bounds} | {r.outcome}, {r.properties} properties |" for p, r in results
     ]
-    write("the core", ["| File | Proof | Looked at | Result |", "|---|---|---|---|", *rows])
+    write("the core", ["| File | Proof | Scope | Result |", "|---|---|---|---|", *rows])
 
 
 def write_layouts(results: list[tuple[Proof, Result]]) -> None:
@@ -425,7 +425,7 @@ def write_layouts(results: list[tuple[Proof, Result]]) -> None:
         groups.setdefault(kind, []).append(r.outcome)
     bounds = {"numbers only": "fields of any size", "others": "all sizes up to one more than the longest",
               "arrays": f"all sizes up to {ITEMS} items"}  # fmt: skip
-    rows = ["| Layouts | Looked at | Proved | Not proved yet |", "|---|---|---|---|"]
+    rows = ["| Layouts | Scope | Proved | Not proved yet |", "|---|---|---|---|"]
     for kind, outcomes in sorted(groups.items(), reverse=True):
         rows.append(f"| {kind} | {bounds[kind]} | {outcomes.count('proved')} | {outcomes.count('not proved')} |")
     if late := [f"`{p.name}`" for p, r in results if r.outcome == "not proved"]:

@@ -1,15 +1,15 @@
 // State that all tools share, and the address that contains it: `#device=3dm-cv7-ins&streams=sensor.scaled_accel@100`.
 
-/** The keys of an address: the value of each is a text, which all tools share. */
+/** The keys of an address. Each value is a text that all tools share. */
 const KEYS = ["device", "bytes", "find", "packet", "streams", "serve"];
 
-/** Pages of tools, which lie beside each other. */
+/** The pages of the tools, which are in one folder. */
 const PAGE = /(?:^|\/)(?:bandwidth|builder|finder|inspector|live)\.html$/;
 
-/** Texts longer than this are left out: people could not send such an address. */
+/** Longer texts are left out, because nobody could send such an address. */
 const LONGEST = 30_000;
 
-/** Milliseconds between two addresses: browsers refuse to change them often. */
+/** Milliseconds between two changes of the address, because browsers limit their rate. */
 const PAUSE = 400;
 
 /** The part of the address after the #. */
@@ -25,14 +25,14 @@ function decoded(text) {
     }
 }
 
-/** The state in a fragment; `given` is a text of another form, which each tool reads in its own way. */
+/** Parses a fragment. `given` is a text in another form, which each tool interprets in its own way. */
 export function stateOf(text) {
     const parts = text.split("&").map((part) => /^(\w+)=(.*)$/s.exec(part));
     if (!text || !parts.every((part) => part && KEYS.includes(part[1]))) return { given: decoded(text) };
     return Object.fromEntries(parts.map(([, key, value]) => [key, decoded(value)]));
 }
 
-/** The fragment of a state. */
+/** Returns the fragment for a state. */
 export function fragmentOf(state) {
     const held = KEYS.filter((key) => state[key] && state[key].length <= LONGEST);
     const readable = (value) => encodeURIComponent(value).replace(/%(?:2B|2C|40|3A|2F)/g, decodeURIComponent);
@@ -40,10 +40,8 @@ export function fragmentOf(state) {
 }
 
 /**
- * The state of a tool, which begins with the fragment `start`. Without one, the address stays as it is. `device` is that
- * of a start that has none.
- *
- * The links of the page to other tools lead there with the same state.
+ * The state of a tool, which begins with the fragment `start`. Without one, the address stays as it is. `device` is
+ * that of a start that has none.  The links of the page to other tools lead there with the same state.
  */
 export class State {
     #values;
@@ -57,12 +55,12 @@ export class State {
         this.#tellLinks();
     }
 
-    /** A text; "" if the state has none. */
+    /** Returns a text; "" if the state has none. */
     get(key) {
         return this.#values[key] ?? "";
     }
 
-    /** Changes some texts, and the address. A text of another form is dropped. */
+    /** Changes some texts, and the address. A text in another form is dropped. */
     set(changed) {
         this.adopt(changed);
         clearTimeout(this.#timer);
@@ -71,14 +69,16 @@ export class State {
         else this.#write();
     }
 
-    /** Keeps what a tool has read from a text of another form. The address stays until something is changed. */
+    /**
+     * Stores what a tool has read from a text in another form. The address stays the same until something is changed.
+     */
     adopt(read) {
         const { given, ...others } = this.#values;
         this.#values = { ...others, ...read };
         this.#tellLinks();
     }
 
-    /** The address of another tool, with the same state and what is changed in it. */
+    /** Returns the address of another tool, with the same state except for these changes. */
     link(page, changed = {}) {
         const text = fragmentOf({ ...this.#values, ...changed });
         return text ? `${page}#${text}` : page;

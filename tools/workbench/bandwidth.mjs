@@ -1,4 +1,4 @@
-// Bandwidth: choose data fields and rates, and see which baud rate they need.
+// The bandwidth calculator: choose data fields and rates, and see which baud rate they need.
 
 import { State } from "./address.mjs";
 import { deviceChoice, deviceOf, element, links, profileNote } from "./dom.mjs";
@@ -7,7 +7,10 @@ import { hitsList } from "./finder.mjs";
 import { needOf, portsFor } from "./stream.mjs";
 import { streamChooser } from "./streams.mjs";
 
-/** Fills an element with the tool. `options` are those of `links`, and `start`, the fragment of an address, or the id of a device. */
+/**
+ * Fills an element with the tool. `options` are those of `links`, and `start`, the fragment of an address, or the id of
+ * a device.
+ */
 export function bandwidth(root, protocol, options = {}) {
     const to = links(options);
     const state = options.state ?? new State(options.start, options.device);
@@ -37,7 +40,7 @@ function unknown(protocol, given, to) {
     if (!given || deviceOf(protocol, given)) return [];
     const hits = find(indexOf(protocol), given).map(({ field }) => field);
     return [
-        element("p", { class: "mip-wrong" }, `The address names no device: “${given}”.`),
+        element("p", { class: "mip-wrong" }, `The address contains an unknown device: “${given}”.`),
         hits.length > 0 && element("p", {}, "Fields that it may mean:"),
         hits.length > 0 && hitsList(hits, to),
     ].filter(Boolean);
@@ -49,7 +52,7 @@ function report(device, chooser) {
     const { bytes, baud } = needOf(chooser.chosen());
     if (!bytes) return [element("p", { class: "mip-note" }, "Choose fields below.")];
     const ports = portsFor(device, baud).map(({ port, rate }) => {
-        const words = rate === null ? "no baud rate" : (rate ?? "none of its baud rates is enough");
+        const words = rate === null ? "no baud rate" : (rate ?? "none of its baud rates is sufficient");
         const kind = rate === undefined ? "mip-wrong" : "";
         return element("li", { "data-port": port.name, class: kind }, `${port.name}: `, element("span", {}, `${words}`), rate ? " Bd" : "");
     });
@@ -64,7 +67,7 @@ function report(device, chooser) {
     ].filter(Boolean);
 }
 
-/** Rounded up: a rate that is a little too low is too low. */
+/** Rounded up, because a rate that is slightly too low is not sufficient. */
 function round(number) {
     return Math.ceil(Number(number.toFixed(6)));
 }

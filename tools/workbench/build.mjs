@@ -1,4 +1,4 @@
-// A packet with one field in the builder: values to begin with, bytes, source code, and the answer.
+// A packet in the builder: initial values, bytes, source code, and the reply.
 
 import {
     buildPacket,
@@ -14,20 +14,20 @@ import {
 } from "mip-protocol/tools";
 import { conditionText, hexByte } from "./words.mjs";
 
-/** The sets in whose packets a field can be. */
+/** Returns the sets whose packets can contain a field. */
 export function setsOf(protocol, field) {
     if (field.set && field.set !== SHARED_SET) return placesOf(field).map(({ set }) => set);
     const numbers = protocol.model.sets.map((set) => set.number).filter((number) => number !== SHARED_SET);
     return numbers.filter((number) => number >= FIRST_DATA_SET === (field.set === SHARED_SET));
 }
 
-/** The operations of a field that a function requires; all that are required where there is no selector. */
+/** Returns the operations of a field that a function requires; without a selector, all required ones. */
 export function requiredOperations(protocol, field, selector) {
     const required = protocol.required(field, selector);
     return field.operations.flatMap((op) => (op.kind !== "group" ? [op] : op.last <= required ? op.body : []));
 }
 
-/** Values that a user would send or see, for a function where the field has a selector; optional ones if asked for. */
+/** Returns typical values for a function, if the field has a selector; includes optional ones on request. */
 export function typicalValues(protocol, field, selector, optional = false) {
     const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
     const found = numbersOf(protocol, field, (field.calls ? call?.typical : field.typical) ?? {});
@@ -40,12 +40,12 @@ export function typicalValues(protocol, field, selector, optional = false) {
     return values;
 }
 
-/** The operations of a field, those of groups too. */
+/** Returns the operations of a field, including those in groups. */
 export function allOperations(field) {
     return field.operations.flatMap((op) => (op.kind === "group" ? op.body : [op]));
 }
 
-/** Values as JavaScript numbers: the model has the bits of floats. */
+/** Converts values to JavaScript numbers, because the model contains the bits of floats. */
 function numbersOf(protocol, record, values) {
     const found = {};
     for (const op of record.operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
@@ -69,7 +69,7 @@ function numberOfBits(protocol, op, value) {
     }
 }
 
-/** Values to begin with: typical ones, else as few as possible. */
+/** Returns the initial values: typical ones, else as few as possible. */
 export function initialValues(protocol, field, selector) {
     const values = typicalValues(protocol, field, selector);
     for (const op of requiredOperations(protocol, field, selector)) {
@@ -83,7 +83,7 @@ function begin(protocol, op, record, values) {
     values[op.member] = initialValue(protocol, op, record, values);
 }
 
-/** The value to begin with of one operation; that of a union depends on the values before it. */
+/** Returns the initial value of an operation; a union's depends on the values before it. */
 export function initialValue(protocol, op, record, values) {
     const parameter = parameterOf(record, op.member) ?? {};
     const given = parameter.default ?? parameter.reserved;
@@ -123,7 +123,7 @@ function firstOf(protocol, parameter, values) {
     return Math.max(0, parameter.minimum ?? 0);
 }
 
-/** A number for a default: it may be the name of a value, or names of bits. */
+/** Returns the number of a default, which may be the name of a value, or names of bits. */
 function numberOf(protocol, parameter, given, values) {
     const type = namedType(protocol, parameter, values);
     if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
@@ -133,7 +133,7 @@ function numberOf(protocol, parameter, given, values) {
     return Number(given);
 }
 
-/** The same values, with the number of elements in every counter. */
+/** Returns the same values, with every counter set to the number of elements. */
 export function counted(protocol, operations, values) {
     const all = { ...values };
     for (const op of operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
@@ -152,7 +152,7 @@ export function counted(protocol, operations, values) {
     return all;
 }
 
-/** The packet of some fields with their values, each `{ field, values }`; raises a MipError that says what is wrong. */
+/** Builds a packet from fields with values, each `{ field, values }`. Throws a MipError with the reason. */
 export function packetOf(protocol, set, entries) {
     const fields = entries.map(({ field, values }) => ({
         descriptor: field.descriptor,
@@ -164,7 +164,7 @@ export function packetOf(protocol, set, entries) {
 
 // ------------------------------------------------------------------------------------------------ optional parameters
 
-/** The groups of operations that may follow what a function requires. */
+/** Returns the groups of operations that may follow those that a function requires. */
 export function optionalGroups(protocol, field, selector) {
     const required = protocol.required(field, selector);
     const call = field.calls?.find((one) => one.function === protocol.functions.get(Number(selector))?.name);
@@ -172,13 +172,13 @@ export function optionalGroups(protocol, field, selector) {
     return field.calls ? groups.filter((op) => op.body.every((one) => call?.optional.includes(one.member))) : groups;
 }
 
-/** The number of these groups that are present. */
+/** Returns the number of these groups that are present. */
 export function countOptional(groups, values) {
     const absent = groups.findIndex((op) => op.body.some(({ kind, member }) => kind !== "constant" && !Object.hasOwn(values, member)));
     return absent < 0 ? groups.length : absent;
 }
 
-/** The operations of what is there: all that are required, and the optional ones with values. */
+/** Returns the operations that are present: all required ones, and the optional ones with values. */
 export function shownOperations(protocol, field, values) {
     const groups = optionalGroups(protocol, field, values.function);
     const optional = groups.slice(0, countOptional(groups, values)).flatMap((op) => op.body);
@@ -188,7 +188,8 @@ export function shownOperations(protocol, field, values) {
 // ------------------------------------------------------------------------------------------------ devices
 
 /**
- * The entry of a device's `supports` for a field in a set, of the command for a response; without a device, an empty one.
+ * Returns the entry of a device's `supports` for a field in a set, or for a response's command; without a device, an
+ * empty one.
  */
 export function supportOn(protocol, device, field, set) {
     if (!device || field === protocol.acknowledge) return {};
@@ -196,7 +197,7 @@ export function supportOn(protocol, device, field, set) {
     return device.supports?.find((one) => names.includes(one.field));
 }
 
-/** The support that the evidence for an entry shows: "yes" or "probable". */
+/** Returns whether the evidence makes the support certain: "yes" or "probable". */
 function certaintyIn(device, support) {
     return device?.evidence?.[support.evidence]?.answer ?? "yes";
 }
@@ -206,8 +207,8 @@ function commandsOf(protocol, response) {
 }
 
 /**
- * Whether a device can be offered a field in a set: "" if it supports it, "probable" if it probably does, "not known" if its profile is
- * incomplete and does not list it, undefined if it has no such field.
+ * Returns the mark of a field in a set on a device: "" if it is supported, "probable" if it
+ * probably is, "not known" if the profile is incomplete and does not list it; undefined if it is not supported.
  */
 export function certaintyOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
@@ -216,7 +217,7 @@ export function certaintyOn(protocol, device, field, set) {
     return device.incomplete ? "not known" : undefined;
 }
 
-/** The differences on a device in a set, each in words. */
+/** Returns the differences on a device in a set, each in words. */
 export function differencesOn(protocol, device, field, set) {
     const support = supportOn(protocol, device, field, set);
     if (!support) return [`it is not known ${device.incomplete ? "whether it supports" : "to support"} this`];
@@ -271,7 +272,7 @@ export function answerOf(protocol, field, values) {
     return { acknowledge: packet, responses, conditions };
 }
 
-/** The bytes as source code. */
+/** Returns the bytes as source code. */
 export function sourceOf(bytes, language) {
     const list = Array.from(bytes, hexByte).join(", ");
     const plain = `\\x${toHex(bytes, "\\x")}`;

@@ -1,4 +1,4 @@
-// The builder: choose commands or fields, fill them in, and see the packet, the programs that send it and the answer.
+// The builder: choose commands or fields, fill them in, and see the packet, the programs that send it and the reply.
 
 import { decodePacket, MipError, Packet, placesOf, toHex } from "mip-protocol/tools";
 import { State } from "./address.mjs";
@@ -15,8 +15,8 @@ import { hexByte } from "./words.mjs";
 
 /**
  * Fills an element with the builder. `options` are those of `links`, and `start`, the fragment of an address, which may
- * also be the name of a field, or a packet in hexadecimal, perhaps behind the id of a device. `send` is called with a packet
- * and its fields, and returns the elements that show what became of it; with it, there is a button for it. With
+ * also be the name of a field, or a packet in hexadecimal, perhaps behind the id of a device. `send` is called with a
+ * packet and its fields, and returns the elements that show what became of it; with it, there is a button for it. With
  * `deviceElsewhere`, the device is chosen by `useDevice` of what is returned.
  */
 export function builder(root, protocol, options = {}) {
@@ -123,30 +123,30 @@ export function builder(root, protocol, options = {}) {
     return { choose: (name) => choose(protocol, name, begin), state: () => state, useDevice };
 }
 
-/** Begins with a field by its name, which may be that in one of its sets. */
+/** Begins with the field of this name, which may be its name in one of its sets. */
 function choose(protocol, name, begin) {
     const field = protocol.field(name);
     begin([entryOf(protocol, field)], placesOf(field).find((one) => one.name === name)?.set);
 }
 
-/** What a fragment says: a device, and a field by its name or a packet; `problem` is what cannot be taken over. */
+/** Interprets a fragment: a device, and the name of a field or a packet. `problem` describes what cannot be used. */
 function startOf(protocol, text) {
     const device = protocol.model.devices.find((one) => text === one.id || text.startsWith(`${one.id} `));
     const rest = device ? text.slice(device.id.length).trim() : text;
     if (!rest) return { device };
     if (protocol.fields.has(rest)) return { device, name: rest };
     const { bytes } = bytesOfText(rest);
-    if (!bytes.length) return { device, search: rest, problem: "The address has neither the name of a field nor a packet." };
+    if (!bytes.length) return { device, search: rest, problem: "The address contains neither the name of a field nor a packet." };
     try {
         const packet = Packet.from(bytes);
         const entries = decodePacket(protocol, packet).map(takenOver);
-        if (!entries.length) throw new MipError("fields", "it has no field");
+        if (!entries.length) throw new MipError("fields", "it has no fields");
         const left = entries.filter(({ trailing }) => trailing).map(({ field, trailing }) => `${trailing} at the end of ${field.name}`);
-        const problem = left.length ? `Bytes that no parameter has are left out: ${left.join(", ")}.` : undefined;
+        const problem = left.length ? `Bytes that belong to no parameter are left out: ${left.join(", ")}.` : undefined;
         return { device, entries: entries.map(({ field, values }) => ({ field, values })), set: packet.set, problem };
     } catch (error) {
         if (!(error instanceof MipError)) throw error;
-        return { device, problem: `The packet of the address cannot be taken over: ${error.message}.` };
+        return { device, problem: `The packet in the address cannot be used: ${error.message}.` };
     }
 }
 

@@ -8,15 +8,15 @@ const UNITS = { week: 604_800, s: 1, ms: 1e-3, us: 1e-6, ns: 1e-9 };
 /** The number of equal intervals that make a rhythm. */
 const STEADY = 5;
 
-/** Intervals that differ by less are equal. */
+/** Intervals whose relative difference is smaller are equal. */
 const EQUAL = 0.1;
 
-/** An interval of this many times the usual one is a gap. */
+/** An interval longer than this many usual intervals is a gap. */
 export const GAP = 1.5;
 
 /**
- * Finds the time of packets by the clocks of the model. Each set has one clock: the last of those in its first packet with a
- * timestamp, as a clock without a date goes on evenly when the date is set. A clock that is not valid runs, too.
+ * Finds the time of packets by the clocks of the model. Each set has one clock: the last of those in its first packet
+ * with a timestamp, as a clock without a date goes on evenly when the date is set. A clock that is not valid also runs.
  */
 export class Clocks {
     #protocol;
@@ -31,8 +31,8 @@ export class Clocks {
     }
 
     /**
-     * The time of a packet by the clock of its set: { seconds, run }; undefined without one. `run` counts how often the clock
-     * became valid or invalid: times before and after that cannot be compared.
+     * Returns the time of a packet by its set's clock: { seconds, run }; undefined without a clock.
+     * `run` counts how often the clock became valid or invalid: times before and after that cannot be compared.
      */
     timeOf(packet) {
         const chosen = this.#chosen.get(packet.set);
@@ -83,8 +83,8 @@ function sourceOf(protocol, field, place) {
 }
 
 /**
- * Follows the times of one field: its `usual` interval once several are equal, and the gaps in it. A gap counts when the
- * usual interval comes again, so that events between or instead of regular data are not gaps.
+ * Follows the times of one field: its `usual` interval once several are equal, and the gaps in it. A gap counts when
+ * the usual interval comes again, so that events between or instead of regular data are not gaps.
  */
 export class Rhythm {
     usual; // seconds
@@ -95,7 +95,7 @@ export class Rhythm {
     #count = 0;
     #open = []; // gaps after which the usual interval has not come again
 
-    /** Takes the next time of `Clocks`; returns the gaps that are known now: { at, seconds, lost, mark }. */
+    /** Processes the next time from `Clocks`, and returns the gaps that are now known: { at, seconds, lost, mark }. */
     add(time, mark) {
         if (!time) return [];
         const before = this.#last;
@@ -117,7 +117,7 @@ export class Rhythm {
         return [];
     }
 
-    /** The rate in Hz; undefined if it is not regular. */
+    /** Returns the rate in Hz; undefined if it is not regular. */
     get rate() {
         return this.usual && 1 / this.usual;
     }

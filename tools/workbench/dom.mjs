@@ -1,6 +1,6 @@
-// Elements of a page, and links to the reference.
+// Creates elements of a page, and links to the reference.
 
-/** An element with attributes and children; texts are shown as they are. */
+/** Creates an element with attributes and children; texts are shown literally. */
 export function element(tag, attributes = {}, ...children) {
     const made = document.createElement(tag);
     for (const [name, value] of Object.entries(attributes)) {
@@ -14,8 +14,9 @@ export function element(tag, attributes = {}, ...children) {
 
 /**
  * Links into the reference. `options.fieldPage`, `options.acknowledgePage`, `options.erratumPage`,
- * `options.inspectorPage` and `options.builderPage` are addresses with {set}, {page}, {field} and {packet} in them; that of
- * an erratum has its {manual}, {severity} and {id}. Without one, there are no links. A response is on the page of its command.
+ * `options.inspectorPage` and `options.builderPage` are addresses with {set}, {page}, {field} and {packet} in them;
+ * that of an erratum has its {manual}, {severity} and {id}. Without one, there are no links. A response is on the page
+ * of its command.
  */
 export function links(options = {}) {
     const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
@@ -45,7 +46,7 @@ function link(href, words) {
     return href ? element("a", { href }, ...words) : element("span", {}, ...words);
 }
 
-/** The gaps in the profile of a device, if it is incomplete. */
+/** Describes the gaps in the profile of a device, if it is incomplete. */
 export function profileNote(device) {
     if (!device?.incomplete) return undefined;
     const unknown = device.incomplete.join(" ").replaceAll("`", "");
@@ -53,7 +54,7 @@ export function profileNote(device) {
     return element("p", { class: "mip-note" }, `The profile of the ${device.title} is incomplete: ${unknown} ${marked}`);
 }
 
-/** Words after the name of a field that a device does not have for certain. */
+/** Returns the words after the name of a field whose support by the device is not certain. */
 export function mark(certainty) {
     return certainty ? ` (${certainty})` : "";
 }
@@ -63,7 +64,7 @@ export function whenChanged(inputs, update) {
     for (const input of inputs) input.addEventListener("input", update);
 }
 
-/** A list of devices to choose from; `choose` gets the device, undefined for any. */
+/** Creates a list of devices to choose from. `choose` is called with the device, or undefined for any. */
 export function deviceChoice(protocol, state, id, choose) {
     const control = element(
         "select",
@@ -84,7 +85,7 @@ export function deviceOf(protocol, id) {
     return protocol.model.devices.find((one) => one.id === id);
 }
 
-/** A button that copies a text, which a function returns. */
+/** Creates a button that copies the text that a function returns. */
 export function copyButton(words, text) {
     const button = element("button", { type: "button", class: "mip-copy" }, words);
     button.addEventListener("click", async () => {
@@ -117,7 +118,7 @@ function copiedBySelection(text) {
     return done;
 }
 
-/** A table with a heading for each column, which scrolls if it is too wide. */
+/** Creates a table with column headings, which scrolls if it is too wide. */
 export function table(heads, rows, label) {
     const cells = heads.map((text) => element("th", { scope: "col" }, text));
     return element(

@@ -2,10 +2,10 @@
 
 import { SPAN } from "./readings.mjs";
 
-/** Colours of the values of a field, in CSS. */
+/** The CSS colours of a field's values. */
 const COLOURS = ["--mip-plot-0", "--mip-plot-1", "--mip-plot-2", "--mip-plot-3", "--mip-plot-4", "--mip-plot-5"];
 
-/** The context of a canvas in the pixels of the screen, empty; undefined while it is not shown. */
+/** Clears a canvas and returns its context, scaled to screen pixels; undefined while the canvas is not shown. */
 function begin(canvas) {
     const { clientWidth: width, clientHeight: height } = canvas;
     if (!width || !height) return undefined;
@@ -64,7 +64,7 @@ export function drawPlot(canvas, series, now) {
     }
 }
 
-/** The lowest and the highest point of each column: more than the screen shows takes time only. */
+/** Keeps only the lowest and the highest point of each pixel column, because more would not be visible. */
 function thinned(points, columns) {
     const size = Math.ceil(points.length / columns);
     if (size < 3) return points;
@@ -78,7 +78,7 @@ function thinned(points, columns) {
     return kept;
 }
 
-/** Round limits around values, never nothing. */
+/** Returns round limits around values; the range is never empty. */
 function nice(low, high) {
     const least = Math.max(Math.abs(low), Math.abs(high), 1e-6) * 1e-3;
     const span = Math.max(high - low, least);
@@ -119,14 +119,14 @@ const BODY = [
     },
 ]; // prettier-ignore
 
-/** Draws a vehicle whose rotation is that of `rotationOf`, seen from behind and above, looking north. */
+/** Draws a vehicle with the rotation from `rotationOf`, seen from behind and above, looking north. */
 export function drawAttitude(canvas, rotation) {
     const held = begin(canvas);
     if (!held) return;
     const { context, width, height, colour, text } = held;
     const size = Math.min(width * 0.26, height * 0.34);
     const [cosine, sine] = [Math.cos(0.5), Math.sin(0.5)]; // how far the view looks down
-    /** North, east, down -> the place on the canvas, and how far behind it is. */
+    /** North, east, down -> the position on the canvas, and the depth. */
     const seen = ([n, e, d]) => {
         const depth = n * cosine - -d * sine;
         const up = -d * cosine + n * sine;

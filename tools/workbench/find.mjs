@@ -1,10 +1,10 @@
-// Finds fields by what people know of them: a descriptor, a name, a symbol, a word.
+// Finds fields by what people know about them: a descriptor, a name, a symbol, a word.
 
 import { placesOf, sameBytes } from "mip-protocol/tools";
 import { bytesOfText } from "./pasted.mjs";
 import { pairOf, spacedHex } from "./words.mjs";
 
-// Ranks by the place at which a word is found: the smaller, the better.
+// Ranks by where a word is found: the smaller, the better.
 const EXACT = 0;
 const VENDOR = 0.5;
 const BEGINNING = 1;
@@ -17,7 +17,7 @@ const PLACES = [TITLE, WORDS, PARTS, TEXT];
 const ASKED_CODE =
     /^(?:mip )?(?:error|nack|n?ack code|ack\/nack|return code|code|err|result|reply)(?: code)?\s*[:=#]?\s*(?:0x([0-9a-f]{1,2})|(\d{1,2}))$/i;
 
-/** Bytes of a packet before its payload: a shorter text may be a descriptor. */
+/** The bytes of a packet before its payload; a shorter text may be a descriptor. */
 const FRAME_HEAD = 4;
 
 /** An index of all fields, for `find`. */
@@ -31,9 +31,9 @@ export function indexOf(protocol) {
 }
 
 /**
- * The fields that a text may mean, the best first, at most `limit` of them. A text is a descriptor in any form ("0x0D13",
- * "82 10", "(0x82,0x10)", "0x82"), a name, a symbol of a binding, of a value too, a name of the vendor, or words.
- * `rank` is 0 at most if the text is a descriptor, a name, a symbol or a keyword of the field.
+ * Returns the fields that a text may mean, the best first, at most `limit` of them. A text is a descriptor in any form
+ * ("0x0D13", "82 10", "(0x82,0x10)", "0x82"), a name, a symbol in a binding (including values), a vendor's name, or
+ * words. `rank` is 0 or less if the text is a descriptor, a name, a symbol or a keyword of the field.
  */
 export function find(index, text, limit = 20) {
     const query = text.trim();
@@ -53,20 +53,23 @@ export function find(index, text, limit = 20) {
         );
         if (rank < Infinity && !ranks.has(entry.field)) ranks.set(entry.field, rank);
     }
-    // What is found by its set is in the order of the specification.
+    // Fields found by their set are in the order of the specification.
     const order = ({ field, rank }) => (rank < EXACT - 1 ? [rank] : [rank, entryRank(field), rank < EXACT ? 0 : field.name.length]);
     const found = [...ranks].map(([field, rank]) => ({ field, rank }));
     return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
 }
 
-/** The code of an acknowledge that a text asks for: "error 0x03", "NACK 4", "invalid_parameter"; undefined for other texts. */
+/**
+ * Returns the acknowledge code that a text asks for: "error 0x03", "NACK 4", "invalid_parameter"; undefined for other
+ * texts.
+ */
 export function codeIn({ protocol }, text) {
     const [, hex, decimal] = ASKED_CODE.exec(text.trim()) ?? [];
     const number = hex ? Number.parseInt(hex, 16) : Number(decimal ?? Number.NaN);
     return protocol.types.get(protocol.model.ack_code).values.find((one) => one.value === number);
 }
 
-/** The same words, with the nearest that are known in place of those that nothing begins with; undefined if all are known. */
+/** Replaces words that match nothing with the nearest known ones; undefined if all words are known. */
 export function corrected(known, text) {
     let changed = false;
     const right = text.toLowerCase().replace(/[a-z]{4,}/g, (word) => {
@@ -80,7 +83,7 @@ export function corrected(known, text) {
     return changed ? right : undefined;
 }
 
-/** The words of texts, for `corrected`, with those of all fields. */
+/** Collects the words of texts and of all fields, for `corrected`. */
 export function knownWords({ entries }, texts) {
     const counts = new Map();
     const all = [...entries.flatMap(({ words }) => Object.values(words)), ...texts];
@@ -88,7 +91,7 @@ export function knownWords({ entries }, texts) {
     return { counts, sorted: [...counts.keys()].sort() };
 }
 
-/** The number of letters that are wrong, missing, too many, or exchanged with the next one. */
+/** Counts the letters that are wrong, missing, superfluous, or swapped with the next one. */
 function slips(one, other) {
     let before = [];
     let last = Array.from({ length: other.length + 1 }, (_, j) => j);
@@ -105,7 +108,7 @@ function slips(one, other) {
     return last[other.length];
 }
 
-/** A text that is a packet, or the beginning of one, for the inspector; undefined for other texts. */
+/** Returns a text that is a packet, or the beginning of one, for the inspector; undefined for other texts. */
 export function packetIn({ protocol }, text) {
     const { bytes } = bytesOfText(text);
     const begun = bytes.length > FRAME_HEAD && sameBytes(bytes.subarray(0, 2), protocol.model.packet.sync);
@@ -124,7 +127,7 @@ function entryRank(field) {
 
 // ------------------------------------------------------------------------------------------------ descriptors
 
-// Words and marks that people write around the numbers.
+// Words and punctuation that people write around the numbers.
 const AROUND = /\b(?:command|data|desc|descriptor|field|set)\b|[\s,:;/.()[\]{}=-]+/g;
 
 // 0x4, 4h, 04; and 4, which is a descriptor only after a set.
@@ -132,7 +135,7 @@ const NUMBER = /^(?:0x([0-9a-f]{1,2})h?|([0-9a-f]{1,2})h|([0-9a-f]{2}))$/;
 const DIGIT = /^([0-9a-f])$/;
 const TOGETHER = /^(?:0x)?([0-9a-f]{2})(?:0x)?([0-9a-f]{2})h?$/;
 
-/** A set and a descriptor, or one of them; empty for other texts. */
+/** Parses a set and a descriptor, or one of them; empty for other texts. */
 function descriptorsOf(query) {
     const parts = query.toLowerCase().replace(AROUND, " ").trim().split(" ").filter(Boolean);
     const match = (part, ...forms) => forms.map((form) => form.exec(part)).find(Boolean);
@@ -159,7 +162,7 @@ function byDescriptor({ protocol }, query) {
 
 // ------------------------------------------------------------------------------------------------ names
 
-/** Letters and digits alone: symbols of all languages look alike then. */
+/** Keeps only letters and digits, so that symbols of all languages look alike. */
 function squash(text) {
     return text.toLowerCase().replace(/[^a-z0-9]+/g, "");
 }
@@ -168,12 +171,13 @@ function wordsOf(text) {
     return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
 }
 
-// What symbols of the vendor have beside the words of a name: mip::data_sensor::, MIP_CMD_DESC_, CH_FIELD_, extract_mip_.
+// The parts of the vendor's symbols that are not words of a name: mip::data_sensor::, MIP_CMD_DESC_, CH_FIELD_,
+// extract_mip_.
 const BESIDE = ["mip", "data", "command", "cmd", "descriptor", "ch", "field", "vec", "estimated", "insert", "to", "extract", "from"];
 
 /**
- * A function: the words of a symbol in the vocabulary of the specification, in no order, without those beside a name and
- * functions. mip_filter_position_llh_data and DATA_FILTER_POS_LLH are the same then.
+ * A function: the words of a symbol in the vocabulary of the specification, in no order, without those beside a name
+ * and functions. mip_filter_position_llh_data and DATA_FILTER_POS_LLH are the same then.
  */
 function vendorWordsOf({ model, functions }) {
     const others = model.vocabulary.flatMap(({ word, instead_of: instead }) => instead.map((one) => [one, word]));
@@ -189,7 +193,7 @@ function vendorWordsOf({ model, functions }) {
     };
 }
 
-/** All words of some texts, with a space before and after each. */
+/** Returns all words of some texts, with a space before and after each. */
 function spaced(...texts) {
     return ` ${[...new Set(wordsOf(texts.join(" ")))].join(" ")} `;
 }
@@ -231,7 +235,7 @@ function entryOf(protocol, field, commands, vendorWords) {
     };
 }
 
-/** The symbols of the values and bits of a parameter, in all languages. */
+/** Returns the symbols of a parameter's values and bits, in all languages. */
 function constantsOf(protocol, parameter) {
     const types = [parameter.type, ...(parameter.variants ?? []).map((variant) => variant.type)];
     const inner = types.flatMap((name) => {
@@ -245,7 +249,7 @@ function constantsOf(protocol, parameter) {
     return [...inner, ...(parameter.cases ?? []).flatMap((one) => (one.parameter ? constantsOf(protocol, one.parameter) : []))];
 }
 
-/** Everything with a name inside a parameter: itself, values, bits and members. */
+/** Returns everything with a name in a parameter: itself, values, bits and members. */
 function partsOf(protocol, parameter) {
     const types = [parameter.type, ...(parameter.variants ?? []).map((variant) => variant.type)];
     const inner = types.flatMap((name) => {
@@ -263,14 +267,14 @@ function rankOfSymbol(entry, query, several) {
     let rank = Infinity;
     for (const name of entry.squashed) {
         if (name === query) return EXACT;
-        // A symbol with more after it: mip_base_ping_encode, PpsSourceControl::write. The longest name is meant.
+        // Finds the longest name that a symbol begins with: mip_base_ping_encode, PpsSourceControl::write.
         if (name.length > 6 && !several && query.startsWith(name)) rank = Math.min(rank, BEGINNING + 1 / name.length);
         else if (name.startsWith(query)) rank = Math.min(rank, BEGINNING + 0.9);
     }
     return rank;
 }
 
-/** The best place that has all words, or words that mean the same. */
+/** Returns the best rank at which all words, or their synonyms, are found. */
 function rankOfWords(entry, words, synonyms) {
     if (!words.length) return Infinity;
     let [worst, sum] = [0, 0];
@@ -284,17 +288,17 @@ function rankOfWords(entry, words, synonyms) {
     return worst + (sum / words.length) * 0.1;
 }
 
-/** Is a word there, or one that begins with it? Short words must be whole. */
+/** Does the text contain the word, or one that begins with it? Short words must match exactly. */
 function holds(words, wanted) {
     return words.includes(wanted.length < 3 ? ` ${wanted} ` : ` ${stem(wanted)}`);
 }
 
-/** A word without its plural. */
+/** Returns a word in the singular. */
 function stem(word) {
     return word.length > 3 ? word.replace(/s$/, "") : word;
 }
 
-/** Word -> the words of the specification that mean the same, itself among them. */
+/** Word -> its synonyms in the specification, including itself. */
 function synonymsOf(vocabulary) {
     const synonyms = new Map();
     for (const { word, instead_of: others } of vocabulary) {

@@ -1,4 +1,4 @@
-// The finder: type what you know of a field, and go to its page.
+// The finder: type what you know about a field, and go to its page.
 
 import { State } from "./address.mjs";
 import { element, links } from "./dom.mjs";
@@ -43,7 +43,7 @@ export function finder(root, protocol, options = {}) {
     return { update, input, output };
 }
 
-/** Fields with links to their pages; on pages of their own, tools link to the builder too. */
+/** Lists fields with links to their pages, and from the tools' own pages also to the builder. */
 export function hitsList(fields, to) {
     return element(
         "ul",

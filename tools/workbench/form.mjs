@@ -14,7 +14,7 @@ import { element } from "./dom.mjs";
 import { input, labelled, select } from "./inputs.mjs";
 import { descriptorOf, hexByte } from "./words.mjs";
 
-/** A form for each field; of several, they can be moved and removed. */
+/** Creates a form for each field; several can be moved and removed. */
 export function entryForms(protocol, state, events, to) {
     return state.entries.map((entry, i) => {
         const form = element("div", { class: "mip-form" }, inputs(protocol, state, entry, events));
@@ -76,7 +76,7 @@ function inputs(protocol, state, entry, events) {
     return [...parts, ...shown.flatMap((op) => input(context, op)), ...optionalButtons(protocol, entry, events)];
 }
 
-/** The parts of a field that the chosen device accepts, and the differences there. */
+/** Shows the parts of a field that the chosen device accepts, and the differences on it. */
 function deviceNotes(protocol, { device, set }, field) {
     if (!device) return [];
     const found = differencesOn(protocol, device, field, set);
@@ -90,7 +90,7 @@ function deviceNotes(protocol, { device, set }, field) {
     ];
 }
 
-/** Buttons for the optional parameters, which are added one after another and removed in reverse order. */
+/** Creates buttons for optional parameters, which are added in order and removed in reverse order. */
 function optionalButtons(protocol, entry, events) {
     const { field, values } = entry;
     const groups = optionalGroups(protocol, field, values.function);

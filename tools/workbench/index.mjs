@@ -1,4 +1,4 @@
-// What pages use: the tools, the codec package, and the model of its specification.
+// The interface for pages: the tools, the codec package, and the model of its specification.
 
 export * from "mip-protocol/tools";
 export { default as model } from "mip-protocol/model";

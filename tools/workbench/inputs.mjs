@@ -1,4 +1,4 @@
-// Inputs for the values of parameters, of every kind that the specification has; they change the values as they are typed.
+// Inputs for parameter values of every kind in the specification, which update the values as you type.
 
 import { bitsNumber, decimation, enumValue, maskOf, measuredHere, namedType, parameterOf, unitOf } from "mip-protocol/tools";
 import { initialValue } from "./build.mjs";
@@ -20,7 +20,7 @@ export function select(options, value, set) {
     return control;
 }
 
-/** The inputs of one operation; they change `values` of the context. */
+/** Creates the inputs of one operation, which update `values` of the context. */
 export function input(context, op) {
     if (op.kind === "constant" || op.kind === "counter") return [];
     const { protocol, record, values, events, device } = context;
@@ -89,7 +89,7 @@ function scalarInput(context, op, parameter, note) {
     return labelled(name, ...hexInput(context, parameter, values[name], size, set), note);
 }
 
-/** The names of an enumeration, and any other number: enumerations are open. */
+/** Offers the names of an enumeration, and any other number, because enumerations are open. */
 function enumInput(type, value, set) {
     const known = type.values.map((one) => [one.value, `${one.value} ${one.name}`]);
     const other = enumValue(type, value) ? undefined : value;
@@ -116,7 +116,7 @@ function enumInput(type, value, set) {
 
 let lastList = 0; // for ids
 
-/** A number that people know in hexadecimal, with the sets or fields to choose from, and what it means. */
+/** Creates an input for a number that is usually hexadecimal, with sets or fields to choose from, and its meaning. */
 function hexInput(context, parameter, value, size, set) {
     const control = element("input", { value: hexOf(value, size), spellcheck: "false", class: "mip-hex" });
     const { protocol, values, outer } = context;
@@ -141,7 +141,7 @@ function hexOf(value, size) {
     return typeof value === "string" || Number.isNaN(value) ? String(value) : hexLiteral(value, size);
 }
 
-/** A decimation, and the rate in Hz that it makes on the chosen device; undefined where the base rate is not known. */
+/** Creates an input for a decimation, with the resulting rate in Hz on the chosen device, if the base rate is known. */
 function rateInput({ protocol, device, values, outer }, set) {
     const { base } = baseOf(protocol, device, outer);
     if (!base) return undefined;
@@ -166,7 +166,7 @@ function rateInput({ protocol, device, values, outer }, set) {
     return [number, " = ", rate, " Hz"];
 }
 
-/** The switches of a record that a parameter selects. */
+/** Returns the unions of a record that a parameter selects. */
 function unionsOf(record, tag) {
     return record.operations.flatMap((op) => (op.kind === "group" ? op.body : [op])).filter((op) => op.kind === "switch" && op.tag === tag);
 }
@@ -178,7 +178,7 @@ function numberInput(value, kind, size, set) {
     return control;
 }
 
-/** A number as people write it: 0x1F, 12, -0.5; of floats also the bits, 0x and as many digits as it has. */
+/** Parses a number as people write it: 0x1F, 12, -0.5; for a float, also its bits, 0x with all digits. */
 function numberOfText(text, kind) {
     const trimmed = text.trim();
     if (kind === "float") return floatOfText(trimmed);
@@ -189,7 +189,7 @@ function numberOfText(text, kind) {
     return trimmed;
 }
 
-/** A text that is not a number, or too large a one, stays a text, which is rejected when it is encoded. */
+/** A text that is not a number, or a number that is too large, stays a text, which encoding rejects. */
 function floatOfText(text) {
     const words = { nan: NaN, inf: Infinity, infinity: Infinity, "-inf": -Infinity, "-infinity": -Infinity };
     if (Object.hasOwn(words, text.toLowerCase())) return words[text.toLowerCase()];
@@ -197,7 +197,7 @@ function floatOfText(text) {
     return Number.isFinite(number) ? number : text;
 }
 
-/** The whole number, and an input for each name in it. */
+/** Creates an input for the whole number, and one for each name in it. */
 function bitsInput(name, type, value, set) {
     let number = bitsNumber(value);
     const whole = element("input", { spellcheck: "false" });
@@ -236,13 +236,13 @@ function bitsInput(name, type, value, set) {
     return group(name, type.description, [labelled("value", whole), ...controls]);
 }
 
-/** The bytes of a bitfield of bytes; any other value, or too large a one, is an error when it is encoded. */
+/** Returns the bytes of a bitfield in bytes; any other value, or one that is too large, is an error when encoded. */
 function littleEndian(number, size) {
     if (typeof number !== "bigint" || number < 0n || number >> BigInt(8 * size)) return [number];
     return Array.from({ length: size }, (_, i) => Number((number >> BigInt(8 * i)) & 0xffn));
 }
 
-/** Vectors and arrays: their elements; those of an array that is counted can be added and removed. */
+/** Creates inputs for the elements of vectors and arrays; elements of a counted array can be added and removed. */
 function arrayInput(context, op, parameter, hint) {
     const { protocol, values, events } = context;
     const items = values[op.member];

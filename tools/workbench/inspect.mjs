@@ -23,9 +23,8 @@ import { baseOf } from "./stream.mjs";
 import { choicesOf, hexByte, pathText, shown } from "./words.mjs";
 
 /**
- * The parts of a text of bytes, as `segments` returns them; packets also have `set`, `fields`, `misprints`, and the correct
- * checksum, and other bytes `why`: the faults of those that begin like a packet.
- *
+ * The parts of a text of bytes, as `segments` returns them; packets also have `set`, `fields`, `misprints`, and the
+ * correct checksum, and other bytes `why`: the faults of those that begin like a packet.
  * @param device the id of a device, whose readings are used where they differ
  */
 export function inspect(protocol, text, device = undefined) {
@@ -40,8 +39,9 @@ export function inspectBytes(protocol, bytes, device = undefined) {
 }
 
 /**
- * Commands with their answers, in the order of the commands: { command, answer, response }, fields as parts have them. An
- * answer belongs to the first command of its set and descriptor that has none; its response directly follows it.
+ * Pairs commands with their replies, in the order of the commands: { command, answer, response }, with the fields of
+ * the parts. A reply belongs to the first command of its set and descriptor without one; its response directly follows
+ * it.
  */
 export function transactionsOf(parts) {
     const found = [];
@@ -71,7 +71,7 @@ function inspectPart(protocol, part, device) {
     return { ...part, set, fields: fields.filter(Boolean), misprints: misprintsOf(protocol, part.bytes), ...verdict };
 }
 
-/** The faults of the frames that begin with the sync bytes: [{ at, error }]. */
+/** Returns the faults of the frames that begin with the sync bytes: [{ at, error }]. */
 function whyOther(protocol, bytes) {
     const found = [];
     for (let at = 0; at + 3 < bytes.length; at++) {
@@ -84,7 +84,7 @@ function whyOther(protocol, bytes) {
     return found.filter(({ error }) => error);
 }
 
-/** The beginning of a packet with zeros in place of what is missing. */
+/** Returns an incomplete packet, with zeros for the missing bytes. */
 function completed(bytes) {
     const whole = new Uint8Array(Math.max((bytes[3] ?? 0) + 6, bytes.length));
     whole.set(bytes);
@@ -101,7 +101,7 @@ function inspectField(protocol, raw, packet, part, device) {
     return { ...found, rows, answered: answeredBy(protocol, raw), errata: errataOf(protocol, raw.field) };
 }
 
-/** The meaning of an acknowledge: the command, the code, and both in words; undefined of other fields. */
+/** Interprets an acknowledge: the command, the code, and both in words; undefined for other fields. */
 export function answeredBy(protocol, { set, field, values }) {
     if (field !== protocol.acknowledge || !values) return undefined;
     const [descriptor, code] = field.operations.map((op) => values[op.member]);
@@ -112,13 +112,13 @@ export function answeredBy(protocol, { set, field, values }) {
     return { command, descriptor, code, accepted: code === 0, text: code === 0 ? `${title} acknowledged` : `${title} refused: ${why}` };
 }
 
-/** The device with a model number: 6292, or "6292-4270". */
+/** Returns the device with a model number: 6292, or "6292-4270". */
 export function deviceWithNumber(protocol, number) {
     const digits = /^\s*(\d{4})/.exec(String(number))?.[1];
     return digits && protocol.model.devices.find((device) => String(device.model_number) === digits);
 }
 
-/** The values of a data field: rows, as those of `inspect`, with the `key` of each value. */
+/** Returns the values of a data field: rows like those of `inspect`, with the `key` of each value. */
 export function inspectData(protocol, { set, descriptor, field, data }, device) {
     if (!field) return [];
     try {
@@ -135,7 +135,7 @@ export function inspectData(protocol, { set, descriptor, field, data }, device) 
     }
 }
 
-/** The rate in Hz of a field in a message format, if the base rate of the device is known. */
+/** Returns the rate in Hz of a field in a message format, if the device's base rate is known. */
 function rateText(protocol, device, decimation, outer) {
     const { base } = baseOf(protocol, device, outer);
     return base && decimation ? `${Number((base / decimation).toPrecision(6))} Hz on the chosen device` : undefined;
@@ -171,7 +171,7 @@ function inspectValue(protocol, { field, values, data }, part, device) {
 
 // ------------------------------------------------------------------------------------------------ errata
 
-/** The mistakes of the manuals about a field: in the sections that it cites, and in its lengths. */
+/** Returns the manuals' mistakes about a field: in the sections that it cites, and in its lengths. */
 export function errataOf(protocol, field) {
     const places = new Set(field.sources.map((source) => `${source.manual}\n${source.section}`));
     return protocol.model.errata.filter(
@@ -181,7 +181,7 @@ export function errataOf(protocol, field) {
     );
 }
 
-/** Examples that a manual prints with exactly these bytes, although they are wrong. */
+/** Returns the examples that a manual prints with exactly these bytes, although they are wrong. */
 export function misprintsOf(protocol, bytes) {
     const { examples, errata } = protocol.model;
     return examples

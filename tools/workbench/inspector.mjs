@@ -1,4 +1,4 @@
-// The inspector: paste bytes or drop a log, read what they mean.
+// The inspector: paste bytes or drop a log to see what they mean.
 
 import { fromHex, nameIn } from "mip-protocol/tools";
 import { State } from "./address.mjs";
@@ -10,7 +10,7 @@ import { logPanel } from "./logs.mjs";
 import { copies, linkRows, ruler, rowText, valueTable } from "./ruler.mjs";
 import { descriptorOf, hexByte, spacedHex } from "./words.mjs";
 
-/** The number of packets of a text that are shown; logs have pages. */
+/** The maximum number of packets shown for a text; logs have pages. */
 const MOST = 1000;
 
 /**
@@ -94,7 +94,7 @@ function report({ bytes, ignored, parts, transactions }, to, hits) {
     ].filter(Boolean);
 }
 
-/** Commands and their answers, if there is an answer. */
+/** Shows commands and their replies, if there is a reply. */
 export function transactionList(transactions, to) {
     if (!transactions.some(({ answer }) => answer)) return undefined;
     return element(
@@ -109,13 +109,13 @@ export function transactionList(transactions, to) {
     );
 }
 
-/** One command in words: what was asked, and what became of it. */
+/** Describes a command in words, with its outcome. */
 export function transaction({ command, answer, response }, to) {
     const answered = answer?.answered;
     const field = command?.field ?? answered?.command;
     const named = field ? to.field(field) : answered ? `Command ${hexByte(answered.descriptor)}` : "";
     const asked = command ? command.rows.map((row) => `${row.path} ${rowText(row)}`).join(", ") : "";
-    const became = !answered ? "no answer here" : answered.text;
+    const became = !answered ? "no reply here" : answered.text;
     return [
         element("strong", {}, named),
         field && ` ${descriptorOf(field)} `,
@@ -141,7 +141,7 @@ function otherBytes({ bytes, why }) {
         { class: "mip-other", "data-kind": "other" },
         element("p", {}, `${count(bytes.length, "byte")} outside packets: `, element("code", {}, spacedHex(bytes)), ` ${text}`),
         why.map(({ at, error }) =>
-            element("p", { class: "mip-wrong" }, `What begins like a packet at byte ${at + 1} is none: ${error.message}.`),
+            element("p", { class: "mip-wrong" }, `The bytes from byte ${at + 1} look like a packet, but are not one: ${error.message}.`),
         ),
     );
 }

@@ -1,4 +1,4 @@
-// The live view: a device at a serial port or behind `mip serve`; its data, its commands, its settings.
+// The live view: a device at a serial port or shared by `mip serve`, with its data, commands and settings.
 
 import { registry } from "mip-protocol/registry";
 import { openSerial } from "mip-protocol/serial";
@@ -34,7 +34,7 @@ const LIMITS = [
     "Serial ports need Web Serial, which Chrome, Edge and Opera on a computer have. Other browsers connect to mip serve.",
     "A page cannot open TCP ports; mip serve HOST:PORT can.",
     "A recording is kept by the browser until you stop it, and then saved as a file. For hours of data, use mip record.",
-    "In a tab that is hidden, data is still received and recorded, but plots stand still.",
+    "In a hidden tab, data is still received and recorded, but plots are not updated.",
     "Baud rates, protocols of ports and the communication mode are not restored from a file, because the connection may end. " +
         "mip config push can do that with the same file.",
     "On a page from https://, Safari does not connect to mip serve; open the workbench from disk instead.",
@@ -87,7 +87,7 @@ class Live {
         const baud = element(
             "select",
             { id: "mip-baud" },
-            element("option", { value: "" }, "find the baud rate"),
+            element("option", { value: "" }, "detect the baud rate"),
             ratesOf(portsOf(this.#protocol)).map((rate) => element("option", { value: rate }, `${rate} Bd`)),
         );
         const parts = {
@@ -235,7 +235,7 @@ class Live {
             return;
         }
         const baud = Number(this.#parts.baud.value) || undefined;
-        await this.#connect((more) => openSerial(port, { baud, ...more }), baud ? "" : " It may take some seconds to find the baud rate.");
+        await this.#connect((more) => openSerial(port, { baud, ...more }), baud ? "" : " It may take some seconds to detect the baud rate.");
     }
 
     async #openServe() {
@@ -314,7 +314,7 @@ class Live {
         this.#parts.connect.hidden = false;
     }
 
-    /** A button that connects once more, and restarts the streams that were on. */
+    /** Creates a button that reconnects, and restarts the streams that were on. */
     #offer(words) {
         const streaming = this.#streaming;
         const again = async () => {
@@ -382,7 +382,10 @@ class Live {
 
     // ------------------------------------------------------------------------------------------------ commands
 
-    /** Sends a packet; the outcomes of its commands, as `inspect` has them: { command, answer, response, error }. */
+    /**
+     * Sends a packet, and returns the outcomes of its commands in the form of `inspect`: { command, answer, response,
+     * error }.
+     */
     async #exchange(packet) {
         const [part] = inspectBytes(this.#protocol, packet.bytes);
         const commands = [...packet.fields()].map(({ set, descriptor, data }) => registry.typeOf(set, descriptor, data).decode(data));
@@ -574,7 +577,7 @@ class Live {
         return { reading, canvas, update };
     }
 
-    /** Draws the pictures, with each frame of the screen. */
+    /** Draws the pictures once per screen frame. */
     #draw() {
         const now = Date.now() / 1000;
         let attitude;
@@ -592,12 +595,12 @@ class Live {
     }
 }
 
-/** A part of the page that can be folded. */
+/** Creates a collapsible part of the page. */
 function folded(title, children, attributes = {}) {
     return element("details", { class: "mip-section", ...attributes }, element("summary", {}, element("h2", {}, title)), children);
 }
 
-/** A firmware version as the vendor writes it: 1202 is 1.2.02. */
+/** Formats a firmware version like the vendor: 1202 is 1.2.02. */
 function versionText(number) {
     return `${Math.floor(number / 1000)}.${Math.floor(number / 100) % 10}.${String(number % 100).padStart(2, "0")}`;
 }
@@ -632,7 +635,7 @@ function valueText({ text, unit, name, flags }) {
     return [said ?? short, !said && unit].filter(Boolean).join(" ");
 }
 
-/** Bytes that arrive, kept by the browser, on disk if they are many. */
+/** Records bytes in the browser, which stores them on disk if there are many. */
 class Recording {
     #parts = [];
     #kept = new Blob([]);

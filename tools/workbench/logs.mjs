@@ -1,4 +1,4 @@
-// A log in the inspector: what is in a file of any size, and its packets page by page.
+// A log in the inspector: the contents of a file of any size, and its packets page by page.
 
 import { GAP } from "./clocks.mjs";
 import { copyButton, count, element, table } from "./dom.mjs";
@@ -6,7 +6,7 @@ import { inspectBytes } from "./inspect.mjs";
 import { survey } from "./survey.mjs";
 import { hexByte } from "./words.mjs";
 
-/** The number of gaps that are listed. */
+/** The maximum number of gaps that are listed. */
 const LISTED = 50;
 
 /**
@@ -96,7 +96,7 @@ function logReport(protocol, file, found, show, device, close) {
                         cellsOf(one).map((text) => element("td", {}, text)),
                     ),
                 ),
-                `What is in ${file.name}`,
+                `Contents of ${file.name}`,
             ),
         found.fields.some(({ rhythm }) => rhythm.rate) &&
             element(
@@ -139,7 +139,7 @@ function gapList(gaps) {
     );
 }
 
-/** The packets of a file, a page at a time, which is read when it is shown. */
+/** Shows the packets of a file page by page; each page is read when it is shown. */
 function pages(protocol, file, found, show, device) {
     const shown = element("div", {});
     const number = element("input", { type: "number", min: 1, max: found.packets, value: 1, id: "mip-log-packet" });

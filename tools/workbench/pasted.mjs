@@ -1,9 +1,9 @@
-// Bytes in any form in which people write them.
+// Reads bytes in any form in which people write them.
 
 /**
- * The forms, in the order in which they are looked for: a pattern, and the reader of its text. Without one, the text has
- * digits but no bytes. Decimal numbers, base64 and pairs with dots must begin with the sync bytes, because other things
- * look like them; and a comment in which they are, or that has nothing but bytes, is read.
+ * The forms, in the order in which they are looked for: a pattern, and the reader of its text. Without one, the text
+ * has digits but no bytes. Decimal numbers, base64 and pairs with dots must begin with the sync bytes, because other
+ * things look like them; and a comment in which they are, or that has nothing but bytes, is read.
  */
 const FORMS = [
     [/\/\*(?:(?!\*\/|75\W*0?x?65)[\s\S])*\*\/|\/\/(?!.*75\W*0?x?65|(?:[^\w\n]*(?:0x)?[0-9a-f]{2}){2,}[^\w\n]*$).*/], // a comment
@@ -21,7 +21,7 @@ const FORMS = [
 
 const ANY = new RegExp(FORMS.map(([pattern], i) => `(?<form${i}>${pattern.source})`).join("|"), "gim");
 
-// A line of a hex dump: an offset, bytes, and what they look like.
+// A line of a hex dump: an offset, bytes, and the bytes as characters.
 const DUMP_LINE =
     /^(?<offset>\s*(?:0x)?(?<number>[0-9a-f]{4,8})(?::(?=\s)|(?<bare>\s{2,})))\s*(?<bytes>(?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?<text>\s{2,}.*|\s*\|.*)?\s*$/i;
 
@@ -30,7 +30,7 @@ const LIST = /(?<![\w.])(?:0x)?[0-9a-f]{1,2}h?(?:[\s,;]+(?:0x)?[0-9a-f]{1,2}h?(?
 
 const ESCAPES = { n: 10, r: 13, t: 9, a: 7, b: 8, f: 12, v: 11 };
 
-/** The bytes of a text, and the pieces of text between them that are not bytes, such as words. */
+/** Returns the bytes in a text, and the pieces of text between them, such as words. */
 export function bytesOfText(text) {
     const plain = padded(withoutOffsets(text.split(/\r?\n/))).join("\n");
     const bytes = [];
@@ -54,8 +54,9 @@ export function bytesOfText(text) {
 }
 
 /**
- * The lines of hex dumps without what is around the bytes. A number at the beginning is an offset if it begins with zeros,
- * or is as far from that of the line before or after as the bytes reach; one with a colon is left, to be shown as ignored.
+ * The lines of hex dumps without what is around the bytes. A number at the beginning is an offset if it begins with
+ * zeros, or is as far from that of the line before or after as the bytes reach; one with a colon is left, to be shown
+ * as ignored.
  */
 function withoutOffsets(lines) {
     const dumped = lines.map((line) => {
@@ -71,8 +72,8 @@ function withoutOffsets(lines) {
 }
 
 /**
- * Lines whose single digits are bytes of two digits where they stand between bytes, or at an end of the list that is one
- * of the line or in brackets; a list begins with one only if there are bytes before: lines may be numbered.
+ * Lines whose single digits are bytes of two digits where they stand between bytes, or at an end of the list that is
+ * one of the line or in brackets; a list begins with one only if there are bytes before: lines may be numbered.
  */
 function padded(lines) {
     let begun = false;

@@ -6,11 +6,11 @@ import { element, mark } from "./dom.mjs";
 import { find } from "./find.mjs";
 import { descriptorOf, hexByte } from "./words.mjs";
 
-/** The number of fields that a search shows. */
+/** The maximum number of fields that a search shows. */
 const SHOWN = 12;
 
 /**
- * An element with a search for a field. Enter chooses the first hit; arrow keys go through the hits.
+ * Creates a search for a field. Enter chooses the first hit; arrow keys select a hit.
  *
  * @param options.id, options.label of the input
  * @param options.choose is called with the field, and the set under which it was listed if it was

@@ -3,10 +3,10 @@
 import { decodeData, MipError, nameIn, partsOf } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
 
-/** Seconds that a plot shows. */
+/** The number of seconds that a plot shows. */
 export const SPAN = 10;
 
-/** Seconds over which a rate is counted. */
+/** The number of seconds over which a rate is counted. */
 const WINDOW = 2;
 
 export class Readings {
@@ -21,17 +21,17 @@ export class Readings {
         this.#clocks = new Clocks(protocol);
     }
 
-    /** The number of samples that did not arrive, of all fields. */
+    /** The number of missing samples of all fields. */
     get lost() {
         return [...this.fields.values()].reduce((sum, { rhythm }) => sum + rhythm.lost, 0);
     }
 
-    /** Starts the rhythms anew: samples that were not sent meanwhile are not missing. */
+    /** Restarts the rhythms, so that samples that were not sent in the meantime do not count as missing. */
     restart() {
         for (const reading of this.fields.values()) reading.rhythm = new Rhythm();
     }
 
-    /** Takes a packet of data, which has the `time` of its arrival. */
+    /** Processes a data packet, whose `time` is the time of its arrival. */
     take(packet) {
         this.packets++;
         const time = this.#clocks.timeOf(packet);
@@ -65,7 +65,7 @@ class Reading {
     rhythm = new Rhythm();
     data;
     times = [];
-    /** Path of a number -> [[time, value], …] of the last seconds. */
+    /** Returns the path of each number -> [[time, value], …] of the last seconds. */
     series = new Map();
 
     constructor(protocol, of) {
@@ -77,7 +77,7 @@ class Reading {
         return this.field && nameIn(this.field, this.set);
     }
 
-    /** The values now; undefined if they cannot be decoded. */
+    /** Returns the latest values; undefined if they cannot be decoded. */
     get values() {
         try {
             return this.field && decodeData(this.#protocol, this.field, this.data).values;
@@ -87,7 +87,7 @@ class Reading {
         }
     }
 
-    /** The rate in Hz by the clock of the device; without a rhythm, arrivals per second. */
+    /** Returns the rate in Hz by the device's clock; without a rhythm, the arrivals per second. */
     rate(now) {
         if (this.rhythm.rate) return this.rhythm.rate;
         const first = this.times.findIndex((time) => time > now - WINDOW);
@@ -95,7 +95,7 @@ class Reading {
         return some.length > 1 ? (some.length - 1) / (some.at(-1) - some[0] || WINDOW) : some.length / WINDOW;
     }
 
-    /** Keeps the numbers of the latest data for plots. */
+    /** Stores the numbers of the latest data for plots. */
     sample(time) {
         const values = this.values;
         if (!values) return;
@@ -113,7 +113,7 @@ class Reading {
         }
     }
 
-    /** Can it be plotted: has it a float? */
+    /** Can the field be plotted, that is, does it contain a float? */
     get plottable() {
         const floats = (operations) =>
             operations.some((op) => {
@@ -129,8 +129,8 @@ class Reading {
 // ------------------------------------------------------------------------------------------------ attitude
 
 /**
- * The rotation from the vehicle to the NED frame that a field has, as the rows of a matrix: of a quaternion, a matrix, or
- * roll, pitch and yaw. Undefined for other fields.
+ * Returns the rotation from the vehicle to the NED frame, as the rows of a
+ * matrix, from a field's quaternion, matrix, or roll, pitch and yaw; undefined for other fields.
  */
 export function rotationOf(field, values) {
     const attitude = /attitude|orientation|quaternion|euler/i.test(field?.title ?? "") && field.role === "data";
@@ -166,7 +166,7 @@ function ofQuaternion([w, x, y, z]) {
     ];
 }
 
-/** Roll, pitch and yaw in degrees. */
+/** Returns roll, pitch and yaw in degrees. */
 export function anglesOf(m) {
     const angles = [Math.atan2(m[2][1], m[2][2]), Math.asin(Math.max(-1, Math.min(1, -m[2][0]))), Math.atan2(m[1][0], m[0][0])];
     return angles.map((angle) => (angle * 180) / Math.PI);

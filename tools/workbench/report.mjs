@@ -1,4 +1,4 @@
-// The builder's report of a packet: its bytes, the programs that send it, and the answer of the device.
+// The builder's report on a packet: its bytes, the programs that send it, and the device's reply.
 
 import { MipError, unitOf } from "mip-protocol/tools";
 import { allOperations, answerOf, counted, packetOf, sourceOf } from "./build.mjs";
@@ -8,7 +8,7 @@ import { LANGUAGES, programOf } from "./programs/index.mjs";
 import { copies, ruler, valueTable } from "./ruler.mjs";
 import { descriptorOf, spacedHex } from "./words.mjs";
 
-/** The packet, or the error that says why there is none. */
+/** Returns the packet, or the error that explains why there is none. */
 export function built(protocol, { set, entries }) {
     try {
         return packetOf(protocol, set, entries);
@@ -47,7 +47,7 @@ export function report(protocol, { device, set, entries }, packet, to) {
     ];
 }
 
-/** The programs of a field, and its answer. */
+/** Shows the programs of a field, and the reply. */
 function entryReport(protocol, { field, values }, several, to) {
     const heading = several ? [element("h2", {}, to.field(field))] : [];
     const answer = field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : [];
@@ -119,7 +119,7 @@ function answerReport(protocol, field, values, to) {
     ].filter(Boolean);
 }
 
-/** The parameters of a response, in order. */
+/** Returns the parameters of a response, in order. */
 function layoutTable(response) {
     const rows = response.parameters.map((parameter) => {
         const many = parameter.length === undefined ? "" : `[${parameter.length}]`;

@@ -1,4 +1,4 @@
-// The bytes of a packet and what they mean, linked by colours: pointing at one highlights the other.
+// Shows the bytes of a packet and their meaning, linked by colours: pointing at one highlights the other.
 
 import { nameIn } from "mip-protocol/tools";
 import { copyButton, count, element, table } from "./dom.mjs";
@@ -10,7 +10,10 @@ const COLOURS = 6;
 /** Elements whose bytes and rows are linked. */
 const linked = new WeakSet();
 
-/** The bytes of a packet, in pieces: those of a value have its colour. The argument is a part that `inspect` returns. */
+/**
+ * Shows the bytes of a packet in pieces, each in the colour of its value. The argument is a part that `inspect`
+ * returns.
+ */
 export function ruler({ bytes, kind, fields }) {
     const pieces = [];
     let at = 0;

@@ -1,24 +1,27 @@
-// The settings of a device for a file: lists them, reads and writes them, one command after another.
+// Lists, reads and writes the settings of a device, one command after another, for a settings file.
 
 import { decodeData, FIRST_DATA_SET, MipError, namedType, sameBytes, SHARED_SET } from "mip-protocol/tools";
 import { certaintyOn, packetOf } from "./build.mjs";
 
-/** Effects of settings that may end the connection: a file does not change them. */
+/** Effects of settings that may end the connection; a file does not change these settings. */
 const LINK = ["protocols", "communication_mode", "baud_rate"];
 
 /** Settings with these effects are written last, in this order. */
 const LAST = ["format", "sentences", "switch"];
 
-/** How often settings that the device has rejected, or others have changed, are written again. */
+/**
+ * The number of times that settings are written again if the device has rejected them, or other settings have changed
+ * them.
+ */
 const ROUNDS = 3;
 
-/** The number of instances to read where the specification does not state it. */
+/** The number of instances to read if the specification does not state it. */
 const MOST = 8;
 
 const facts = (protocol, name) => protocol.model.simulation?.behaviors?.find((one) => one.command === name) ?? {};
 const callOf = (field, name) => field.calls?.find((call) => call.function === name);
 
-/** The commands that a device, or any, may write, read and save. */
+/** Returns the commands that a device, or any device, may write, read and save. */
 export function settingsOf(protocol, device) {
     return protocol.model.fields.filter(
         (field) =>
@@ -30,20 +33,23 @@ export function settingsOf(protocol, device) {
     );
 }
 
-/** The parameters of a setting, without the function, derived ones and reserved ones. */
+/** Returns the parameters of a setting, without the function, derived and reserved ones. */
 export function parametersOf(field) {
     return field.parameters.filter(
         ({ selector, counts, constant, reserved }) => !selector && [counts, constant, reserved].every((one) => one === undefined),
     );
 }
 
-/** The parameters that select an instance: those that are required to save a setting. */
+/** Returns the parameters that select an instance: those that a save requires. */
 export function keysOf(field) {
     const names = parametersOf(field).map(({ name }) => name);
     return callOf(field, "save").required.filter((name) => names.includes(name));
 }
 
-/** Values for the parameters that select an instance: an array of objects. Where their number is not known, `open` is true. */
+/**
+ * Returns values for the parameters that select an instance: an array of objects. `open` is true if their number is not
+ * known.
+ */
 export function instancesOf(protocol, device, field) {
     const known = facts(protocol, field.name);
     const selectors = keysOf(field);
@@ -61,7 +67,7 @@ export function instancesOf(protocol, device, field) {
     return { instances: found, open };
 }
 
-/** The values that select an instance; undefined where their number is not known. */
+/** Returns the values that select an instance; undefined if their number is not known. */
 function valuesOf(protocol, device, parameter, known, beside) {
     const pairs = (of) => new Map(of ?? []);
     const source = pairs(known.instances).get(parameter.name);
@@ -100,7 +106,7 @@ function dataSetsOf(protocol, device) {
 
 const numberOf = (protocol, name) => [...protocol.functions.values()].find((one) => one.name === name).value;
 
-/** The values that a function requires: of some values, with those that are reserved, and a form if there are several. */
+/** Returns those of some values that a function requires, with reserved ones, and a form if there are several. */
 function valuesFor(protocol, field, name, values) {
     const all = { function: numberOf(protocol, name) };
     for (const one of callOf(field, name).required) {
@@ -117,15 +123,15 @@ function valuesFor(protocol, field, name, values) {
 
 const packet = (protocol, field, values) => packetOf(protocol, field.set, [{ field, values }]);
 
-/** The name in a response of a parameter of its command. */
+/** Returns the name that a command's parameter has in the response. */
 function nameInResponse(protocol, response, name) {
     const source = protocol.model.simulation?.sources?.find((one) => one.field === response.name);
     return source?.values.find((one) => one.parameter === name)?.path ?? name;
 }
 
 /**
- * Reads one setting: { field, values, packet }, the values and the packet that write it; undefined if the device has none.
- *
+ * Reads one setting: { field, values, packet }, the values and the packet that write it; undefined if the device has
+ * none.
  * @param ask sends a packet with one command and returns { accepted, response }, a response in bytes with its field
  */
 async function readSetting(protocol, field, selected, ask) {
@@ -143,8 +149,8 @@ async function readSetting(protocol, field, selected, ask) {
 }
 
 /**
- * Reads the settings of a device: an array of { field, values, packet }. Of several commands for one setting, it has the one
- * that keeps it, or the first that the device knows.
+ * Reads the settings of a device: an array of { field, values, packet }. Of several commands for one setting, it has
+ * the one that keeps it, or the first that the device knows.
  */
 export async function pull(protocol, device, ask, progress = () => {}) {
     const found = new Map(); // command -> its settings
@@ -174,17 +180,17 @@ async function readInstances(protocol, device, field, ask) {
     return found;
 }
 
-/** Settings in the order in which they are written. */
+/** Sorts settings in the order in which they are written. */
 function inOrder(protocol, settings) {
     const rank = ({ field }) => LAST.indexOf(facts(protocol, field.name).effect) + 1;
     return [...settings].sort((a, b) => rank(a) - rank(b));
 }
 
 /**
- * Writes the settings of a file that differ from those of the device, and reads them back. Rejected ones are tried again
- * once others, on which they may depend, are written. Returns { written, same, refused, different, left }, arrays of
- * settings; `left` may end the connection and is not written. Raises a MipError, before anything is written, if the device
- * lacks a setting.
+ * Writes the settings of a file that differ from those of the device, and reads them back. Rejected ones are tried
+ * again once others, on which they may depend, are written. Returns { written, same, refused, different, left }, arrays
+ * of settings; `left` may end the connection and is not written. Raises a MipError, before anything is written, if the
+ * device lacks a setting.
  */
 export async function push(protocol, settings, ask, progress = () => {}) {
     const ordered = inOrder(protocol, settings);

@@ -1,4 +1,4 @@
-// Settings of a device as a file of `mip config`: commands with values in the words of the specification.
+// Settings of a device as a file of `mip config`: commands and values with the names of the specification.
 
 import { bitsOf, enumValue, maskOf, MipError, nameIn, parameterOf, readFloat, SHARED_SET, writeFloat } from "mip-protocol/tools";
 import { packetOf } from "./build.mjs";
@@ -10,7 +10,7 @@ const HEAD = `# Settings of a device. \`mip config push PORT FILE\` writes them 
 # them. A setting that is removed from the file remains as it is on the device.
 `;
 
-/** A parameter in the form that it has with some other values, and on a device. */
+/** Returns a parameter as it is with some other values, and on a device. */
 export function here(protocol, parameter, beside, device) {
     const holds = (one) => !one.member && (one.by === "device" ? one.key === device?.id : one.value === Number(beside[one.by] ?? NaN));
     const { type, ...changed } = Object.assign({}, parameter, ...(parameter.variants ?? []).filter(holds));
@@ -18,13 +18,13 @@ export function here(protocol, parameter, beside, device) {
     return { ...changed, type, name: parameter.name, known, elements: changed.elements ?? known?.elements };
 }
 
-/** The set of the fields that a parameter names: that of a parameter beside it, or always the same. */
+/** Returns the set of the fields that a parameter names: a sibling's value, or always the same set. */
 function setOf(protocol, { fields_of: of }, beside, outer) {
     if (!of) return outer;
     return beside[of] === undefined ? protocol.model.sets.find(({ name }) => name === of)?.number : Number(beside[of]);
 }
 
-/** The words that a number may have: name -> number. */
+/** Returns the names that a number may have: name -> number. */
 function wordsOf(protocol, parameter, set) {
     const { known, shown, only } = parameter;
     if (known?.kind === "enum") {
@@ -40,7 +40,7 @@ function wordsOf(protocol, parameter, set) {
 
 // ------------------------------------------------------------------------------------------------ writing
 
-/** The text of a file: settings are { field, values }, the values with which it is written. */
+/** Returns the text of a file. Settings are { field, values }, with the values to write. */
 export function textOf(protocol, device, { model, firmware, date }, settings) {
     const title = device ? `  # ${device.title}` : "";
     const lines = [
@@ -123,7 +123,7 @@ function numberWord(protocol, parameter, value, set) {
     return found === undefined ? (["set", "field"].includes(parameter.shown) ? hexByte(value) : `${value}`) : word(found);
 }
 
-/** A word in quotes, if YAML would take it for something else. */
+/** Quotes a word if YAML would interpret it as something else. */
 function word(text) {
     const plain = /^[A-Za-z0-9][\w ./()+-]*$/.test(text) && !/^[\d.eExX+_-]+$/.test(text) && text === text.trim();
     const taken = /^(?:true|false|null|yes|no|on|off|y|n|~)$/i.test(text);
@@ -135,8 +135,8 @@ function word(text) {
 const KEYS = ["model", "firmware", "date", "settings"];
 
 /**
- * The content of a file: { model, settings }, each { field, values, packet, place }. Checks all of it, for a device if given,
- * and raises a MipError with all mistakes, one in each line.
+ * The content of a file: { model, settings }, each { field, values, packet, place }. Checks all of it, for a device if
+ * given, and throws a MipError with all mistakes, one per line.
  */
 export function settingsIn(protocol, text, device) {
     return new File(protocol, text, device).read();
@@ -172,7 +172,7 @@ class File {
         this.#mistakes.push(`${placeOf(this.text, node.at)}: ${message}`);
     }
 
-    /** Runs a part that may raise a mistake, which is noted. */
+    /** Runs a function, and records the mistake that it may throw. */
     #try(act) {
         try {
             return act();
@@ -280,7 +280,7 @@ class File {
         return given;
     }
 
-    /** The alternative that the value of the tag selects. */
+    /** Returns the alternative that the tag's value selects. */
     #case(record, { cases, tag }, given) {
         const type = this.protocol.type(parameterOf(record, tag).type);
         return cases.find((one) => one.tag === enumValue(type, given[tag])?.name)?.parameter;
@@ -375,7 +375,7 @@ class File {
         return Array.from({ length: type.size }, (_, i) => Number((sum >> BigInt(8 * i)) & 0xffn));
     }
 
-    /** A number, or the word for one. */
+    /** Reads a number, or the name of one. */
     #number(parameter, node, set) {
         const { name, type, known } = parameter;
         if (node.kind !== "scalar") throw new Wrong(node, `'${name}' needs one value`);
@@ -408,7 +408,7 @@ class File {
     }
 }
 
-/** A whole number in decimal, hexadecimal or binary: a BigInt if it is large; undefined of other texts. */
+/** Parses a whole number in decimal, hexadecimal or binary: a BigInt if it is large; undefined for other texts. */
 function wholeOf(text) {
     const found = /^([+-]?)(0x[0-9a-f]+|0b[01]+|\d+)$/i.exec(text);
     if (!found || text.length > 100) return undefined;
@@ -443,7 +443,7 @@ function rangeOf({ minimum, maximum, above, below, constant, units }) {
     return units?.length === 1 && units[0] !== "1" ? `${text} ${units[0]}` : text;
 }
 
-/** Adds reserved values, which no file has; in structures, too. */
+/** Adds reserved values, which files do not contain, also in structures. */
 function withReserved(record, given, required = record.parameters.map(({ name }) => name)) {
     const values = { ...given };
     for (const { name, reserved, length } of record.parameters) {
@@ -459,7 +459,7 @@ function hint(text, names, otherwise) {
     return near.length ? `; did you mean ${near.map(([, name]) => `'${name}'`).join(" or ")}?` : (otherwise ?? "; remove it");
 }
 
-/** The share of letters that two words have in common, in order. */
+/** Returns the share of letters that two words have in common, in order. */
 function likeness(one, other) {
     let row = Array(other.length + 1).fill(0);
     for (const letter of one) {

@@ -1,4 +1,4 @@
-// The load of a stream of data fields on a port.
+// Computes the load of data streams on a port.
 
 import { SHARED_SET } from "mip-protocol/tools";
 import { certaintyOn } from "./build.mjs";
@@ -6,12 +6,12 @@ import { certaintyOn } from "./build.mjs";
 /** Bytes of a packet besides its fields. */
 const FRAME = 6;
 
-/** Bits that a UART sends for a byte. */
+/** The number of bits that a UART sends for a byte. */
 const BITS = 10;
 
 /**
- * The load of streams: `bytes` per second, and the `baud` rate that a UART needs at least, by the formula of the manuals:
- * packets of a set are sent at the highest rate of its fields.
+ * Returns the load of streams: `bytes` per second, and the minimum `baud` rate of a UART, by
+ * the manuals' formula: packets of a set are sent at the highest rate of its fields.
  *
  * @param streams for each data set an array of fields with their rates in Hz: [{ field, rate }]
  */
@@ -25,8 +25,8 @@ export function needOf(streams) {
 }
 
 /**
- * The data set of a list of fields with decimations, and its base rate on a device: undefined if it is not known.
- *
+ * Returns the data set of a list of fields with decimations, and its base rate on a device; undefined if it is not
+ * known.
  * @param list the `parameter` of the list, with the `values` beside it
  */
 export function baseOf(protocol, device, list) {
@@ -36,7 +36,10 @@ export function baseOf(protocol, device, list) {
     return { set, base: rates?.find((rate) => rate.set === set?.name)?.hertz };
 }
 
-/** The load of the message formats among some fields on a device; undefined without any, or if a base rate is missing. */
+/**
+ * Returns the load of the message formats among some fields on a device; undefined if there are none, or if a base rate
+ * is not known.
+ */
 export function formatNeed(protocol, device, entries) {
     const streams = [];
     for (const { field, values } of entries) {
@@ -60,7 +63,10 @@ export function needText({ bytes, baud }) {
     return `${Math.ceil(bytes)} bytes/s; over a UART at least ${Math.ceil(baud)} Bd.`;
 }
 
-/** The ports of a device with the smallest rate that is enough: undefined if none is, null where there is no rate. */
+/**
+ * Returns the ports of a device with the lowest sufficient rate: undefined if there is none, null for a port without a
+ * baud rate.
+ */
 export function portsFor(device, baud) {
     return (device?.ports ?? []).map((port) => ({
         port,
@@ -69,9 +75,9 @@ export function portsFor(device, baud) {
 }
 
 /**
- * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate: undefined if
- * it is not known, 0 for a set that is sent as it arrives. Without a device, or with an incomplete profile, they include
- * fields that are not listed.
+ * Returns the data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate:
+ * undefined if it is not known, 0 for a set that is sent as it arrives. Without a device, or with an incomplete
+ * profile, they include fields that are not listed.
  */
 export function streamsOf(protocol, device) {
     const rates = new Map(device?.base_rates?.map((rate) => [rate.set, rate.hertz]));

@@ -6,31 +6,32 @@ import { count, element, mark, table } from "./dom.mjs";
 import { streamsOf } from "./stream.mjs";
 import { descriptorOf, hexByte } from "./words.mjs";
 
-/** The rate of a field that is chosen, until another one is given. */
+/** The initial rate of a chosen field. */
 const USUAL = 10;
 
-/** The name of a field in a set in an address: "sensor.scaled_accel", of shared ones "sensor+shared.gps_timestamp". */
+/**
+ * Returns the name of a field in an address: "sensor.scaled_accel"; for a shared field, "sensor+shared.gps_timestamp".
+ */
 export function streamName(field, set) {
     return field.set === SHARED_SET ? `${set.name}+${field.name}` : nameIn(field, set.number);
 }
 
-/** Name -> rate, of the text in an address: "sensor.scaled_accel@100,sensor.scaled_gyro@50". */
+/** Parses the text in an address, "sensor.scaled_accel@100,sensor.scaled_gyro@50", as name -> rate. */
 export function ratesOf(text) {
     const pairs = text.split(",").map((part) => part.split("@"));
     return new Map(pairs.filter(([name, rate]) => name && rate).map(([name, rate]) => [name, rate]));
 }
 
 /**
- * A chooser of fields, whose choice is in the state: `root`, `chosen()`, an array for each set of { set, field, rate } with
- * the rate that the device can send, `problem()`, the first row that has none, and `layOut(device)`.
- *
+ * A chooser of fields, whose choice is in the state: `root`, `chosen()`, an array for each set of { set, field, rate }
+ * with the rate that the device can send, `problem()`, the first row that has none, and `layOut(device)`.
  * @param changed is called when the choice changes
  */
 export function streamChooser(protocol, state, to, changed) {
     const root = element("div", { class: "mip-streams" });
     let rows = [];
     const tell = () => {
-        // Rates of fields that the present device does not have stay in the address.
+        // Rates of fields that the chosen device does not support stay in the address.
         const held = ratesOf(state.get("streams"));
         for (const row of rows.flat()) held.delete(row.name);
         for (const row of rows.flat()) if (row.box.checked) held.set(row.name, row.input.value);

@@ -3,18 +3,16 @@
 import { MipError, nameIn, Parser } from "mip-protocol/tools";
 import { Clocks, Rhythm } from "./clocks.mjs";
 
-/** Bytes of a page: it has the packets that begin there. */
+/** The number of bytes in a page, which contains the packets that begin in them. */
 const PAGE = 8192;
 
-/** The number of gaps that are kept. */
+/** The maximum number of gaps that are stored. */
 const GAPS = 1000;
 
 /**
- * Surveys the pieces of a log, Uint8Arrays in order: { bytes, packets, skipped, sentences, fields, gaps, pages }.
- *
- * A field has `name`, `set`, `field`, `count`, and a `rhythm` by the clock of the device; a gap, the fields that it concerns
- * and the packet after it; a page, the `offset` at which it begins and the number of the first packet in it.
- *
+ * Surveys the pieces of a log, Uint8Arrays in order: { bytes, packets, skipped, sentences, fields, gaps, pages }.  A
+ * field has `name`, `set`, `field`, `count`, and a `rhythm` by the clock of the device; a gap, the fields that it
+ * concerns and the packet after it; a page, the `offset` at which it begins and the number of the first packet in it.
  * @param progress is called with the bytes that were read; if it returns false, the survey ends there
  */
 export async function survey(protocol, pieces, progress = () => true) {

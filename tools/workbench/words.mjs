@@ -1,4 +1,4 @@
-// Presents things of the protocol: numbers, names and places.
+// Formats numbers, names and positions of the protocol.
 
 import { bitsOf, enumValue, placesOf, readFloat, SHARED_SET, toHex, unitOf, writeFloat } from "mip-protocol/tools";
 
@@ -11,8 +11,8 @@ export function spacedHex(bytes) {
 }
 
 /**
- * "(0x0C,0x28)", in one of the sets of a field, or "(0x81, 0x91–0x95; 0x07)", in all of them. A field of every command set
- * has its descriptor alone.
+ * "(0x0C,0x28)", in one of the sets of a field, or "(0x81, 0x91–0x95; 0x07)", in all of them. A field of every command
+ * set has its descriptor alone.
  */
 export function descriptorOf(field, set) {
     return `(${pairOf(field, set)})`;
@@ -37,7 +37,7 @@ function ranges(numbers) {
     return found.map((range) => range.map(hexByte).join("–")).join(", ");
 }
 
-/** The shortest decimal number that has the same bits as a float of this size. */
+/** Returns the shortest decimal number that has the same bits as a float of this size. */
 export function decimal(value, size) {
     if (typeof value === "string") return `NaN (${value})`;
     if (Object.is(value, -0)) return "-0";
@@ -49,7 +49,10 @@ export function decimal(value, size) {
     return String(Number(value.toPrecision(9)));
 }
 
-/** The shortest literal of a float of this size in programs, with a point or an exponent; undefined if it is not finite. */
+/**
+ * Returns the shortest literal of a float of this size in programs, with a point or an exponent; undefined if it is not
+ * finite.
+ */
 export function decimalLiteral(value, size) {
     const number = typeof value === "string" ? readFloat(writeFloat(value, size, "value")) : size === 4 ? Math.fround(value) : value;
     if (!Number.isFinite(number)) return undefined;
@@ -61,7 +64,10 @@ export function decimalLiteral(value, size) {
     return undefined;
 }
 
-/** A number with at most this many significant digits, with an exponent if it is small or large: `repr` of Python. */
+/**
+ * Formats a number with at most this many significant digits, and an exponent if it is small or large, like Python's
+ * `repr`.
+ */
 function general(number, digits) {
     const text = number.toExponential(digits - 1);
     const [mantissa, exponent] = text.split("e");
@@ -72,7 +78,7 @@ function general(number, digits) {
     return `${short}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
 }
 
-/** A number in hexadecimal, with all digits of its `size` in bytes. */
+/** Formats a number in hexadecimal, with all digits of its `size` in bytes. */
 export function hexLiteral(value, size = 0) {
     return `0x${BigInt(value)
         .toString(16)
@@ -80,7 +86,9 @@ export function hexLiteral(value, size = 0) {
         .padStart(2 * size, "0")}`;
 }
 
-/** The path of a value: "descriptors[0].rate"; elements of vectors have names, if the last parameter has them. */
+/**
+ * Formats the path of a value: "descriptors[0].rate"; a vector's elements have names if the last parameter has them.
+ */
 export function pathText(parameters, path) {
     let text = "";
     let next = 0;
@@ -101,7 +109,7 @@ export function pathText(parameters, path) {
 }
 
 /**
- * A value for readers: `text`, `unit`, and for an enumeration `name` and `meaning`, for a bitfield `flags`.
+ * Formats a value for people: `text`, `unit`, for an enumeration `name` and `meaning`, and for a bitfield `flags`.
  *
  * @param type the enumeration or bitfield of the value, if it has one
  */
@@ -126,8 +134,8 @@ export function shown(protocol, part, parameter, type, index) {
 }
 
 /**
- * Number -> title of the data sets, or of the fields of the set that a parameter refers to. `values` are those of its
- * record, `outer` the parameter that holds the record, with the values beside it.
+ * Returns number -> title of the data sets, or of the fields of the set that a parameter refers to. `values` are those
+ * of its record, `outer` the parameter that holds the record, with the values beside it.
  */
 export function choicesOf(protocol, parameter, values, outer) {
     if (parameter.shown === "set") {

@@ -1,16 +1,17 @@
-// Reads JSON and the YAML of settings files: mappings, lists and words, with their places. Everything else is rejected.
+// Reads JSON and the YAML of settings files: mappings, lists and words, with their positions. Everything else is
+// rejected.
 
 import { MipError } from "mip-protocol/tools";
 
 /**
- * The nodes of a text: { kind, at } with `entries` of a mapping ([{ key, value }, …], the key a scalar), `items` of a
- * sequence, `text` of a scalar. `placeOf(text, at)` returns the line and column.
+ * Parses a text into nodes: { kind, at } with `entries` of a mapping ([{ key, value }, …], the key a scalar), `items`
+ * of a sequence, `text` of a scalar. `placeOf(text, at)` returns the line and column.
  */
 export function nodesOf(text) {
     return new Reader(text.replace(/^\uFEFF/, "").replaceAll("\r\n", "\n")).whole();
 }
 
-/** "3:12": line and column of a place in a text. */
+/** Returns line and column of a position in a text: "3:12". */
 export function placeOf(text, at) {
     const before = text.replaceAll("\r\n", "\n").slice(0, at).split("\n");
     return `${before.length}:${before.at(-1).length + 1}`;
@@ -32,7 +33,7 @@ class Reader {
         }
         const node = this.#at < this.#text.length ? this.#block(this.#column()) : this.#scalar("", this.#at);
         this.#toNext();
-        if (this.#at < this.#text.length) this.#refuse("this is not part of what is before it; check the indentation");
+        if (this.#at < this.#text.length) this.#refuse("this does not belong to what precedes it; check the indentation");
         return node;
     }
 
@@ -44,7 +45,7 @@ class Reader {
         return this.#at - (this.#text.lastIndexOf("\n", this.#at - 1) + 1);
     }
 
-    /** Moves to the next character that counts, also in another line. */
+    /** Moves to the next significant character, also on another line. */
     #toNext() {
         for (;;) {
             this.#at += /^[ \n]*/.exec(this.#text.slice(this.#at, this.#at + 4096))[0].length;
@@ -87,7 +88,7 @@ class Reader {
         return { kind: "sequence", at, items };
     }
 
-    /** Reads the value after a key or a dash: in the same line, or in further ones with more indentation. */
+    /** Reads the value after a key or a dash: on the same line, or on further ones with more indentation. */
     #inner(column) {
         const line = this.#text.indexOf("\n", this.#at);
         const from = this.#at;
@@ -111,20 +112,20 @@ class Reader {
         return { kind: "scalar", at, text };
     }
 
-    /** A word, or something in brackets. */
+    /** Reads a word, or a value in brackets. */
     #value(isKey, inFlow = false) {
         const at = this.#at;
         const first = this.#text[at];
         if (first === "{" || first === "[") return this.#flow(first === "{");
         if (first === '"') {
             const found = /^"(?:[^"\\\n]|\\.)*"/.exec(this.#text.slice(at));
-            if (!found) this.#refuse("the quotation mark is not closed in its line");
+            if (!found) this.#refuse("the quotation mark is not closed on its line");
             this.#at += found[0].length;
             return this.#scalar(this.#unquoted(found[0]), at);
         }
         if (first === "'") {
             const found = /^'(?:[^'\n]|'')*'/.exec(this.#text.slice(at));
-            if (!found) this.#refuse("the quotation mark is not closed in its line");
+            if (!found) this.#refuse("the quotation mark is not closed on its line");
             this.#at += found[0].length;
             return this.#scalar(found[0].slice(1, -1).replaceAll("''", "'"), at);
         }
@@ -145,7 +146,7 @@ class Reader {
         try {
             return JSON.parse(text);
         } catch {
-            return this.#refuse("a backslash that JSON does not have");
+            return this.#refuse("JSON does not have this escape sequence");
         }
     }
 

@@ -48,7 +48,7 @@ export class Field {
         return this.SETS.includes(set);
     }
 
-    /** Can this be its data? Checks what distinguishes a descriptor's layouts: constants and size. */
+    /** Can this be the field's data? Checks what distinguishes a descriptor's layouts: constants and size. */
     static matches(bytes, from = 0, to = bytes.length) {
         if (!this.FITS) return true;
         const [least, most, constants] = this.FITS;
@@ -69,7 +69,7 @@ export class Field {
         return encoded(layout, NAME, this, { nans: this.#nans, required });
     }
 
-    /** Makes a packet with only this field, of the set that contained it or of `set`. Throws a MipError. */
+    /** Makes a packet with only this field, in the set that contained it or in `set`. Throws a MipError. */
     packet(set = this.set) {
         return packetOf([this], set);
     }

@@ -200,14 +200,14 @@ class Field(Structure):
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        """Can this be its data? Checks what distinguishes the layouts: constants and size."""
+        """Can this be the field's data? Checks constants and size, which distinguish layouts."""
         return True
 
     def _called(self, name: str) -> str:
         return name if self.packet_set is None else self.name_in(self.packet_set)
 
     def packet(self, set: int | None = None) -> Packet:
-        """Makes a packet of this field, of its set or of `set`. Raises EncodeError."""
+        """Makes a packet of this field, in its set or in `set`. Raises EncodeError."""
         number = self.packet_set if set is None else set
         if number is None:
             raise EncodeError(

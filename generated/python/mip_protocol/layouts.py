@@ -41,7 +41,7 @@ class Layouts:
         self.unchecked: dict[bytes, tuple[int, Decode]] = {}
         #: Key -> function for packets that have been checked.
         self.checked: dict[bytes, Decode] = {}
-        #: Key -> headers of all fields -> both.
+        #: Key -> headers of all fields -> both functions.
         self._made: dict[bytes, dict[bytes, tuple[Decode, Decode]]] = {}
         self._counts: dict[bytes, int] = {}
 

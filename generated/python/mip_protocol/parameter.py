@@ -23,7 +23,7 @@ class Flag:
     @overload
     def holds(self, flags: Any) -> Any: ...
     def holds(self, flags: Any) -> Any:
-        """Is it set in a value of its attribute? For a NumPy array, the result is an array."""
+        """Is the bit set in a value of its attribute? For a NumPy array, the result is an array."""
         return (flags & self.mask) == self.mask if self.mask else flags != 0
 
 

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 
 class Support(Enum):
-    """Does a device have a command or a data field?"""
+    """Does a device support a command or a data field?"""
 
     YES = "yes"
     PROBABLE = "probable"

@@ -82,7 +82,7 @@ def is_vector(what: Any) -> bool:
 
 
 def is_run(row: Row) -> bool:
-    """Does the row have a fixed number of numbers, one or more?"""
+    """Does the row consist of a fixed number of numbers, at least one?"""
     return bool(row[1]) and not isinstance(row[2], Items)
 
 

@@ -69,7 +69,7 @@ type Slots = Table<[Slot]>;
 struct Slot {
     /// Taking an event changes only this, so that the event can be borrowed.
     state: Cell<State>,
-    /// The position of the event in the order of events; the same for simultaneous events.
+    /// The event's sequence number; simultaneous events share one.
     order: u32,
     /// The time at which it times out; until it is sent, its time-out.
     deadline: u32,

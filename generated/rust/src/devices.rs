@@ -45,7 +45,7 @@ pub struct Profile {
     pub ack_codes: &'static [AckCode],
 }
 
-/// Does a device have a command or a data field?
+/// Does a device support a command or a data field?
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Support {
     /// It does.
@@ -174,7 +174,7 @@ impl Profile {
     /// Returns whether the device supports a field in packets of this set. For a field that a
     /// complete profile does not list, this is [`Support::No`].
     ///
-    /// A shared field is found in every data set.
+    /// A shared field belongs to every data set.
     #[must_use]
     pub fn support(&self, set: u8, descriptor: u8) -> Support {
         match self.field(set, descriptor) {

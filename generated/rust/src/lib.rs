@@ -27,7 +27,7 @@
     clippy::cast_possible_wrap,
     clippy::cast_precision_loss,
     clippy::cast_sign_loss,
-    // texts and numbers are taken from the specification;
+    // texts and numbers come from the specification;
     clippy::doc_markdown,
     clippy::unreadable_literal,
     // macros and traits use the same signatures for all types;

@@ -62,7 +62,7 @@ export interface FieldClass<F extends Field = Field> {
     readonly DESCRIPTOR: number;
     readonly ROLE: "command" | "response" | "data";
     occursIn(set: number): boolean;
-    /** Can this be its data? Checks what distinguishes a descriptor's layouts. */
+    /** Can this be the field's data? Checks what distinguishes a descriptor's layouts. */
     matches(data: Uint8Array): boolean;
 }
 
@@ -79,7 +79,7 @@ export declare class Field {
     static readonly DESCRIPTOR: number;
     static readonly ROLE: "command" | "response" | "data";
     static occursIn(set: number): boolean;
-    /** Can this be its data? Checks what distinguishes a descriptor's layouts: constants and size. */
+    /** Can this be the field's data? Checks what distinguishes a descriptor's layouts: constants and size. */
     static matches(data: Uint8Array): boolean;
     /** Decodes a field's data; bytes left over are not an error. Throws a MipError. */
     static decode<F extends Field>(this: new (values: never) => F, data: Bytes): F;
@@ -89,7 +89,7 @@ export declare class Field {
     get set(): number | undefined;
     /** Encodes the field's data, without length and descriptor. Throws a MipError. */
     encode(): Uint8Array;
-    /** Makes a packet with only this field, of the set that contained it or of `set`. Throws a MipError. */
+    /** Makes a packet with only this field, in the set that contained it or in `set`. Throws a MipError. */
     packet(set?: number): Packet;
 }
 
@@ -160,7 +160,7 @@ export declare class Packet {
     findAll<F extends Field>(kind: FieldClass<F>): F[];
 }
 
-/** Finds packets in a stream that may contain anything else, too, and arrives in pieces of any size. */
+/** Finds packets in a stream that may also contain other data, and arrives in pieces of any size. */
 export declare class Parser {
     /** @param options.onSkipped is called with bytes that are not part of a packet, in order with the packets */
     constructor(options?: { onSkipped?: (bytes: Uint8Array) => void });

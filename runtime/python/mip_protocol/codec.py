@@ -198,7 +198,7 @@ def typed(record: Any, error: EncodeError) -> EncodeError:
 
 
 def within(path: str, error: EncodeError) -> EncodeError:
-    """Returns an error of a part with the path to that part in front of its own."""
+    """Returns a part's error, with the part's path in front of the error's own."""
     joint = "." if path and error.detail[:1] not in ("[", " ") else ""
     return EncodeError(error.kind, f"{path}{joint}{error.detail}")
 

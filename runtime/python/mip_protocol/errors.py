@@ -35,7 +35,7 @@ class Truncated(DecodeError):
 
 
 class PacketError(DecodeError):
-    """Bytes that are no packet (`sync`, `length`, `checksum`), or a bad field (`field_length`)."""
+    """Bytes that are not a packet (`sync`, `length`, `checksum`) or a field (`field_length`)."""
 
 
 class MissingResponse(MipError):

@@ -1,7 +1,8 @@
-/* The innermost loops of reading a log as columns. `native.py` calls them, if this file has been compiled, by
- * their names; without it, `scan.py` and `walk.py` do the same. Callers pass arrays that are large enough.
+/* The innermost loops of reading a log as columns. If this file has been compiled, `native.py` calls the
+ * functions by their names; otherwise, `scan.py` and `walk.py` do the same. Callers pass arrays that are large
+ * enough.
  *
- * Plain C99, but for the few lines that make it a module of Python, so that any of its build tools can compile it.
+ * Plain C99, except for the few lines that make it a Python module, so that any Python build tool can compile it.
  */
 
 #ifdef MIP_MODULE
@@ -20,12 +21,12 @@
 enum {
     HEAD = 4,
     OVERHEAD = 6,
-    KINDS = 1024, /* most different fields that are distinguished: as in native.py */
+    KINDS = 1024, /* maximum number of different fields: as in native.py */
     BITS = 12,
-    SLOTS = 1 << BITS /* of the table that finds them */
+    SLOTS = 1 << BITS /* size of the table that finds them */
 };
 
-/* The size of the packet that begins here, or 0 if there is none. `left` bytes belong to the log. */
+/* Returns the size of the packet that begins here, or 0 if there is none. The log has `left` more bytes. */
 static int64_t packet_size(const uint8_t *data, int64_t left)
 {
     uint16_t a = 0, b = 0;
@@ -36,15 +37,15 @@ static int64_t packet_size(const uint8_t *data, int64_t left)
     size = data[3] + OVERHEAD;
     if (size > left)
         return 0;
-    for (i = 0; i < size - 2; i++) { /* no sum needs the one before: compilers add several bytes at once */
+    for (i = 0; i < size - 2; i++) { /* b does not need a, so compilers vectorize this */
         a = (uint16_t)(a + data[i]);
         b = (uint16_t)(b + data[i] * (size - 2 - i));
     }
     return data[size - 2] == (uint8_t)a && data[size - 1] == (uint8_t)b ? size : 0;
 }
 
-/* Finds the packets that begin in `first` ... `limit`: where each begins and ends; returns their
- * number. Packets never overlap; with `overlap` all that look like one are found.
+/* Finds the packets that begin in `first` ... `limit`: stores where each begins and ends, and returns
+ * their number. Packets never overlap; with `overlap`, finds everything that looks like a packet.
  */
 API int64_t mip_packets(const uint8_t *data, int64_t first, int64_t limit, int64_t length,
                         int64_t overlap, int32_t *begin, int32_t *end)
@@ -72,7 +73,7 @@ API int64_t mip_packets(const uint8_t *data, int64_t first, int64_t limit, int64
     return count;
 }
 
-/* Finds the number of a key in `keys`, of which there are `*count`; adds it if it is new. */
+/* Returns the index of a key in `keys`, which has `*count` elements; adds the key if it is new. */
 static int32_t number_of(uint32_t key, uint32_t *keys, int64_t *count, uint16_t *slots)
 {
     uint32_t slot = key * 2654435761u >> (32 - BITS);
@@ -89,10 +90,10 @@ static int32_t number_of(uint32_t key, uint32_t *keys, int64_t *count, uint16_t 
     return slots[slot] - 1;
 }
 
-/* All fields of packets, in the order of the log: the packet of each, where in its payload the data
- * begin, and the number of its key. `keys` are set << 16 | descriptor << 8 | length, in the order in
- * which they first occur, `counts` how many fields each has. Returns the number of keys, or -1 if
- * there are more than KINDS, or more fields than `room`.
+/* Lists all fields of packets, in the order of the log: the packet of each, the offset of its data in
+ * the payload, and the index of its key. A key is set << 16 | descriptor << 8 | length; `keys` has them
+ * in order of first occurrence, and `counts` the number of fields of each. Returns the number of keys,
+ * or -1 if there are more than KINDS, or more fields than `room`.
  */
 API int64_t mip_fields(const uint8_t *data, const int32_t *begin, int64_t packets, int64_t room,
                        uint32_t *keys, int64_t *counts, uint16_t *number, int32_t *packet,
@@ -127,7 +128,7 @@ API int64_t mip_fields(const uint8_t *data, const int32_t *begin, int64_t packet
     return kinds;
 }
 
-/* The same fields, those of the first key first. `next` is where each key's begin. */
+/* Sorts the fields by key. `next` is the index at which the fields of each key begin. */
 API void mip_sort(const uint16_t *number, const int32_t *packet, const uint8_t *offset,
                   int64_t fields, int64_t *next, int32_t *packets, uint8_t *offsets)
 {
@@ -141,7 +142,7 @@ API void mip_sort(const uint16_t *number, const int32_t *packet, const uint8_t *
     }
 }
 
-/* Copies `size` bytes of each of these fields, a row for each, and reverses every `item` bytes. */
+/* Copies `size` bytes of each of these fields, one row per field, and reverses every `item` bytes. */
 API void mip_gather(const uint8_t *data, const int32_t *begin, const int32_t *packet,
                     const uint8_t *offset, int64_t rows, int64_t size, int64_t item, uint8_t *out)
 {

@@ -65,7 +65,7 @@ template <class T> using c_type = typename traits<T>::c_type;
 template <class T>
 concept layout = requires { traits<T>::codec(); };
 
-/** Replaces `class` where a type must be a type of field. */
+/** Stands for `class` where a type must be a field type. */
 #define MIP_LAYOUT_TYPE ::mip::layout
 #else
 #define MIP_LAYOUT_TYPE class
@@ -376,7 +376,7 @@ struct packet : mip_packet {
     end_of_range end() const {
         return {};
     }
-    /** Returns the packet in these bytes, if they are exactly one. `why` receives the error. */
+    /** Returns the packet if the bytes are exactly one. `why` receives the error. */
     static std::optional<packet> check(mip::bytes of, mip_error *why = nullptr) {
         packet checked;
         const mip_error error = mip_packet_check(of.data(), of.size(), &checked);
@@ -471,7 +471,7 @@ class parser : public mip_parser {
     packet_range<false> feed(bytes piece) {
         return {*this, piece};
     }
-    /** Returns the packets within an incomplete one. Call this at the end of a file, and when the
+    /** Returns packets within an incomplete packet. Call this at the end of a file, and when the
      * line has been silent for longer than a packet takes. See mip_parser_flush. */
     packet_range<true> flush() {
         return {*this, {}};

@@ -136,7 +136,7 @@ template <class T> struct answer<T, std::void_t<typename T::command>> {
 
 } // namespace detail
 
-/** A command whose data is always the same: nothing, or the function selector. */
+/** A command whose data is always the same: none, or only the function selector. */
 template <class Command, class Response, std::uint8_t... Function> struct fixed_command {
     using command = Command;
     using response = Response;

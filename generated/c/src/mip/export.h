@@ -1,7 +1,7 @@
 /**
  * @file
  * Attributes for compilers that know them: MIP_API marks the exports of a shared library,
- * MIP_INLINE, MIP_QUICK and MIP_APART determine which functions become part of their callers,
+ * MIP_INLINE, MIP_QUICK and MIP_APART determine which functions are inlined,
  * MIP_CHECKED marks results that callers must check.
  *
  * A static library, and sources that are compiled with the program, need none of this. To build a
@@ -47,23 +47,23 @@
 #endif
 
 #if defined(__GNUC__)
-/** A static function that becomes part of those that call it, even where size matters. */
+/** A static function that is inlined into its callers, even where size matters. */
 #define MIP_INLINE static inline __attribute__((always_inline))
 #else
-/** A static function that becomes part of those that call it, even where size matters. */
+/** A static function that is inlined into its callers, even where size matters. */
 #define MIP_INLINE static inline
 #endif
 
 /* Most fields are decoded by one function without calls; the code for others is separate. */
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
-/** A static function that becomes part of those that call it. */
+/** A static function that is inlined into its callers. */
 #define MIP_QUICK MIP_INLINE
-/** A static function that does not. */
+/** A static function that is not inlined. */
 #define MIP_APART static __attribute__((noinline))
 #else
-/** A static function that becomes part of those that call it. */
+/** A static function that is inlined into its callers. */
 #define MIP_QUICK static inline
-/** A static function that does not. */
+/** A static function that is not inlined. */
 #define MIP_APART static
 #endif
 

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/** Is it this name, except for spaces around it? */
+/** Is the text this name, ignoring spaces around it? */
 static bool is_name(const char *name, const char *text) {
     while (*text == ' ') {
         text++;

@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/** Does a device have a command or a data field? */
+/** Does a device support a command or a data field? */
 enum mip_support {
     /** No source mentions it, and the profile is incomplete. */
     MIP_SUPPORT_UNKNOWN = 0,
@@ -29,7 +29,7 @@ enum mip_support {
 
 /** Why a device is believed to have some fields, or not to have them. */
 struct mip_profile_evidence {
-    /** Its answer: an `enum mip_support`. */
+    /** Whether the device supports them: an `enum mip_support`. */
     uint8_t answer;
     /** The reason for the answer. */
     const char *why;
@@ -202,7 +202,7 @@ MIP_API const struct mip_profile *mip_profile_by_model(uint16_t model_number);
 MIP_API uint16_t mip_model_number(const char *text, size_t size);
 
 /** Returns whether the device supports a command or a data field. For a field that a complete
- * profile does not list, this is MIP_SUPPORT_NO. A shared field is found in every data set. */
+ * profile does not list, this is MIP_SUPPORT_NO. A shared field belongs to every data set. */
 MIP_API enum mip_support mip_profile_support(const struct mip_profile *profile,
                                              uint8_t descriptor_set, uint8_t descriptor);
 

@@ -224,7 +224,7 @@ macro_rules! registry {
                 writer.finish(done, self.info().name)
             }
 
-            /// Adds it to a request, if it is a command.
+            /// Adds the field to a request, if it is a command.
             #[inline]
             #[allow(unused_variables)] // if there are no commands
             pub(crate) fn add_to(

@@ -619,7 +619,7 @@ open_enum! {
         ACQUIRED = 2, "acquired";
         /// The signal is found but cannot be used.
         UNUSABLE = 3, "unusable";
-        /// The signal is locked in time.
+        /// Tracking is locked in time.
         TIME_LOCKED = 4, "time_locked";
         /// Fully locked.
         FULLY_LOCKED = 5, "fully_locked";

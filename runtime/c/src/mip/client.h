@@ -75,7 +75,7 @@ struct mip_command {
     const struct mip_codec *codec;
     /** The replies to it. */
     const struct mip_exchange *exchange;
-    /** Does it begin with a function selector? */
+    /** Does the command begin with a function selector? */
     bool selects;
 };
 

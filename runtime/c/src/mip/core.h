@@ -51,9 +51,9 @@ typedef enum mip_error {
     MIP_ERROR_MISSING,
     /** The field does not belong in packets of this descriptor set. */
     MIP_ERROR_SET,
-    /** The field's descriptor is not the one of the type as which it should be decoded. */
+    /** The field's descriptor is not that of the requested type. */
     MIP_ERROR_DESCRIPTOR,
-    /** The data has another layout of the descriptor than the one as which it should be decoded. */
+    /** The data has a different layout of the descriptor than the requested one. */
     MIP_ERROR_LAYOUT
 } mip_error;
 
@@ -64,7 +64,7 @@ MIP_API unsigned long mip_version(void);
 MIP_API const char *mip_error_name(mip_error error);
 
 #ifndef __cplusplus
-/** A text for C++ only. */
+/** Text that only a C++ compiler sees. */
 #define MIP_IN_CPP(text)
 #else
 #define MIP_IN_CPP(text) text
@@ -203,7 +203,7 @@ struct mip_builder {
     mip_error error;
 };
 
-/** Remembers the first error, and returns this one. */
+/** Stores the error if it is the first one, and returns it. */
 static inline mip_error mip_builder_note(struct mip_builder *builder, mip_error error) {
     if (builder->error == MIP_OK) {
         builder->error = error;

@@ -177,7 +177,7 @@ struct mip_reflection {
     const struct mip_codec *codec;
     /** Its parameters. */
     const struct mip_record *record;
-    /** Does it begin with a function selector? */
+    /** Does the field begin with a function selector? */
     bool selector;
     /** May parameters be absent? */
     bool optional;
