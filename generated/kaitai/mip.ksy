@@ -1436,7 +1436,7 @@ types:
         doc: All bits as a number.
   rtk_status_flags:
     -kind: bits
-    doc: "State of the modem and of the corrections. Models of another kind send `rtk_status_flags_legacy`."
+    doc: "State of the modem and of the corrections. Other models send `rtk_status_flags_legacy`."
     seq:
       - id: version
         type: b2

@@ -279,10 +279,10 @@ def others(page: browser.Page, text: str) -> list[str]:
 
 
 def test_why_bytes_are_no_packet(page: browser.Page) -> None:
-    begin = "What begins like a packet at byte"
-    assert others(page, "75 65 01 02 00 01 E0 C6") == [f"{begin} 1 is none: a field of length 0 in 2 bytes."]
-    assert others(page, "AA 75 65 01 02 03 01 E0 C6") == [f"{begin} 2 is none: a field of length 3 in 2 bytes."]
-    assert others(page, "75 65 00 00 DA 4F") == [f"{begin} 1 is none: descriptor set 0x00, which no packet has."]
+    begin, rest = "The bytes from byte", "look like a packet, but are not one"
+    assert others(page, "75 65 01 02 00 01 E0 C6") == [f"{begin} 1 {rest}: a field of length 0 in 2 bytes."]
+    assert others(page, "AA 75 65 01 02 03 01 E0 C6") == [f"{begin} 2 {rest}: a field of length 3 in 2 bytes."]
+    assert others(page, "75 65 00 00 DA 4F") == [f"{begin} 1 {rest}: descriptor set 0x00, which no packet has."]
     assert others(page, "12 34 56") == []
 
 

@@ -1360,8 +1360,7 @@ open_enum! {
 }
 
 bitfield! {
-    /// State of the modem and of the corrections. Models of another kind send
-    /// [`RtkStatusFlagsLegacy`].
+    /// State of the modem and of the corrections. Other models send [`RtkStatusFlagsLegacy`].
     ///
     /// Uncertain: Which model sends which of the two forms. The SDK states only that it depends on
     /// the model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the

@@ -1115,12 +1115,12 @@ enum mip_comm_interface MIP_ENUM_8 {
 MIP_API const char *mip_comm_interface_name(uint8_t value);
 
 /**
- * State of the modem and of the corrections. Models of another kind send
- * mip_rtk_status_flags_legacy. Uncertain: Which model sends which of the two forms. The SDK states
- * only that it depends on the model number. Uncertain: Other software of the vendor evaluates
- * `version`: 0 is the legacy form, 1 is this one. In the legacy form of the SDK the same two bits
- * are `sinr`. Uncertain: The SDK lists only the names, from which the descriptions are inferred.
- * The meaning of the values is not known.
+ * State of the modem and of the corrections. Other models send mip_rtk_status_flags_legacy.
+ * Uncertain: Which model sends which of the two forms. The SDK states only that it depends on the
+ * model number. Uncertain: Other software of the vendor evaluates `version`: 0 is the legacy form,
+ * 1 is this one. In the legacy form of the SDK the same two bits are `sinr`. Uncertain: The SDK
+ * lists only the names, from which the descriptions are inferred. The meaning of the values is not
+ * known.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
