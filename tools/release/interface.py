@@ -164,7 +164,7 @@ def lists(scopes: list[str]) -> bool:
 
 
 def behind(text: str, at: int) -> int:
-    """The place after the brace that closes the one opened before this place."""
+    """Returns the position after the brace that closes the block in which the text begins."""
     depth = 1
     while depth and at < len(text):
         depth += (text[at] == "{") - (text[at] == "}")

@@ -359,7 +359,7 @@ def test_speeds_lead_along_the_first_axis() -> None:
         ("# a\ntime [s],speed [m/s]\n0,1\n\n1, x", ":5:4: 'x' is not a number; speed needs one"),
         ("time [s],speed [m/s]\n0,nan", ":2:3: 'nan' is not a number; speed needs one"),
         ("time [s],speed [m/s]\n0,1,2", ":2:1: 3 values for 2 columns"),
-        ("time [s],speed [m/s]\n1,1\n1,2", ":3:1: time 1 is not after that of line 2"),
+        ("time [s],speed [m/s]\n1,1\n1,2", ":3:1: time 1 is not later than that on line 2"),
         ("time [s],latitude [deg],longitude [deg],height [m]\n0,1,1,1\n1,95,0,0", ":3:1: the device is at 95°, 0 m"),
     ],
 )  # fmt: skip

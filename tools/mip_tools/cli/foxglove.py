@@ -20,7 +20,7 @@ from ..occurrence import Occurrence
 from .export_mcap import Topic, encoded, timed
 from .samples import Sample
 
-#: The names of the protocol that clients request.
+#: The WebSocket subprotocols that clients request.
 PROTOCOLS = ["foxglove.websocket.v1", "foxglove.sdk.v1"]
 #: The address at which Foxglove expects a server.
 USUAL = "127.0.0.1:8765"

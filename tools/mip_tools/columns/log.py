@@ -347,7 +347,7 @@ class Log:
         than 10 s, or if time goes back by as much, the rows restart.
 
         All times are of one clock, as for `frame`. Times of a set without this clock are converted from
-        another clock, by means of packets that have both; the metadata of `time` state this (in pandas,
+        another clock, using packets that have both; the metadata of `time` state this (in pandas,
         `frame.attrs`).
 
         Raises LookupError as `log[kind]` does, ValueError for other choices or if the log has no

@@ -76,8 +76,8 @@ def of(log: Log, column: Column[Any], clock: str | None) -> Times:
 def merged(log: Log, column: Column[Any], clock: str) -> tuple[Array, dict[str, str]]:
     """Returns the times of the packets of a column in nanoseconds, NONE for packets without a timestamp.
 
-    The times of a set without this clock are converted from another clock, by means of packets that have
-    both; the second result has the name of the set and of that clock.
+    The times of a set without this clock are converted from another clock, using packets that
+    have both; the second result has the name of the set and of that clock.
     """
     total = np.full(len(column), NONE, np.int64)
     converted = {}

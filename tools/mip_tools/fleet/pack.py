@@ -37,7 +37,7 @@ def planned(
 
 
 def _enough(sources: Sequence[Source], group: int) -> list[list[Source]]:
-    """Divides a list into parts with enough rows for a group each; the rest is added to the last part."""
+    """Divides a list into parts with enough rows for a group each; the remaining rows are added to the last part."""
     parts: list[list[Source]] = [[]]
     for source in sources:
         if sum(one.bytes for one in parts[-1]) >= group:

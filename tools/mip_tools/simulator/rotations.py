@@ -14,12 +14,12 @@ def transposed(m: Matrix) -> Matrix:
 
 
 def of_euler(roll: float, pitch: float, yaw: float) -> Matrix:
-    """`Rz(yaw) * Ry(pitch) * Rx(roll)`."""
+    """Computes `Rz(yaw) * Ry(pitch) * Rx(roll)`."""
     return transposed(rotation(roll, pitch, yaw)[1])
 
 
 def to_euler(m: Matrix) -> Vector:
-    """Roll, pitch and yaw; the yaw is 0 where it cannot be distinguished from the roll."""
+    """Returns roll, pitch and yaw; the yaw is 0 if it cannot be distinguished from the roll."""
     roll, pitch, yaw = euler(transposed(m))
     if abs(m[6]) > 1 - 1e-12:
         return math.atan2(-m[5], m[4]), pitch, 0.0
@@ -27,14 +27,14 @@ def to_euler(m: Matrix) -> Vector:
 
 
 def of_quaternion(q: Sequence[float]) -> Matrix:
-    """`v' = q * v * q^-1`; the length of the quaternion does not matter."""
+    """Returns the matrix of `v' = q * v * q^-1`; the length of the quaternion does not matter."""
     n = math.hypot(*q) or 1.0
     w, x, y, z = (c / n for c in q)
     return transposed(matrix((w, x, y, z)))
 
 
 def to_quaternion(m: Matrix) -> Quaternion:
-    """The quaternion with a scalar part that is not negative."""
+    """Returns the quaternion whose scalar part is not negative."""
     return quaternion(transposed(m))
 
 

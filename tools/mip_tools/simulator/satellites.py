@@ -1,4 +1,4 @@
-"""Satellites on Kepler orbits: what a receiver sees of them, and their ephemerides."""
+"""Satellites on Kepler orbits, as a receiver sees them, and their ephemerides."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ SATELLITES: tuple[Satellite, ...] = (
 
 
 def place(s: Satellite, t: float) -> Vector:
-    """Earth-fixed position at a GPS time in seconds."""
+    """Returns the Earth-fixed position at a GPS time in seconds."""
     mean = s.anomaly + s.motion * t
     e = mean + ECCENTRICITY * sin(mean)
     for _ in range(3):
@@ -110,13 +110,13 @@ def place(s: Satellite, t: float) -> Vector:
 
 
 def velocity(s: Satellite, t: float) -> Vector:
-    """Earth-fixed velocity."""
+    """Returns the Earth-fixed velocity."""
     (a, b, c), (d, e, f) = place(s, t - 0.5), place(s, t + 0.5)
     return d - a, e - b, f - c
 
 
 def _line(s: Satellite, t: float, antenna: Vector) -> tuple[Vector, float, float]:
-    """The vector from an antenna to where the satellite sent the signal that arrives now, its length, and the delay."""
+    """Returns the vector from an antenna to where the satellite sent the arriving signal, its length, and the delay."""
     delay, length = 0.075, 0.0
     line = (0.0, 0.0, 0.0)
     for _ in range(3):
@@ -132,7 +132,7 @@ def _line(s: Satellite, t: float, antenna: Vector) -> tuple[Vector, float, float
 def seen(
     gps: int, latitude: float, longitude: float, height: float, moves: Vector, bias: float, drift: float
 ) -> tuple[Seen, ...]:
-    """All satellites in view of an antenna; `moves` is its Earth-fixed velocity, `bias` that of the receiver clock."""
+    """Returns the satellites in view of an antenna that `moves` (Earth-fixed), with the `bias` of the receiver clock."""
     t = gps / SECOND
     antenna = ecef(latitude, longitude, height)
     up = (cos(latitude) * cos(longitude), cos(latitude) * sin(longitude), sin(latitude))
@@ -155,19 +155,19 @@ def seen(
 
 
 def only(satellites: Sequence[Seen], constellation: str) -> tuple[Seen, ...]:
-    """The satellites of one constellation, renumbered."""
+    """Returns the satellites of one constellation, renumbered."""
     kept = [s for s in satellites if s.satellite.constellation == constellation]
     return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
 
 
 def without(satellites: Sequence[Seen], constellations: frozenset[str]) -> tuple[Seen, ...]:
-    """The satellites of other constellations, renumbered."""
+    """Returns the satellites of other constellations, renumbered."""
     kept = [s for s in satellites if s.satellite.constellation not in constellations]
     return tuple(s._replace(number=i, of=len(kept)) for i, s in enumerate(kept, 1))
 
 
 def ephemerides(satellites: Sequence[Seen], constellation: str, gps: int) -> tuple[Ephemeris, ...]:
-    """The latest ephemerides of the satellites in view of one constellation."""
+    """Returns the latest ephemerides of a constellation's satellites in view."""
     step = (1800 if constellation == "glonass" else 7200) * SECOND
     time = gps // step * step
     return tuple(Ephemeris(s.number, s.of, s.satellite, time) for s in only(satellites, constellation))
@@ -184,7 +184,7 @@ class Dop(NamedTuple):
 
 
 def dop(satellites: Sequence[Seen]) -> Dop:
-    """Dilution of precision; 99.9 if there are too few satellites."""
+    """Computes the dilution of precision; 99.9 if there are too few satellites."""
     rows = []
     for s in satellites:
         c = cos(s.elevation)
@@ -215,7 +215,7 @@ def _inverse(m: list[list[float]]) -> list[list[float]] | None:
 
 
 def sbas(longitude: float) -> tuple[str, int]:
-    """The augmentation system that serves a longitude, and one of its satellites."""
+    """Returns the augmentation system that serves a longitude, and one of its satellites."""
     degree = (longitude * 180 / pi + 180) % 360 - 180
     for east, name, number in ((-45.0, "waas", 131), (45.0, "egnos", 123), (105.0, "gagan", 127)):
         if -170 <= degree < east:
@@ -224,7 +224,7 @@ def sbas(longitude: float) -> tuple[str, int]:
 
 
 def glonass_day(gps: int, leap_seconds: int) -> tuple[int, float]:
-    """Day within four years, which begin with a leap year, from 1; seconds of the day. By UTC + 3 h, as GLONASS."""
+    """Returns the day, from 1, of a four-year period that begins with a leap year, and its seconds (UTC + 3 h)."""
     moscow = gps + (3 * 3600 - leap_seconds) * SECOND
     return (moscow // DAY + 5) % 1461 + 1, moscow % DAY / SECOND
 

@@ -232,7 +232,7 @@ class _Table:
             if not isfinite(value):
                 raise self._wrong(number, column, f"'{cell}' is not a number; {name} needs one")
             if name == "time" and self.times and value <= self.times[-1]:
-                raise self._wrong(number, column, f"time {cell} is not after that of line {self._lines[-1]}")
+                raise self._wrong(number, column, f"time {cell} is not later than that on line {self._lines[-1]}")
             self.columns[name].append(value)
         self._lines.append(number)
 

@@ -43,7 +43,7 @@ def field_in_year(year: float, latitude: float, longitude: float, height: float)
     out = hypot(x, y)
     r = hypot(out, z)
     s, c = z / r, max(out / r, 1e-10)
-    # Schmidt's associated Legendre functions, and their derivatives by the latitude, times powers of the distance.
+    # Associated Legendre functions (Schmidt), and derivatives with respect to latitude, times powers of the distance.
     north = east = down = 0.0
     sectoral, its_slope = 1.0, 0.0
     for m in range(_DEGREE + 1):
