@@ -132,7 +132,7 @@ def _line(s: Satellite, t: float, antenna: Vector) -> tuple[Vector, float, float
 def seen(
     gps: int, latitude: float, longitude: float, height: float, moves: Vector, bias: float, drift: float
 ) -> tuple[Seen, ...]:
-    """Returns the satellites in view of an antenna that `moves` (Earth-fixed), with the `bias` of the receiver clock."""
+    """Returns satellites in view of an antenna that `moves` (Earth-fixed), with the `bias` of the receiver clock."""
     t = gps / SECOND
     antenna = ecef(latitude, longitude, height)
     up = (cos(latitude) * cos(longitude), cos(latitude) * sin(longitude), sin(latitude))
