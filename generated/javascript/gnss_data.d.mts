@@ -447,7 +447,7 @@ export declare const SignalQuality: Enumeration<SignalQuality> & {
     readonly ACQUIRED: SignalQuality & 2;
     /** The signal is found but cannot be used. */
     readonly UNUSABLE: SignalQuality & 3;
-    /** Tracking is locked in time. */
+    /** Time-locked. */
     readonly TIME_LOCKED: SignalQuality & 4;
     readonly FULLY_LOCKED: SignalQuality & 5;
 };

@@ -13781,7 +13781,7 @@ enums:
       doc: The signal is found but cannot be used.
     4:
       id: time_locked
-      doc: Tracking is locked in time.
+      doc: Time-locked.
     5: fully_locked
   gnss_data_glonass_satellite_type:
     0: glonass

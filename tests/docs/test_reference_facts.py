@@ -270,7 +270,7 @@ def test_a_response_of_two_commands(manual: Manual) -> None:
     assert shared
     for f in shared:
         first, second = manual.model.commands(f)
-        said = f"Answers {first.title} {number(first)} and {second.title} {number(second)}."
+        said = f"Response to {first.title} {number(first)} and {second.title} {number(second)}."
         assert words(manual.field(f)).count(said) == 1
 
 

@@ -479,7 +479,7 @@ class SignalQuality(codec.OpenEnum):
     UNUSABLE = 3
     """The signal is found but cannot be used."""
     TIME_LOCKED = 4
-    """Tracking is locked in time."""
+    """Time-locked."""
     FULLY_LOCKED = 5
 
 

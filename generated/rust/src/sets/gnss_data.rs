@@ -619,7 +619,7 @@ open_enum! {
         ACQUIRED = 2, "acquired";
         /// The signal is found but cannot be used.
         UNUSABLE = 3, "unusable";
-        /// Tracking is locked in time.
+        /// Time-locked.
         TIME_LOCKED = 4, "time_locked";
         /// Fully locked.
         FULLY_LOCKED = 5, "fully_locked";
