@@ -35,7 +35,7 @@ export declare const FunctionSelector: Enumeration<FunctionSelector> & {
  */
 export declare class Acknowledge extends Response {
     constructor(values: Values<Acknowledge>);
-    /** Descriptor of the command that this replies to. */
+    /** Descriptor of the acknowledged command. */
     command: number;
     /** 0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK). */
     code: types.AckCode;

@@ -170,9 +170,9 @@ E["event_trigger_type"] = { [0] = "none", [1] = "gpio", [2] = "threshold", [3] =
 E["event_action_type"] = { [0] = "none", [1] = "gpio", [2] = "message", }
 E["event_trigger_mode"] = { [0] = "disabled", [1] = "enabled", [2] = "test", [3] = "test_pulse", }
 F["event_trigger_status"] = {
-  { name = "active", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "Active now, by its condition or by a test mode." },
+  { name = "active", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The trigger is active, because of its condition or a test mode." },
   { name = "enabled", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "The trigger is enabled." },
-  { name = "test", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "In a test mode." },
+  { name = "test", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "The trigger is in a test mode." },
 }
 E["event_trigger_gpio_mode"] = { [0] = "disabled", [1] = "while_high", [2] = "while_low", [4] = "edge", }
 E["event_threshold_type"] = { [1] = "window", [2] = "interval", }
@@ -197,10 +197,10 @@ E["nmea_talker_id"] = { [0] = "ignored", [1] = "gnss", [2] = "gps", [3] = "galil
 E["comm_interface"] = { [0] = "all", [1] = "main", [17] = "uart_1", [18] = "uart_2", [19] = "uart_3", [33] = "usb_1", [34] = "usb_2", }
 F["rtk_status_flags"] = {
   { name = "modem_state", at = 0, size = 4, mask = 15, shift = 0, width = 4, doc = "State of the modem." },
-  { name = "connection_type", at = 0, size = 4, mask = 240, shift = 4, width = 4, doc = "Kind of the cellular connection." },
+  { name = "connection_type", at = 0, size = 4, mask = 240, shift = 4, width = 4, doc = "Kind of cellular connection." },
   { name = "rssi", at = 0, size = 4, mask = 65280, shift = 8, width = 8, doc = "Received signal strength." },
   { name = "signal_quality", at = 0, size = 4, mask = 983040, shift = 16, width = 4, doc = "Quality of the modem's radio signal." },
-  { name = "tower_change_indicator", at = 0, size = 4, mask = 15728640, shift = 20, width = 4, doc = "Changes of the cell tower." },
+  { name = "tower_change_indicator", at = 0, size = 4, mask = 15728640, shift = 20, width = 4, doc = "Cell tower changes." },
   { name = "nmea_timeout", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "No NMEA was received from the device in time." },
   { name = "server_timeout", at = 0, size = 4, mask = 33554432, shift = 25, width = 1, doc = "The server did not answer in time." },
   { name = "corrections_timeout", at = 0, size = 4, mask = 67108864, shift = 26, width = 1, doc = "No corrections were received in time." },
@@ -213,7 +213,7 @@ F["rtk_status_flags_legacy"] = {
   { name = "platform_state", at = 0, size = 4, mask = 248, shift = 3, width = 5, doc = "State of the platform." },
   { name = "controller_status_code", at = 0, size = 4, mask = 1792, shift = 8, width = 3, doc = "Status code of the controller." },
   { name = "platform_status_code", at = 0, size = 4, mask = 14336, shift = 11, width = 3, doc = "Status code of the platform." },
-  { name = "reset_code", at = 0, size = 4, mask = 49152, shift = 14, width = 2, doc = "Reason of the last reset." },
+  { name = "reset_code", at = 0, size = 4, mask = 49152, shift = 14, width = 2, doc = "Reason for the last reset." },
   { name = "signal_quality", at = 0, size = 4, mask = 983040, shift = 16, width = 4, doc = "Quality of the modem's radio signal." },
   { name = "rssi", at = 0, size = 4, mask = 66060288, shift = 20, width = 6, doc = "Received signal strength." },
   { name = "rsrp", at = 0, size = 4, mask = 201326592, shift = 26, width = 2, doc = "Received power of the reference signal." },
@@ -252,11 +252,11 @@ F["3dm.data_conditioning_flags"] = {
   { name = "coning_sculling", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Corrects coning and sculling." },
   { name = "little_endian_floats", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Sends floats with the least significant byte first." },
   { name = "nan_suppressed", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "Suppresses values that are NaN (not a number)." },
-  { name = "finite_size_correction", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Corrects the distance between the accelerometers." },
+  { name = "finite_size_correction", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "Compensates for the distance between the accelerometers." },
   { name = "disable_mag", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "Switches the magnetometer off." },
   { name = "mag_low_power", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "Reduces the power of the magnetometer." },
-  { name = "disable_north_compensation", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "Disables the correction of the heading." },
-  { name = "disable_up_compensation", at = 0, size = 2, mask = 2048, shift = 11, width = 1, doc = "Disables the correction of pitch and roll." },
+  { name = "disable_north_compensation", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "Disables the heading correction." },
+  { name = "disable_up_compensation", at = 0, size = 2, mask = 2048, shift = 11, width = 1, doc = "Disables the pitch and roll correction." },
   { name = "quaternion_calculation", at = 0, size = 2, mask = 4096, shift = 12, width = 1, doc = "Computes the quaternion." },
 }
 E["3dm.mag_bandwidth"] = { [0] = "high", [1] = "low", }
@@ -638,9 +638,9 @@ F["filter_data.heading_source_flags"] = {
   { name = "external", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Heading messages that your program sends." },
 }
 F["filter_data.gnss_aiding_status"] = {
-  { name = "tight_coupling", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Raw ranges of the receiver are used." },
+  { name = "tight_coupling", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The receiver's raw ranges are used." },
   { name = "differential", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "RTK corrections are used." },
-  { name = "integer_fix", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "There is an RTK integer fix, with the most accurate position." },
+  { name = "integer_fix", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "The receiver has an RTK integer fix, the most accurate kind." },
   { name = "gps_l1", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "GPS L1 is used." },
   { name = "gps_l2", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "GPS L2 is used." },
   { name = "gps_l5", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "GPS L5 is used; not on every model." },
@@ -659,10 +659,10 @@ E["filter_data.heading_aiding_type"] = { [1] = "dual_antenna", [2] = "external_m
 E["filter_data.aiding_measurement_type"] = { [1] = "gnss", [2] = "dual_antenna", [3] = "heading", [4] = "pressure", [5] = "mag", [6] = "speed", [33] = "aiding_ecef_position", [34] = "aiding_llh_position", [35] = "aiding_height_above_ellipsoid", [40] = "aiding_ecef_velocity", [41] = "aiding_ned_velocity", [42] = "aiding_body_frame_velocity", [49] = "aiding_true_heading", [50] = "aiding_magnetic_field", [51] = "aiding_pressure", }
 F["filter_data.aiding_measurement_indicator"] = {
   { name = "enabled", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The measurement is enabled." },
-  { name = "used", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "The filter used it." },
-  { name = "residual_high_warning", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "It disagrees with the estimate." },
-  { name = "sample_time_warning", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "Its time is doubtful." },
-  { name = "config_error", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "Its configuration is wrong." },
+  { name = "used", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "The filter used the measurement." },
+  { name = "residual_high_warning", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "The measurement disagrees with the estimate." },
+  { name = "sample_time_warning", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "The time of the measurement is doubtful." },
+  { name = "config_error", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "The configuration of the measurement is wrong." },
   { name = "max_measurements_exceeded", at = 0, size = 1, mask = 32, shift = 5, width = 1, doc = "There are more measurements than the filter can process." },
 }
 E["filter_data.dual_antenna_fix_type"] = { [0] = "fix_none", [1] = "fix_da_float", [2] = "fix_da_fixed", }
@@ -678,7 +678,7 @@ E["filter_data.cv7_dynamics_mode"] = { [1] = "default", }
 F["filter_data.gx5_status_flags"] = {
   { name = "run_imu_unavailable", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "No inertial data." },
   { name = "run_gps_unavailable", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "No GNSS data, on models with GNSS." },
-  { name = "run_matrix_singularity", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "A matrix of the computation is singular." },
+  { name = "run_matrix_singularity", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "A matrix in the computation is singular." },
   { name = "run_position_covariance_warning", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "A position covariance is above its normal limit." },
   { name = "run_velocity_covariance_warning", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "A velocity covariance is above its normal limit." },
   { name = "run_attitude_covariance_warning", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "An attitude covariance is above its normal limit." },
@@ -720,7 +720,7 @@ F["system_data.gpio_pin_states"] = {
 F["shared.gps_timestamp_flags"] = {
   { name = "tow", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The whole seconds of the time of week have been set." },
   { name = "week_number", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "The week number has been set." },
-  { name = "time_valid", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "Both are set." },
+  { name = "time_valid", at = 0, size = 2, mask = 3, shift = 0, width = 2, doc = "The time of week and the week number have been set." },
 }
 F["shared.external_timestamp_flags"] = {
   { name = "nanoseconds", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The time is valid." },
@@ -780,7 +780,7 @@ S["base.base_device_info"] = {
   { kind = "scalar", name = "firmware_version", type = "u16", size = 2, doc = "Firmware version as one decimal number: 1202 means 1.2.02." },
   { kind = "text", name = "model_name", count = 16, capacity = 16, doc = "Product name, such as 3DM-GQ7." },
   { kind = "text", name = "model_number", count = 16, capacity = 16, doc = "Part number of the model." },
-  { kind = "text", name = "serial_number", count = 16, capacity = 16, doc = "Number of this device, which begins with the model number." },
+  { kind = "text", name = "serial_number", count = 16, capacity = 16, doc = "Serial number, which begins with the model number." },
   { kind = "text", name = "lot_number", count = 16, capacity = 16, doc = "Lot number; reserved and blank on some devices." },
   { kind = "text", name = "device_options", count = 16, capacity = 16, doc = "Options of the unit, such as its sensor ranges." },
 }
@@ -790,13 +790,13 @@ S["3dm.poll_entry"] = {
 }
 S["3dm.constellation_settings_entry"] = {
   { kind = "scalar", name = "constellation_id", type = "u8", size = 1, enum = E["3dm.constellation_id"], doc = "Constellation that this entry configures." },
-  { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 switches it on, 0 off. Range: 0 to 1." },
-  { kind = "scalar", name = "reserved_channels", type = "u8", size = 1, doc = "Number of channels reserved for it. Unit: 1. Range: 0 to 32." },
-  { kind = "scalar", name = "max_channels", type = "u8", size = 1, doc = "Maximum number of channels that it uses. Unit: 1. Range: 0 to 32." },
+  { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables the constellation, 0 disables it. Range: 0 to 1." },
+  { kind = "scalar", name = "reserved_channels", type = "u8", size = 1, doc = "Number of channels reserved for the constellation. Unit: 1. Range: 0 to 32." },
+  { kind = "scalar", name = "max_channels", type = "u8", size = 1, doc = "Maximum number of channels for the constellation. Unit: 1. Range: 0 to 32." },
   { kind = "scalar", name = "option_flags", type = "u16", size = 2, flags = F["3dm.constellation_options"], doc = "Options of this constellation." },
 }
 S["3dm.event_support_info"] = {
-  { kind = "scalar", name = "type", type = "u8", size = 1, doc = "Type of triggers, or of actions." },
+  { kind = "scalar", name = "type", type = "u8", size = 1, doc = "Trigger type or action type." },
   { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Maximum number of instances of this type. Unit: 1." },
 }
 S["3dm.event_trigger_status_entry"] = {
@@ -813,11 +813,11 @@ S["3dm.sensor_range_entry"] = {
 }
 S["gnss.receiver_info_entry"] = {
   { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, numbered as in `receiver_id`: 1 and 2 are internal, 4 and 5 external. Range: at least 1." },
-  { kind = "scalar", name = "mip_data_descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the data of this receiver. Range: 0x80 to 0xFE." },
+  { kind = "scalar", name = "mip_data_descriptor_set", type = "u8", size = 1, doc = "Descriptor set of this receiver's data. Range: 0x80 to 0xFE." },
   { kind = "text", name = "description", count = 32, capacity = 32, doc = "Module name or model and firmware version, separated by a comma." },
 }
 S["aiding.measurement_time"] = {
-  { kind = "scalar", name = "timebase", type = "u8", size = 1, enum = E["aiding.timebase"], doc = "Clock of the time." },
+  { kind = "scalar", name = "timebase", type = "u8", size = 1, enum = E["aiding.timebase"], doc = "Clock that the time refers to." },
   { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 1." },
   { kind = "scalar", name = "nanoseconds", type = "u64", size = 8, units = {"ns", }, doc = "Time by that clock. Unit: ns." },
 }
@@ -826,7 +826,7 @@ local ACKNOWLEDGE_FIELD = { descriptor = 0xF1, name = "protocol.acknowledge", ro
     doc = "Replies to one command field. A response, if there is one, follows it in the same packet.", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "command", type = "u8", size = 1, doc = "Descriptor of the command that this replies to." },
+      { kind = "scalar", name = "command", type = "u8", size = 1, doc = "Descriptor of the acknowledged command." },
       { kind = "scalar", name = "code", type = "u8", size = 1, enum = E["ack_code"], doc = "0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK)." },
     } }
 
@@ -908,7 +908,7 @@ field({ descriptor = 0x09, name = "base.comm_speed", role = "command", title = "
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of comm_interface; only main, uart_1 and usb_1. On the 3DM-CV7-GNSS/INS: values of comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of comm_interface; only main, uart_1, uart_2 and usb_1. On the 3DM-RTK: the values are unknown.", readings = { {device = "3dm-cv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cv7-ar", enum = E["comm_interface"] }, {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, {device = "3dm-cv7-ins", enum = E["comm_interface"] }, {device = "3dm-cx7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cx7-ar", enum = E["comm_interface"] }, {device = "3dm-cx7-ins", enum = E["comm_interface"] }, {device = "3dm-gv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-gv7-ar", enum = E["comm_interface"] }, {device = "3dm-gv7-ins", enum = E["comm_interface"] }, } }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate; one that the port supports. Unit: Bd." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate that the port supports. Unit: Bd." }, } },
     } }, { { set = 0x01, name = "base.comm_speed", title = "Comm port speed" }, })
 field({ descriptor = 0x72, name = "base.gps_time_update", role = "command", title = "GPS time update",
     doc = "Sets the week number or the time of week of the external (GPS) time.", least = 1,
@@ -1109,7 +1109,7 @@ field({ descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", ti
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable_sbas", type = "u8", size = 1, doc = "1 switches SBAS on, 0 off. Range: 0 to 1. On the 3DM-GX5-35: default 1." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable_sbas", type = "u8", size = 1, doc = "1 enables SBAS, 0 disables it. Range: 0 to 1. On the 3DM-GX5-35: default 1." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "Purposes of SBAS. On the 3DM-GX5-35: default enable_ranging and enable_corrections." }, } },
       { kind = "group", first = 3, last = 4, body = { { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." }, { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } }, } },
     } }, { { set = 0x0C, name = "3dm.gnss_sbas_settings", title = "GNSS SBAS Settings" }, })
@@ -1138,7 +1138,7 @@ field({ descriptor = 0x28, name = "3dm.pps_source_control", role = "command", ti
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-CX7-INS, 3DM-GV7-AHRS, 3DM-GV7-AR and 3DM-GV7-INS: only disabled, gpio and generated. On the 3DM-CV7-GNSS/INS: default receiver_1. On the 3DM-GQ7-GNSS/INS: only disabled, receiver_1, receiver_2, gpio and generated." }, } },
     } }, { { set = 0x0C, name = "3dm.pps_source_control", title = "PPS Source Control" }, })
 field({ descriptor = 0x2A, name = "3dm.get_event_support", role = "command", title = "Get Supported Events",
-    doc = "Gets the types of event triggers or actions that the device has, and how many of each.", least = 1,
+    doc = "Gets the types of event triggers or actions that the device supports, and the number of each.", least = 1,
     always = 1,
     rows = {
       { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Triggers or actions." },
@@ -1248,7 +1248,7 @@ field({ descriptor = 0x36, name = "3dm.imu_timestamp", role = "command", title =
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Counter to set or read." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` states." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` selects." }, } },
     } }, { { set = 0x0C, name = "3dm.imu_timestamp", title = "IMU timestamp" }, })
 field({ descriptor = 0x37, name = "3dm.accel_bias", role = "command", title = "Accelerometer Bias Configuration",
     doc = "Sets the bias that is subtracted from the scaled acceleration.", least = 1,
@@ -1286,7 +1286,7 @@ field({ descriptor = 0x3B, name = "3dm.mag_soft_iron_matrix", role = "command", 
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "matrix", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Soft iron matrix in row-major order. Unit: 1. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0C, name = "3dm.mag_soft_iron_matrix", title = "Magnetometer Soft Iron Matrix" }, })
 field({ descriptor = 0x3E, name = "3dm.coning_sculling_enable", role = "command", title = "Coning and Sculling Enable",
-    doc = "Switches the compensation of coning and sculling on or off.", least = 1,
+    doc = "Enables or disables coning and sculling compensation.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1297,7 +1297,7 @@ field({ descriptor = 0x40, name = "3dm.uart_baud_rate", role = "command", title 
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate, one of those that the port supports. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate that the port supports. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate", title = "UART Baud Rate" }, })
 field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "GPIO Configuration",
     doc = "Sets the use of a GPIO pin.", least = 1,
@@ -1315,7 +1315,7 @@ field({ descriptor = 0x42, name = "3dm.gpio_state", role = "command", title = "G
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "bool", size = 1, doc = "True is high." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "state", type = "bool", size = 1, doc = "True means high." }, } },
     } }, { { set = 0x0C, name = "3dm.gpio_state", title = "GPIO State" }, })
 field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title = "Odometer Configuration",
     doc = "Configures the input from a wheel encoder.", least = 1,
@@ -1327,7 +1327,7 @@ field({ descriptor = 0x43, name = "3dm.odometer_config", role = "command", title
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1. Range: at least 0." }, } },
     } }, { { set = 0x0C, name = "3dm.odometer_config", title = "Odometer Configuration" }, })
 field({ descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced Low-Pass Filter Settings",
-    doc = "Configures the low-pass filter of one quantity of the sensor data.", least = 1,
+    doc = "Configures the low-pass filter of one sensor data quantity.", least = 1,
     required = { [1] = 5, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -1343,7 +1343,7 @@ field({ descriptor = 0x51, name = "3dm.complementary_filter", role = "command", 
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pitch_roll_enable", type = "bool", size = 1, doc = "True enables the pitch and roll correction, which 5-series manuals call up compensation. On the 3DM-GX5-15: default true." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "True enables the heading correction, which 5-series manuals call north compensation. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "heading_enable", type = "bool", size = 1, doc = "True enables the heading correction, which 5-series manuals call north compensation. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL has no support for it. On the 3DM-GX5-15: default true." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "pitch_roll_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the pitch and roll correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "heading_time_constant", type = "float", size = 4, units = {"s", }, doc = "Time constant of the heading correction. Unit: s. Range: 1 to 1000. Default: 10." }, } },
     } }, { { set = 0x0C, name = "3dm.complementary_filter", title = "Complementary Filter Configuration" }, })
@@ -1439,7 +1439,7 @@ field({ descriptor = 0x85, name = "3dm.data_stream_control_response", role = "re
     doc = "", least = 2,
     always = 2,
     rows = {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "The stream that the command names. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream specified in the command. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream. On the 3DM-GX5-15: values of legacy_data_stream; only imu and filter.", readings = { {device = "3dm-cl5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
       { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "True if the stream is sent." },
     } }, { { set = 0x0C, name = "3dm.data_stream_control_response", title = "Data Stream Control response" }, })
 field({ descriptor = 0x86, name = "3dm.imu_signal_conditioning_response", role = "response", title = "IMU signal conditioning response",
@@ -1459,7 +1459,7 @@ field({ descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "respons
     doc = "", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate, one of those that the port supports. Unit: Bd." },
+      { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate that the port supports. Unit: Bd." },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate_response", title = "UART Baud Rate response" }, })
 field({ descriptor = 0x88, name = "3dm.data_stream_format_response", role = "response", title = "Data stream format response",
     doc = "", least = 2,
@@ -1562,9 +1562,9 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_response", role 
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
-      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
-      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the IMU. Unit: ms." },
+      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "IMU messages that could not be parsed. Unit: 1." },
+      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "IMU messages that were read. Unit: 1." },
+      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last IMU message. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_response", title = "Diagnostic Device Status" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", role = "response", title = "Diagnostic Device Status with GNSS",
     doc = "State, timer, and the counters of pulses, streams, port and receiver.", least = 77,
@@ -1589,12 +1589,12 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_response", 
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
-      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
-      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the IMU. Unit: ms." },
-      { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Messages of the receiver that could not be parsed. Unit: 1." },
-      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
-      { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the receiver. Unit: ms." },
+      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "IMU messages that could not be parsed. Unit: 1." },
+      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "IMU messages that were read. Unit: 1." },
+      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last IMU message. Unit: ms." },
+      { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Receiver messages that could not be parsed. Unit: 1." },
+      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Receiver messages that were read. Unit: 1." },
+      { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last receiver message. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gnss_response", title = "Diagnostic Device Status with GNSS" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-GQ4-45",
     doc = "The layout with GNSS, plus flags for parts that could not be started.", least = 80,
@@ -1619,12 +1619,12 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response"
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
-      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
-      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the IMU. Unit: ms." },
-      { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Messages of the receiver that could not be parsed. Unit: 1." },
-      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
-      { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the receiver. Unit: ms." },
+      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "IMU messages that could not be parsed. Unit: 1." },
+      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "IMU messages that were read. Unit: 1." },
+      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last IMU message. Unit: ms." },
+      { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Receiver messages that could not be parsed. Unit: 1." },
+      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Receiver messages that were read. Unit: 1." },
+      { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last receiver message. Unit: ms." },
       { kind = "scalar", name = "mag_init_failed", type = "bool", size = 1, doc = "True if the magnetometer could not be started." },
       { kind = "scalar", name = "pressure_init_failed", type = "bool", size = 1, doc = "True if the pressure sensor could not be started." },
       { kind = "scalar", name = "receiver_init_failed", type = "bool", size = 1, doc = "True if the GNSS receiver could not be started." },
@@ -1655,12 +1655,12 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response"
       { kind = "scalar", name = "comm_port_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over the port. Unit: byte." },
       { kind = "scalar", name = "comm_port_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the port. Unit: 1." },
       { kind = "scalar", name = "comm_port_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the port. Unit: 1." },
-      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
-      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
-      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the IMU. Unit: ms." },
-      { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Messages of the receiver that could not be parsed. Unit: 1." },
-      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
-      { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the receiver. Unit: ms." },
+      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "IMU messages that could not be parsed. Unit: 1." },
+      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "IMU messages that were read. Unit: 1." },
+      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last IMU message. Unit: ms." },
+      { kind = "scalar", name = "gnss_parser_errors", type = "u32", size = 4, doc = "Receiver messages that could not be parsed. Unit: 1." },
+      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Receiver messages that were read. Unit: 1." },
+      { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last receiver message. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_rq1_45_response", title = "Diagnostic Device Status of the 3DM-RQ1-45" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", role = "response", title = "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25",
     doc = "Timer, and counters of pulses, streams, port and USB.", least = 73,
@@ -1685,9 +1685,9 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_response", r
       { kind = "scalar", name = "usb_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received over USB. Unit: byte." },
       { kind = "scalar", name = "usb_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to USB. Unit: 1." },
       { kind = "scalar", name = "usb_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from USB. Unit: 1." },
-      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "Messages of the IMU that could not be parsed. Unit: 1." },
-      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
-      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the IMU. Unit: ms." },
+      { kind = "scalar", name = "imu_parser_errors", type = "u32", size = 4, doc = "IMU messages that could not be parsed. Unit: 1." },
+      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "IMU messages that were read. Unit: 1." },
+      { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last IMU message. Unit: ms." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx4_response", title = "Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25" }, })
 field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", role = "response", title = "Diagnostic Device Status of an IMU",
     doc = "Timer, available sensors, temperature, and the counters of pulses, stream and port.", least = 60,
@@ -1698,8 +1698,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", r
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-      { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "True if it has a magnetometer." },
-      { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "True if it has a pressure sensor." },
+      { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "True if the device has a magnetometer." },
+      { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "True if the device has a pressure sensor." },
       { kind = "scalar", name = "power_state", type = "u8", size = 1, doc = "Power state of the sensors." },
       { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest angular rate that can be measured." },
       { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Largest acceleration that can be measured." },
@@ -1725,8 +1725,8 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_imu_response
       { kind = "constant", name = "status_selector", type = "u8", size = 1, value = "\2", doc = "Diagnostic status." },
       { kind = "scalar", name = "status_flags", type = "u32", size = 4, doc = "Reserved." },
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
-      { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "True if it has a magnetometer." },
-      { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "True if it has a pressure sensor." },
+      { kind = "scalar", name = "has_mag", type = "bool", size = 1, doc = "True if the device has a magnetometer." },
+      { kind = "scalar", name = "has_pressure", type = "bool", size = 1, doc = "True if the device has a pressure sensor." },
       { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Largest angular rate that can be measured." },
       { kind = "scalar", name = "accel_range", type = "u8", size = 1, doc = "Largest acceleration that can be measured." },
       { kind = "scalar", name = "mag_range", type = "float", size = 4, doc = "Largest magnetic field that can be measured." },
@@ -1808,16 +1808,16 @@ field({ descriptor = 0x90, name = "3dm.device_status_diagnostic_gx3_response", r
       { kind = "scalar", name = "gnss_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received from the receiver. Unit: byte." },
       { kind = "scalar", name = "gnss_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the receiver. Unit: 1." },
       { kind = "scalar", name = "gnss_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the receiver. Unit: 1." },
-      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Messages of the receiver that were read. Unit: 1." },
-      { kind = "scalar", name = "gnss_delayed_message_count", type = "u32", size = 4, doc = "Messages of the receiver that arrived late. Unit: 1." },
+      { kind = "scalar", name = "gnss_message_count", type = "u32", size = 4, doc = "Receiver messages that were read. Unit: 1." },
+      { kind = "scalar", name = "gnss_delayed_message_count", type = "u32", size = 4, doc = "Receiver messages that arrived late. Unit: 1." },
       { kind = "scalar", name = "imu_driver_state", type = "u16", size = 2, doc = "State of the IMU's driver; the meaning of its values is not known." },
       { kind = "scalar", name = "imu_port_state", type = "u16", size = 2, doc = "State of the port to the IMU; the meaning of its values is not known." },
       { kind = "scalar", name = "imu_bytes_written", type = "u32", size = 4, units = {"byte", }, doc = "Bytes sent to the IMU. Unit: byte." },
       { kind = "scalar", name = "imu_bytes_read", type = "u32", size = 4, units = {"byte", }, doc = "Bytes received from the IMU. Unit: byte." },
       { kind = "scalar", name = "imu_write_overruns", type = "u32", size = 4, doc = "Overruns while writing to the IMU. Unit: 1." },
       { kind = "scalar", name = "imu_read_overruns", type = "u32", size = 4, doc = "Overruns while reading from the IMU. Unit: 1." },
-      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "Messages of the IMU that were read. Unit: 1." },
-      { kind = "scalar", name = "imu_delayed_message_count", type = "u32", size = 4, doc = "Messages of the IMU that arrived late. Unit: 1." },
+      { kind = "scalar", name = "imu_message_count", type = "u32", size = 4, doc = "IMU messages that were read. Unit: 1." },
+      { kind = "scalar", name = "imu_delayed_message_count", type = "u32", size = 4, doc = "IMU messages that arrived late. Unit: 1." },
     } }, { { set = 0x0C, name = "3dm.device_status_diagnostic_gx3_response", title = "Diagnostic Device Status of the 3DM-GX3-35 and 3DM-GX3-45" }, })
 field({ descriptor = 0x92, name = "3dm.gps_dynamics_mode_response", role = "response", title = "GPS dynamics mode response",
     doc = "", least = 1,
@@ -1830,7 +1830,7 @@ field({ descriptor = 0x93, name = "3dm.imu_timestamp_response", role = "response
     always = 2,
     rows = {
       { kind = "scalar", name = "selector", type = "u8", size = 1, enum = E["3dm.imu_timestamp_selector"], doc = "Counter to set or read." },
-      { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` states." },
+      { kind = "scalar", name = "time", type = "u32", size = 4, doc = "Value of the counter, in the unit that `selector` selects." },
     } }, { { set = 0x0C, name = "3dm.imu_timestamp_response", title = "IMU timestamp response" }, })
 field({ descriptor = 0x97, name = "3dm.complementary_filter_response", role = "response", title = "Complementary Filter Configuration response",
     doc = "", least = 10,
@@ -1875,7 +1875,7 @@ field({ descriptor = 0xA0, name = "3dm.constellation_settings_response", role = 
     doc = "Tracking channels of the receiver and the setting of each constellation.", least = 5,
     always = 4,
     rows = {
-      { kind = "scalar", name = "max_channels_available", type = "u16", size = 2, doc = "Channels that the receiver has. Unit: 1." },
+      { kind = "scalar", name = "max_channels_available", type = "u16", size = 2, doc = "Number of channels of the receiver. Unit: 1." },
       { kind = "scalar", name = "max_channels_use", type = "u16", size = 2, doc = "Maximum number of channels in use. Unit: 1." },
       { kind = "counter", name = "config_count", type = "u8", size = 1, doc = "Number of entries. Range: 0 to 41." },
       { kind = "array", name = "settings", counter = "config_count", capacity = 41, size = 6, doc = "One entry for each constellation.", item = { kind = "struct", name = "item", record = S["3dm.constellation_settings_entry"] } },
@@ -1884,7 +1884,7 @@ field({ descriptor = 0xA1, name = "3dm.gnss_sbas_settings_response", role = "res
     doc = "", least = 4,
     always = 4,
     rows = {
-      { kind = "scalar", name = "enable_sbas", type = "u8", size = 1, doc = "1 switches SBAS on, 0 off. Range: 0 to 1." },
+      { kind = "scalar", name = "enable_sbas", type = "u8", size = 1, doc = "1 enables SBAS, 0 disables it. Range: 0 to 1." },
       { kind = "scalar", name = "sbas_options", type = "u16", size = 2, flags = F["3dm.sbas_options"], doc = "Purposes of SBAS." },
       { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." },
       { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } },
@@ -1998,7 +1998,7 @@ field({ descriptor = 0xC2, name = "3dm.gpio_state_response", role = "response", 
     always = 2,
     rows = {
       { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
-      { kind = "scalar", name = "state", type = "bool", size = 1, doc = "True is high." },
+      { kind = "scalar", name = "state", type = "bool", size = 1, doc = "True means high." },
     } }, { { set = 0x0C, name = "3dm.gpio_state_response", title = "GPIO State response" }, })
 field({ descriptor = 0xC3, name = "3dm.odometer_config_response", role = "response", title = "Odometer Configuration response",
     doc = "", least = 9,
@@ -2021,7 +2021,7 @@ field({ descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_response", r
     rows = {
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor specified in the command." },
       { kind = "counter", name = "num_ranges", type = "u8", size = 1, doc = "Number of ranges." },
-      { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "Each range that the sensor is calibrated for. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
+      { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "Ranges for which the sensor is calibrated. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
     } }, { { set = 0x0C, name = "3dm.get_calibrated_sensor_ranges_response", title = "Get Calibrated Sensor Ranges response" }, })
 field({ descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "response", title = "Low-Pass Anti-Aliasing Filter response",
     doc = "", least = 8,
@@ -2039,7 +2039,7 @@ field({ descriptor = 0x01, name = "filter.reset", role = "command", title = "Res
     rows = {
     } }, { { set = 0x0D, name = "filter.reset", title = "Reset navigation filter" }, })
 field({ descriptor = 0x02, name = "filter.set_initial_attitude", role = "command", title = "Set initial attitude",
-    doc = "Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.", least = 12,
+    doc = "Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.", least = 12,
     always = 3,
     rows = {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: right side down." },
@@ -2053,7 +2053,7 @@ field({ descriptor = 0x03, name = "filter.set_initial_heading", role = "command"
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
     } }, { { set = 0x0D, name = "filter.set_initial_heading", title = "Set initial heading" }, })
 field({ descriptor = 0x04, name = "filter.set_initial_attitude_from_imu", role = "command", title = "Set initial attitude from IMU",
-    doc = "Initializes the attitude of the filter with that of the complementary filter.", least = 4,
+    doc = "Initializes the filter's attitude from the complementary filter.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Local declination of the magnetic field. Unit: rad. Range: -3.141592653589793 to 3.141592653589793." },
@@ -2084,14 +2084,14 @@ field({ descriptor = 0x12, name = "filter.sensor_to_vehicle_offset", role = "com
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_offset", title = "Sensor to vehicle offset" }, })
 field({ descriptor = 0x13, name = "filter.antenna_offset", role = "command", title = "GNSS antenna offset",
     doc = "Sets the position of the GNSS antenna relative to the origin of the sensor.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.antenna_offset", title = "GNSS antenna offset" }, })
 field({ descriptor = 0x14, name = "filter.estimation_control", role = "command", title = "Estimation control flags",
     doc = "Selects the states that the filter estimates.", least = 1,
@@ -2124,8 +2124,8 @@ field({ descriptor = 0x17, name = "filter.external_heading_update", role = "comm
     doc = "Sends one measurement of the heading of the sensor frame in the NED frame to the filter.", least = 9,
     always = 3,
     rows = {
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update", title = "External heading update" }, })
 field({ descriptor = 0x18, name = "filter.heading_source", role = "command", title = "Heading update control",
@@ -2186,8 +2186,8 @@ field({ descriptor = 0x1F, name = "filter.external_heading_update_with_time", ro
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week, counted without rollover. Unit: week." },
-      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
-      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than 0." },
+      { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
+      { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0." },
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     } }, { { set = 0x0D, name = "filter.external_heading_update_with_time", title = "External heading update with time" }, })
 field({ descriptor = 0x20, name = "filter.auto_angular_zupt", role = "command", title = "Zero angular rate update",
@@ -2408,7 +2408,7 @@ field({ descriptor = 0x54, name = "filter.multi_antenna_offset", role = "command
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver, from 1. Range: at least 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.multi_antenna_offset", title = "GNSS multi-antenna offset" }, })
 field({ descriptor = 0x55, name = "filter.relative_position_config", role = "command", title = "Relative position configuration",
     doc = "Sets the reference point of the relative position that the filter reports.", least = 1,
@@ -2425,7 +2425,7 @@ field({ descriptor = 0x56, name = "filter.reference_point_lever_arm", role = "co
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "Point to move; it must be 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.reference_point_lever_arm", title = "Reference point lever arm" }, })
 field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", title = "Speed measurement",
     doc = "Sends one measurement of the forward speed of the vehicle (along its x axis) to the filter.", least = 13,
@@ -2437,12 +2437,12 @@ field({ descriptor = 0x60, name = "filter.speed_measurement", role = "command", 
       { kind = "scalar", name = "speed_uncertainty", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation of the speed. Unit: m/s. Range: at least 0." },
     } }, { { set = 0x0D, name = "filter.speed_measurement", title = "Speed measurement" }, })
 field({ descriptor = 0x61, name = "filter.speed_lever_arm", role = "command", title = "Speed measurement lever arm",
-    doc = "Sets the position of the point whose speed is measured, such as the wheel that an odometer is on.", least = 1,
+    doc = "Sets the position of the point whose speed is measured, such as the wheel that drives the odometer.", least = 1,
     required = { [1] = 2, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Reserved: send 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.speed_lever_arm", title = "Speed measurement lever arm" }, })
 field({ descriptor = 0x62, name = "filter.vertical_gyro_constraint_control", role = "command", title = "Vertical gyro constraint",
     doc = "Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.", least = 1,
@@ -2484,13 +2484,13 @@ field({ descriptor = 0x82, name = "filter.sensor_to_vehicle_offset_response", ro
     doc = "", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the origin of the vehicle frame. Unit: m. Frame: sensor. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.sensor_to_vehicle_offset_response", title = "Sensor to vehicle offset response" }, })
 field({ descriptor = 0x83, name = "filter.antenna_offset_response", role = "response", title = "GNSS antenna offset response",
     doc = "", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor origin to the phase centre of the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.antenna_offset_response", title = "GNSS antenna offset response" }, })
 field({ descriptor = 0x84, name = "filter.estimation_control_response", role = "response", title = "Estimation control flags response",
     doc = "", least = 2,
@@ -2727,7 +2727,7 @@ field({ descriptor = 0xD4, name = "filter.multi_antenna_offset_response", role =
     always = 2,
     rows = {
       { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Number of the receiver, from 1. Range: at least 1." },
-      { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "antenna_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the antenna. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.multi_antenna_offset_response", title = "GNSS multi-antenna offset response" }, })
 field({ descriptor = 0xD5, name = "filter.relative_position_config_response", role = "response", title = "Relative position configuration response",
     doc = "", least = 26,
@@ -2742,14 +2742,14 @@ field({ descriptor = 0xD6, name = "filter.reference_point_lever_arm_response", r
     always = 2,
     rows = {
       { kind = "scalar", name = "reference_point", type = "u8", size = 1, enum = E["filter.reference_point"], doc = "Point whose lever arm follows." },
-      { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the point. Unit: m. Frame: vehicle. Range: magnitude at most 10.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.reference_point_lever_arm_response", title = "Reference point lever arm response" }, })
 field({ descriptor = 0xE1, name = "filter.speed_lever_arm_response", role = "response", title = "Speed measurement lever arm response",
     doc = "", least = 13,
     always = 2,
     rows = {
       { kind = "scalar", name = "source", type = "u8", size = 1, doc = "Reserved." },
-      { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Vector from the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x0D, name = "filter.speed_lever_arm_response", title = "Speed measurement lever arm response" }, })
 field({ descriptor = 0xE2, name = "filter.vertical_gyro_constraint_control_response", role = "response", title = "Vertical gyro constraint response",
     doc = "", least = 1,
@@ -2798,7 +2798,7 @@ field({ descriptor = 0x04, name = "gnss.rtk_config", role = "command", title = "
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "Readiness to fix ambiguities." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "Strategy for fixing ambiguities." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved: send 0.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
     } }, { { set = 0x0E, name = "gnss.rtk_config", title = "RTK configuration" }, })
 field({ descriptor = 0x10, name = "gnss.rtk_dongle_config", role = "command", title = "RTK dongle configuration",
@@ -2844,7 +2844,7 @@ field({ descriptor = 0x84, name = "gnss.rtk_config_response", role = "response",
     doc = "", least = 5,
     always = 2,
     rows = {
-      { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "Readiness to fix ambiguities." },
+      { kind = "scalar", name = "ambiguity_fix_mode", type = "u8", size = 1, enum = E["gnss.ambiguity_fix_mode"], doc = "Strategy for fixing ambiguities." },
       { kind = "array", name = "reserved", count = 4, capacity = 4, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     } }, { { set = 0x0E, name = "gnss.rtk_config_response", title = "RTK configuration response" }, })
 field({ descriptor = 0x90, name = "gnss.rtk_dongle_config_response", role = "response", title = "RTK dongle configuration response",
@@ -2893,11 +2893,11 @@ field({ descriptor = 0x05, name = "rtk.get_rssi", role = "command", title = "Get
     rows = {
     } }, { { set = 0x0F, name = "rtk.get_rssi", title = "Get RSSI" }, })
 field({ descriptor = 0x06, name = "rtk.connected_device_type", role = "command", title = "Connected device type",
-    doc = "Sets the device that the modem serves.", least = 1,
+    doc = "Sets the type of device that the modem is connected to.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Device that the modem is connected to." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Type of device that the modem is connected to." }, } },
     } }, { { set = 0x0F, name = "rtk.connected_device_type", title = "Connected device type" }, })
 field({ descriptor = 0x07, name = "rtk.get_activation_code", role = "command", title = "Get activation code",
     doc = "Reads the code that activates the modem for its service.", least = 0,
@@ -2973,7 +2973,7 @@ field({ descriptor = 0x86, name = "rtk.connected_device_type_response", role = "
     doc = "", least = 1,
     always = 1,
     rows = {
-      { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Device that the modem is connected to." },
+      { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Type of device that the modem is connected to." },
     } }, { { set = 0x0F, name = "rtk.connected_device_type_response", title = "Connected device type response" }, })
 field({ descriptor = 0x87, name = "rtk.get_activation_code_response", role = "response", title = "Get activation code response",
     doc = "", least = 32,
@@ -2992,12 +2992,12 @@ field({ descriptor = 0x8A, name = "rtk.service_status_response", role = "respons
     always = 4,
     rows = {
       { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["rtk.service_flags"], doc = "State of the service." },
-      { kind = "scalar", name = "received_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Bytes of corrections that the service has sent. Unit: byte." },
-      { kind = "scalar", name = "last_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Bytes of the last transfer. Unit: byte." },
+      { kind = "scalar", name = "received_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Number of correction bytes that the service has sent. Unit: byte." },
+      { kind = "scalar", name = "last_bytes", type = "u32", size = 4, units = {"byte", }, doc = "Number of bytes in the last transfer. Unit: byte." },
       { kind = "scalar", name = "last_bytes_time", type = "u64", size = 8, doc = "Time of the last transfer." },
     } }, { { set = 0x0F, name = "rtk.service_status_response", title = "Service status response" }, })
 field({ descriptor = 0x01, name = "displacement.get_calibration", role = "command", title = "Get Analog to Displacement Calibration",
-    doc = "Reads the linear function with which the device converts the counts of its converter to a displacement.", least = 0,
+    doc = "Reads the slope and offset with which the device converts ADC counts to displacement.", least = 0,
     always = 0,
     rows = {
     } }, { { set = 0x11, name = "displacement.get_calibration", title = "Get Analog to Displacement Calibration" }, })
@@ -3018,7 +3018,7 @@ field({ descriptor = 0x81, name = "displacement.get_calibration_response", role 
     doc = "", least = 8,
     always = 2,
     rows = {
-      { kind = "scalar", name = "slope", type = "float", size = 4, doc = "Displacement per count of the converter." },
+      { kind = "scalar", name = "slope", type = "float", size = 4, doc = "Displacement per ADC count." },
       { kind = "scalar", name = "offset", type = "float", size = 4, doc = "Displacement at zero counts." },
     } }, { { set = 0x11, name = "displacement.get_calibration_response", title = "Get Analog to Displacement Calibration response" }, })
 field({ descriptor = 0x82, name = "displacement.output_rate_response", role = "response", title = "Displacement Output Data Rate response",
@@ -3035,7 +3035,7 @@ field({ descriptor = 0x01, name = "aiding.frame_config", role = "command", title
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame. Range: 1 to 4." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "Format of the rotation." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "True if the filter estimates the errors of the frame." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Origin of the frame in the vehicle. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
       [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } }, } },
@@ -3052,7 +3052,7 @@ field({ descriptor = 0x21, name = "aiding.ecef_position", role = "command", titl
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the origin of the frame. Unit: m. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Uncertainty of the position. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
@@ -3062,7 +3062,7 @@ field({ descriptor = 0x22, name = "aiding.llh_position", role = "command", title
     always = 7,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
       { kind = "scalar", name = "latitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if valid_flags.latitude is set." },
       { kind = "scalar", name = "longitude", type = "double", size = 8, units = {"deg", }, doc = "Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid if valid_flags.longitude is set." },
       { kind = "scalar", name = "height", type = "double", size = 8, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh. Valid if valid_flags.height is set." },
@@ -3074,17 +3074,17 @@ field({ descriptor = 0x23, name = "aiding.height_above_ellipsoid", role = "comma
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
       { kind = "scalar", name = "height", type = "float", size = 4, units = {"m", }, doc = "Height above the ellipsoid. Unit: m. Frame: llh." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"m", }, doc = "Uncertainty of the height. Unit: m. Range: at least 0." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Nonzero if the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.height_above_ellipsoid", title = "Height above ellipsoid" }, })
 field({ descriptor = 0x28, name = "aiding.ecef_velocity", role = "command", title = "ECEF velocity",
     doc = "Sends a measured velocity in Earth-fixed coordinates.", least = 37,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ecef. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
@@ -3094,7 +3094,7 @@ field({ descriptor = 0x29, name = "aiding.ned_velocity", role = "command", title
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: ned. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"north", "east", "down", }, units = {"m/s", }, doc = "Uncertainty of the velocity. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its own valid flag. north: valid_flags.x, east: valid_flags.y, down: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
@@ -3104,7 +3104,7 @@ field({ descriptor = 0x2A, name = "aiding.body_frame_velocity", role = "command"
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the origin of the frame. Unit: m/s. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Standard deviation of the velocity. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
@@ -3114,17 +3114,17 @@ field({ descriptor = 0x31, name = "aiding.true_heading", role = "command", title
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Range: greater than 0." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Nonzero if the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.true_heading", title = "True heading" }, })
 field({ descriptor = 0x32, name = "aiding.magnetic_field", role = "command", title = "Magnetic field",
     doc = "Sends a magnetic field measured by an external magnetometer.", least = 37,
     always = 5,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
       { kind = "array", name = "magnetic_field", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Calibrated magnetic field. Unit: gauss. Frame: aiding. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Standard deviation of the magnetic field. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has its own valid flag. x: valid_flags.x, y: valid_flags.y, z: valid_flags.z.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["aiding.axis_flags"], doc = "Valid axes." },
@@ -3135,10 +3135,10 @@ field({ descriptor = 0x33, name = "aiding.pressure", role = "command", title = "
     plain = true,
     rows = {
       { kind = "struct", name = "time", record = S["aiding.measurement_time"], doc = "Time of the measurement." },
-      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Frame of the sensor, as aiding.frame_config defines it. Range: 1 to 4." },
+      { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Sensor frame, defined by aiding.frame_config. Range: 1 to 4." },
       { kind = "scalar", name = "pressure", type = "float", size = 4, units = {"mbar", }, doc = "Air pressure. Unit: mbar." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"mbar", }, doc = "Standard deviation of the pressure. Unit: mbar. Range: greater than 0." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Not 0: the measurement is valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, doc = "Nonzero if the measurement is valid." },
     } }, { { set = 0x13, name = "aiding.pressure", title = "Pressure" }, })
 field({ descriptor = 0x81, name = "aiding.frame_config_response", role = "response", title = "Frame configuration response",
     doc = "", least = 15,
@@ -3147,7 +3147,7 @@ field({ descriptor = 0x81, name = "aiding.frame_config_response", role = "respon
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame. Range: 1 to 4." },
       { kind = "scalar", name = "format", type = "u8", size = 1, enum = E["aiding.aiding_frame_format"], doc = "Format of the rotation." },
       { kind = "scalar", name = "tracking_enabled", type = "bool", size = 1, doc = "True if the filter estimates the errors of the frame." },
-      { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Origin of the frame in the vehicle. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "translation", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the frame's origin in the vehicle frame. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "switch", name = "rotation", tag = "format", doc = "Rotation from the frame to the vehicle.", cases = {
       [1] = { label = "euler", item = { kind = "array", name = "euler", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Roll, pitch and yaw. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } },
       [2] = { label = "quaternion", item = { kind = "array", name = "quaternion", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Quaternion, scalar part first. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } } }, } },
@@ -3164,8 +3164,8 @@ field({ descriptor = 0x02, name = "system.interface_control", role = "command", 
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "Port whose protocols are set or read." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that the port receives." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that the port sends." }, } },
     } }, { { set = 0x7F, name = "system.interface_control", title = "Interface control" }, })
 field({ descriptor = 0x10, name = "system.comm_mode", role = "command", title = "Communication mode",
     doc = "Switches the port between the device and one of its internal sensors.", least = 1,
@@ -3179,8 +3179,8 @@ field({ descriptor = 0x82, name = "system.interface_control_response", role = "r
     always = 3,
     rows = {
       { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["comm_interface"], doc = "Port whose protocols are set or read." },
-      { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." },
-      { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." },
+      { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that the port receives." },
+      { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that the port sends." },
     } }, { { set = 0x7F, name = "system.interface_control_response", title = "Interface control response" }, })
 field({ descriptor = 0x90, name = "system.comm_mode_response", role = "response", title = "Communication mode response",
     doc = "", least = 1,
@@ -3225,13 +3225,13 @@ field({ descriptor = 0x06, name = "sensor.scaled_mag", role = "data", title = "S
       { kind = "array", name = "scaled_mag", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Magnetic field. Unit: gauss. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.scaled_mag", title = "Scaled mag" }, })
 field({ descriptor = 0x07, name = "sensor.delta_theta", role = "data", title = "Delta theta",
-    doc = "Time integral of the angular rate over the period that the message format sets.", least = 12,
+    doc = "Time integral of the angular rate over the period set by the message format.", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "delta_theta", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Integral of the angular rate. Unit: rad. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.delta_theta", title = "Delta theta" }, })
 field({ descriptor = 0x08, name = "sensor.delta_velocity", role = "data", title = "Delta velocity",
-    doc = "Time integral of the acceleration over the period that the message format sets.", least = 12,
+    doc = "Time integral of the acceleration over the period set by the message format.", least = 12,
     always = 1,
     rows = {
       { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the acceleration. Unit: g*s. Frame: vehicle. At rest and level: x 0, y 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -3249,7 +3249,7 @@ field({ descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. Frame: ned. At rest and level: x 0, y 0. On the 3DM-GX5-15: Rotation between the NED frame and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.comp_quaternion", title = "Complementary filter quaternion" }, })
 field({ descriptor = 0x0B, name = "sensor.comp_orientation_update_matrix", role = "data", title = "Complementary filter orientation update matrix",
-    doc = "Change of the attitude from the complementary filter as a matrix.", least = 36,
+    doc = "Change in the complementary filter's attitude, as a matrix.", least = 36,
     always = 1,
     rows = {
       { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -3299,7 +3299,7 @@ field({ descriptor = 0x11, name = "sensor.up_vector", role = "data", title = "Co
     doc = "Estimate of the vertical (up) by the complementary filter, free of linear acceleration.", least = 12,
     always = 1,
     rows = {
-      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "The inverse of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "stabilized_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Opposite of the gravity vector, as the accelerometers measure it. Unit: g. Frame: sensor. At rest and level: x 0, y 0, z -1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x80, name = "sensor.up_vector", title = "Complementary filter stabilized up vector" }, })
 field({ descriptor = 0x12, name = "sensor.gps_timestamp", role = "data", title = "GPS timestamp",
     doc = "GPS time of the sensor data.", least = 12,
@@ -3355,7 +3355,7 @@ field({ descriptor = 0x03, name = "gnss_data.llh_position", role = "data", title
       { kind = "scalar", name = "msl_height", type = "double", size = 8, units = {"m", }, doc = "Height above mean sea level. Unit: m. Valid if valid_flags.msl_height is set." },
       { kind = "scalar", name = "horizontal_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of latitude and longitude. Unit: m. Range: at least 0. Valid if valid_flags.horizontal_accuracy is set." },
       { kind = "scalar", name = "vertical_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the heights. Unit: m. Range: at least 0. Valid if valid_flags.vertical_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Valid parts of the position." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.llh_position_flags"], doc = "Validity flags for the position." },
     } }, { { set = 0x81, name = "gnss_data.llh_position", title = "GNSS LLH position" }, { set = 0x91, name = "gnss_1.llh_position", title = "GNSS LLH position" }, { set = 0x92, name = "gnss_2.llh_position", title = "GNSS LLH position" }, { set = 0x93, name = "gnss_corrections.llh_position", title = "GNSS LLH position" }, { set = 0x94, name = "gnss_external.llh_position", title = "GNSS LLH position" }, { set = 0x95, name = "gnss_external_2.llh_position", title = "GNSS LLH position" }, })
 field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", title = "GNSS ECEF position",
     doc = "GNSS position in Earth-fixed coordinates.", least = 30,
@@ -3363,7 +3363,7 @@ field({ descriptor = 0x04, name = "gnss_data.ecef_position", role = "data", titl
     rows = {
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the antenna. Unit: m. Frame: ecef. Valid if valid_flags.position is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "position_accuracy", type = "float", size = 4, units = {"m", }, doc = "Estimated error of the position. Unit: m. Range: at least 0. Valid if valid_flags.position_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Valid parts of the position." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_position_flags"], doc = "Validity flags for the position." },
     } }, { { set = 0x81, name = "gnss_data.ecef_position", title = "GNSS ECEF position" }, { set = 0x91, name = "gnss_1.ecef_position", title = "GNSS ECEF position" }, { set = 0x92, name = "gnss_2.ecef_position", title = "GNSS ECEF position" }, { set = 0x93, name = "gnss_corrections.ecef_position", title = "GNSS ECEF position" }, { set = 0x94, name = "gnss_external.ecef_position", title = "GNSS ECEF position" }, { set = 0x95, name = "gnss_external_2.ecef_position", title = "GNSS ECEF position" }, })
 field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title = "NED velocity",
     doc = "GNSS velocity in the local level frame.", least = 34,
@@ -3375,7 +3375,7 @@ field({ descriptor = 0x05, name = "gnss_data.ned_velocity", role = "data", title
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Direction of the motion over ground. Unit: deg. Frame: ned. Positive: clockwise seen from above. Valid if valid_flags.heading is set." },
       { kind = "scalar", name = "speed_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the speed. Unit: m/s. Range: at least 0. Valid if valid_flags.speed_accuracy is set." },
       { kind = "scalar", name = "heading_accuracy", type = "float", size = 4, units = {"deg", }, doc = "Estimated error of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.heading_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Valid parts of the velocity." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ned_velocity_flags"], doc = "Validity flags for the velocity." },
     } }, { { set = 0x81, name = "gnss_data.ned_velocity", title = "NED velocity" }, { set = 0x91, name = "gnss_1.ned_velocity", title = "NED velocity" }, { set = 0x92, name = "gnss_2.ned_velocity", title = "NED velocity" }, { set = 0x93, name = "gnss_corrections.ned_velocity", title = "NED velocity" }, { set = 0x94, name = "gnss_external.ned_velocity", title = "NED velocity" }, { set = 0x95, name = "gnss_external_2.ned_velocity", title = "NED velocity" }, })
 field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", title = "GNSS ECEF velocity",
     doc = "GNSS velocity in Earth-fixed coordinates.", least = 18,
@@ -3383,7 +3383,7 @@ field({ descriptor = 0x06, name = "gnss_data.ecef_velocity", role = "data", titl
     rows = {
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the antenna. Unit: m/s. Frame: ecef. At rest and level: x 0, y 0, z 0. Valid if valid_flags.velocity is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "velocity_accuracy", type = "float", size = 4, units = {"m/s", }, doc = "Estimated error of the velocity. Unit: m/s. Range: at least 0. Valid if valid_flags.velocity_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Valid parts of the velocity." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.ecef_velocity_flags"], doc = "Validity flags for the velocity." },
     } }, { { set = 0x81, name = "gnss_data.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x91, name = "gnss_1.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x92, name = "gnss_2.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x93, name = "gnss_corrections.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x94, name = "gnss_external.ecef_velocity", title = "GNSS ECEF velocity" }, { set = 0x95, name = "gnss_external_2.ecef_velocity", title = "GNSS ECEF velocity" }, })
 field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
     doc = "Dilution of precision of the satellite geometry.", least = 30,
@@ -3396,7 +3396,7 @@ field({ descriptor = 0x07, name = "gnss_data.dop", role = "data", title = "DOP",
       { kind = "scalar", name = "tdop", type = "float", size = 4, doc = "Time dilution. Unit: 1. Range: at least 0. Valid if valid_flags.tdop is set." },
       { kind = "scalar", name = "ndop", type = "float", size = 4, doc = "Northing dilution. Unit: 1. Range: at least 0. Valid if valid_flags.ndop is set." },
       { kind = "scalar", name = "edop", type = "float", size = 4, doc = "Easting dilution. Unit: 1. Range: at least 0. Valid if valid_flags.edop is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Valid dilutions of precision." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dop_flags"], doc = "Validity flags for the dilutions of precision." },
     } }, { { set = 0x81, name = "gnss_data.dop", title = "DOP" }, { set = 0x91, name = "gnss_1.dop", title = "DOP" }, { set = 0x92, name = "gnss_2.dop", title = "DOP" }, { set = 0x93, name = "gnss_corrections.dop", title = "DOP" }, { set = 0x94, name = "gnss_external.dop", title = "DOP" }, { set = 0x95, name = "gnss_external_2.dop", title = "DOP" }, })
 field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "UTC time",
     doc = "Coordinated universal time (UTC) according to the receiver.", least = 13,
@@ -3409,7 +3409,7 @@ field({ descriptor = 0x08, name = "gnss_data.utc_time", role = "data", title = "
       { kind = "scalar", name = "min", type = "u8", size = 1, doc = "Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "sec", type = "u8", size = 1, units = {"s", }, doc = "Second. Unit: s. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "msec", type = "u32", size = 4, units = {"ms", }, doc = "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.utc_time_flags"], doc = "Valid parts of the time." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.utc_time_flags"], doc = "Validity flags for the time." },
     } }, { { set = 0x81, name = "gnss_data.utc_time", title = "UTC time" }, { set = 0x91, name = "gnss_1.utc_time", title = "UTC time" }, { set = 0x92, name = "gnss_2.utc_time", title = "UTC time" }, { set = 0x93, name = "gnss_corrections.utc_time", title = "UTC time" }, { set = 0x94, name = "gnss_external.utc_time", title = "UTC time" }, { set = 0x95, name = "gnss_external_2.utc_time", title = "UTC time" }, })
 field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "GPS time",
     doc = "GPS time according to the receiver.", least = 12,
@@ -3417,7 +3417,7 @@ field({ descriptor = 0x09, name = "gnss_data.gps_time", role = "data", title = "
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Valid parts of the time." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_time_flags"], doc = "Validity flags for the time." },
     } }, { { set = 0x81, name = "gnss_data.gps_time", title = "GPS time" }, { set = 0x91, name = "gnss_1.gps_time", title = "GPS time" }, { set = 0x92, name = "gnss_2.gps_time", title = "GPS time" }, { set = 0x93, name = "gnss_corrections.gps_time", title = "GPS time" }, { set = 0x94, name = "gnss_external.gps_time", title = "GPS time" }, { set = 0x95, name = "gnss_external_2.gps_time", title = "GPS time" }, })
 field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title = "Clock info",
     doc = "Bias and drift of the receiver clock.", least = 26,
@@ -3426,7 +3426,7 @@ field({ descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", title =
       { kind = "scalar", name = "bias", type = "double", size = 8, units = {"s", }, doc = "Bias of the clock. Unit: s. Valid if valid_flags.bias is set." },
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
       { kind = "scalar", name = "accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.accuracy_estimate is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Valid clock parameters." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_flags"], doc = "Validity flags for the clock parameters." },
     } }, { { set = 0x81, name = "gnss_data.clock_info", title = "Clock info" }, { set = 0x91, name = "gnss_1.clock_info", title = "Clock info" }, { set = 0x92, name = "gnss_2.clock_info", title = "Clock info" }, { set = 0x93, name = "gnss_corrections.clock_info", title = "Clock info" }, { set = 0x94, name = "gnss_external.clock_info", title = "Clock info" }, { set = 0x95, name = "gnss_external_2.clock_info", title = "Clock info" }, })
 field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
     doc = "Type of the position fix, with the satellites and corrections used.", least = 6,
@@ -3435,7 +3435,7 @@ field({ descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Quantities that the receiver can determine at present. Valid if valid_flags.fix_type is set." },
       { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites used in the fix. Unit: 1. Valid if valid_flags.num_sv is set." },
       { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_data.fix_flags"], doc = "Corrections and satellite systems of the fix. Valid if valid_flags.fix_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Valid parts of the fix information." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.fix_info_flags"], doc = "Validity flags for the fix information." },
     } }, { { set = 0x81, name = "gnss_data.fix_info", title = "Fix info" }, { set = 0x91, name = "gnss_1.fix_info", title = "Fix info" }, { set = 0x92, name = "gnss_2.fix_info", title = "Fix info" }, { set = 0x93, name = "gnss_corrections.fix_info", title = "Fix info" }, { set = 0x94, name = "gnss_external.fix_info", title = "Fix info" }, { set = 0x95, name = "gnss_external_2.fix_info", title = "Fix info" }, })
 field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
     doc = "State of one tracked satellite.", least = 12,
@@ -3447,7 +3447,7 @@ field({ descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "S
       { kind = "scalar", name = "azimuth", type = "s16", size = 2, units = {"deg", }, doc = "Direction of the satellite, from north. Unit: deg. Valid if valid_flags.azimuth is set." },
       { kind = "scalar", name = "elevation", type = "s16", size = 2, units = {"deg", }, doc = "Angle of the satellite above the horizon. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "sv_flags", type = "u16", size = 2, flags = F["gnss_data.sv_flags"], doc = "State of the satellite. Valid if valid_flags.sv_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Valid parts of the satellite info." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sv_info_flags"], doc = "Validity flags for the satellite info." },
     } }, { { set = 0x81, name = "gnss_data.sv_info", title = "Satellite info" }, { set = 0x91, name = "gnss_1.sv_info", title = "Satellite info" }, { set = 0x92, name = "gnss_2.sv_info", title = "Satellite info" }, { set = 0x93, name = "gnss_corrections.sv_info", title = "Satellite info" }, { set = 0x94, name = "gnss_external.sv_info", title = "Satellite info" }, { set = 0x95, name = "gnss_external_2.sv_info", title = "Satellite info" }, })
 field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", title = "GNSS hardware status",
     doc = "State of the receiver and of its antenna.", least = 5,
@@ -3456,7 +3456,7 @@ field({ descriptor = 0x0D, name = "gnss_data.hardware_status", role = "data", ti
       { kind = "scalar", name = "receiver_state", type = "u8", size = 1, enum = E["gnss_data.receiver_state"], doc = "Operating state of the receiver. Valid if valid_flags.sensor_state is set." },
       { kind = "scalar", name = "antenna_state", type = "u8", size = 1, enum = E["gnss_data.antenna_state"], doc = "Electrical condition of the antenna. Valid if valid_flags.antenna_state is set." },
       { kind = "scalar", name = "antenna_power", type = "u8", size = 1, enum = E["gnss_data.antenna_power"], doc = "State of the antenna's power supply. Valid if valid_flags.antenna_power is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Valid parts of the hardware status." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.hardware_status_flags"], doc = "Validity flags for the hardware status." },
     } }, { { set = 0x81, name = "gnss_data.hardware_status", title = "GNSS hardware status" }, { set = 0x91, name = "gnss_1.hardware_status", title = "GNSS hardware status" }, { set = 0x92, name = "gnss_2.hardware_status", title = "GNSS hardware status" }, { set = 0x93, name = "gnss_corrections.hardware_status", title = "GNSS hardware status" }, { set = 0x94, name = "gnss_external.hardware_status", title = "GNSS hardware status" }, { set = 0x95, name = "gnss_external_2.hardware_status", title = "GNSS hardware status" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = "DGPS info",
     doc = "State of the differential corrections.", least = 12,
@@ -3466,17 +3466,17 @@ field({ descriptor = 0x0E, name = "gnss_data.dgps_info", role = "data", title = 
       { kind = "scalar", name = "base_station_id", type = "s16", size = 2, doc = "Number of the base station. Valid if valid_flags.base_station_id is set." },
       { kind = "scalar", name = "base_station_status", type = "s16", size = 2, doc = "State of the base station: 0 to 5 are factors of the user differential range error, which are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if valid_flags.base_station_status is set." },
       { kind = "scalar", name = "num_channels", type = "u16", size = 2, doc = "Number of channels that have corrections. Unit: 1. Valid if valid_flags.num_channels is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Valid parts of the state of the corrections." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Validity flags for the state of the corrections." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info", title = "DGPS info" }, { set = 0x91, name = "gnss_1.dgps_info", title = "DGPS info" }, { set = 0x92, name = "gnss_2.dgps_info", title = "DGPS info" }, { set = 0x93, name = "gnss_corrections.dgps_info", title = "DGPS info" }, { set = 0x94, name = "gnss_external.dgps_info", title = "DGPS info" }, { set = 0x95, name = "gnss_external_2.dgps_info", title = "DGPS info" }, })
 field({ descriptor = 0x0E, name = "gnss_data.dgps_info_satellite", role = "data", title = "DGPS info for one satellite",
-    doc = "Differential correction for one satellite, in the layout that the SDK has for DGPS info.", least = 15,
+    doc = "Differential correction for one satellite, in the SDK's layout of DGPS info.", least = 15,
     always = 5,
     rows = {
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Number of the satellite." },
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Valid parts of the state of the corrections." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_info_flags"], doc = "Validity flags for the state of the corrections." },
     } }, { { set = 0x81, name = "gnss_data.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x91, name = "gnss_1.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x92, name = "gnss_2.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x93, name = "gnss_corrections.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x94, name = "gnss_external.dgps_info_satellite", title = "DGPS info for one satellite" }, { set = 0x95, name = "gnss_external_2.dgps_info_satellite", title = "DGPS info for one satellite" }, })
 field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title = "DGPS channel",
     doc = "Differential correction for one satellite.", least = 15,
@@ -3486,7 +3486,7 @@ field({ descriptor = 0x0F, name = "gnss_data.dgps_channel", role = "data", title
       { kind = "scalar", name = "age", type = "float", size = 4, units = {"s", }, doc = "Age of the correction. Unit: s. Range: at least 0. Valid if valid_flags.age is set." },
       { kind = "scalar", name = "range_correction", type = "float", size = 4, units = {"m", }, doc = "Differential correction of the pseudorange. Unit: m. Valid if valid_flags.range_correction is set." },
       { kind = "scalar", name = "range_rate_correction", type = "float", size = 4, units = {"m/s", }, doc = "Rate of change of the correction. Unit: m/s. Valid if valid_flags.range_rate_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Valid parts of a differential correction." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.dgps_channel_flags"], doc = "Validity flags for a differential correction." },
     } }, { { set = 0x81, name = "gnss_data.dgps_channel", title = "DGPS channel" }, { set = 0x91, name = "gnss_1.dgps_channel", title = "DGPS channel" }, { set = 0x92, name = "gnss_2.dgps_channel", title = "DGPS channel" }, { set = 0x93, name = "gnss_corrections.dgps_channel", title = "DGPS channel" }, { set = 0x94, name = "gnss_external.dgps_channel", title = "DGPS channel" }, { set = 0x95, name = "gnss_external_2.dgps_channel", title = "DGPS channel" }, })
 field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title = "Clock info 2",
     doc = "Bias and drift of the receiver clock.", least = 34,
@@ -3496,7 +3496,7 @@ field({ descriptor = 0x10, name = "gnss_data.clock_info_2", role = "data", title
       { kind = "scalar", name = "drift", type = "double", size = 8, units = {"s/s", }, doc = "Drift of the clock. Unit: s/s. Valid if valid_flags.drift is set." },
       { kind = "scalar", name = "bias_accuracy_estimate", type = "double", size = 8, units = {"s", }, doc = "Estimated error of the bias. Unit: s. Range: at least 0. Valid if valid_flags.bias_accuracy is set." },
       { kind = "scalar", name = "drift_accuracy_estimate", type = "double", size = 8, units = {"s/s", }, doc = "Estimated error of the drift. Unit: s/s. Range: at least 0. Valid if valid_flags.drift_accuracy is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Valid clock parameters." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.clock_info_2_flags"], doc = "Validity flags for the clock parameters." },
     } }, { { set = 0x81, name = "gnss_data.clock_info_2", title = "Clock info 2" }, { set = 0x91, name = "gnss_1.clock_info_2", title = "Clock info 2" }, { set = 0x92, name = "gnss_2.clock_info_2", title = "Clock info 2" }, { set = 0x93, name = "gnss_corrections.clock_info_2", title = "Clock info 2" }, { set = 0x94, name = "gnss_external.clock_info_2", title = "Clock info 2" }, { set = 0x95, name = "gnss_external_2.clock_info_2", title = "Clock info 2" }, })
 field({ descriptor = 0x11, name = "gnss_data.gps_leap_seconds", role = "data", title = "GPS leap seconds",
     doc = "Difference between GPS time and UTC.", least = 3,
@@ -3515,7 +3515,7 @@ field({ descriptor = 0x12, name = "gnss_data.sbas_info", role = "data", title = 
       { kind = "scalar", name = "sbas_id", type = "u8", size = 1, doc = "SBAS satellite. Valid if valid_flags.sbas_id is set." },
       { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Number of SBAS corrections. Unit: 1. Valid if valid_flags.count is set." },
       { kind = "scalar", name = "sbas_status", type = "u8", size = 1, flags = F["gnss_data.sbas_status"], doc = "Status of the service. Valid if valid_flags.sbas_status is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Valid parts of the SBAS status." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_info_flags"], doc = "Validity flags for the SBAS status." },
     } }, { { set = 0x81, name = "gnss_data.sbas_info", title = "SBAS info" }, { set = 0x91, name = "gnss_1.sbas_info", title = "SBAS info" }, { set = 0x92, name = "gnss_2.sbas_info", title = "SBAS info" }, { set = 0x93, name = "gnss_corrections.sbas_info", title = "SBAS info" }, { set = 0x94, name = "gnss_external.sbas_info", title = "SBAS info" }, { set = 0x95, name = "gnss_external_2.sbas_info", title = "SBAS info" }, })
 field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", title = "SBAS correction",
     doc = "SBAS correction for one satellite.", least = 25,
@@ -3530,7 +3530,7 @@ field({ descriptor = 0x13, name = "gnss_data.sbas_correction", role = "data", ti
       { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set." },
       { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange by the augmentation system. Unit: m. Valid if valid_flags.pseudorange_correction is set." },
       { kind = "scalar", name = "iono_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the ionospheric delay. Unit: m. Valid if valid_flags.iono_correction is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Valid parts of an SBAS correction." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.sbas_correction_flags"], doc = "Validity flags for an SBAS correction." },
     } }, { { set = 0x81, name = "gnss_data.sbas_correction", title = "SBAS correction" }, { set = 0x91, name = "gnss_1.sbas_correction", title = "SBAS correction" }, { set = 0x92, name = "gnss_2.sbas_correction", title = "SBAS correction" }, { set = 0x93, name = "gnss_corrections.sbas_correction", title = "SBAS correction" }, { set = 0x94, name = "gnss_external.sbas_correction", title = "SBAS correction" }, { set = 0x95, name = "gnss_external_2.sbas_correction", title = "SBAS correction" }, })
 field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
     doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
@@ -3541,7 +3541,7 @@ field({ descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data",
       { kind = "scalar", name = "spoofing_state", type = "u8", size = 1, enum = E["gnss_data.spoofing_state"], doc = "State of spoofing in this band. Valid if valid_flags.spoofing_state is set." },
       { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"MHz", }, doc = "Centre frequency of the band. Unit: MHz. Valid if valid_flags.frequency is set." },
       { kind = "array", name = "reserved", count = 2, capacity = 2, size = 1, doc = "Reserved.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Valid parts of the detection." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.rf_error_detection_flags"], doc = "Validity flags for the detection." },
     } }, { { set = 0x81, name = "gnss_data.rf_error_detection", title = "RF error detection" }, { set = 0x91, name = "gnss_1.rf_error_detection", title = "RF error detection" }, { set = 0x92, name = "gnss_2.rf_error_detection", title = "RF error detection" }, { set = 0x93, name = "gnss_corrections.rf_error_detection", title = "RF error detection" }, { set = 0x94, name = "gnss_external.rf_error_detection", title = "RF error detection" }, { set = 0x95, name = "gnss_external_2.rf_error_detection", title = "RF error detection" }, })
 field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "GNSS heading",
     doc = "Heading that the receiver computes from its antennas.", least = 11,
@@ -3551,7 +3551,7 @@ field({ descriptor = 0x15, name = "gnss_data.heading", role = "data", title = "G
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"deg", }, doc = "Heading of the baseline between the antennas. Unit: deg. Valid if valid_flags.heading is set." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, units = {"deg", }, doc = "Uncertainty of the heading. Unit: deg. Range: at least 0. Valid if valid_flags.uncertainty is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_data.heading_fix_type"], doc = "Kind of the fix. Valid if valid_flags.fix_type is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Valid parts of the heading." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.heading_flags"], doc = "Validity flags for the heading." },
     } }, { { set = 0x81, name = "gnss_data.heading", title = "GNSS heading" }, { set = 0x91, name = "gnss_1.heading", title = "GNSS heading" }, { set = 0x92, name = "gnss_2.heading", title = "GNSS heading" }, { set = 0x93, name = "gnss_corrections.heading", title = "GNSS heading" }, { set = 0x94, name = "gnss_external.heading", title = "GNSS heading" }, { set = 0x95, name = "gnss_external_2.heading", title = "GNSS heading" }, })
 field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
     doc = "Direction to one satellite, and its health.", least = 25,
@@ -3566,7 +3566,7 @@ field({ descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", t
       { kind = "scalar", name = "elevation", type = "float", size = 4, units = {"deg", }, doc = "Elevation, as seen from the rover. Unit: deg. Range: -90 to 90. Valid if valid_flags.elevation is set." },
       { kind = "scalar", name = "azimuth", type = "float", size = 4, units = {"deg", }, doc = "Azimuth, as seen from the rover. Unit: deg. Valid if valid_flags.azimuth is set." },
       { kind = "scalar", name = "health", type = "bool", size = 1, doc = "True if the satellite is healthy. Valid if valid_flags.health is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Valid parts of the satellite status." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.satellite_status_flags"], doc = "Validity flags for the satellite status." },
     } }, { { set = 0x81, name = "gnss_data.satellite_status", title = "Satellite status" }, { set = 0x91, name = "gnss_1.satellite_status", title = "Satellite status" }, { set = 0x92, name = "gnss_2.satellite_status", title = "Satellite status" }, { set = 0x93, name = "gnss_corrections.satellite_status", title = "Satellite status" }, { set = 0x94, name = "gnss_external.satellite_status", title = "Satellite status" }, { set = 0x95, name = "gnss_external_2.satellite_status", title = "Satellite status" }, })
 field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
     doc = "Raw observation of one signal of one satellite.", least = 61,
@@ -3582,7 +3582,7 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation. Valid if valid_flags.satellite_id is set." },
       { kind = "scalar", name = "signal_id", type = "u8", size = 1, enum = E["gnss_signal"], doc = "Signal of the satellite that was tracked. Valid if valid_flags.signal_id is set." },
       { kind = "scalar", name = "signal_strength", type = "float", size = 4, units = {"dB-Hz", }, doc = "Carrier to noise density ratio. Unit: dB-Hz. Valid if valid_flags.signal_strength is set." },
-      { kind = "scalar", name = "quality", type = "u8", size = 1, enum = E["gnss_data.signal_quality"], doc = "Quality of the tracking of the signal. Valid if valid_flags.quality is set." },
+      { kind = "scalar", name = "quality", type = "u8", size = 1, enum = E["gnss_data.signal_quality"], doc = "Tracking quality of the signal. Valid if valid_flags.quality is set." },
       { kind = "scalar", name = "pseudorange", type = "double", size = 8, units = {"m", }, doc = "Measured distance, with the clock errors of receiver and satellite. Unit: m. Range: at least 0. Valid if valid_flags.pseudorange is set." },
       { kind = "scalar", name = "carrier_phase", type = "double", size = 8, units = {"cycle", }, doc = "Accumulated phase of the carrier; its initial number of cycles is arbitrary. Unit: cycle. Valid if valid_flags.carrier_phase is set." },
       { kind = "scalar", name = "doppler", type = "float", size = 4, units = {"Hz", }, doc = "Doppler shift. Unit: Hz. Valid if valid_flags.doppler is set." },
@@ -3590,7 +3590,7 @@ field({ descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
       { kind = "scalar", name = "phase_uncertainty", type = "float", size = 4, units = {"cycle", }, doc = "Uncertainty of the carrier phase. Unit: cycle. Range: at least 0. Valid if valid_flags.carrier_phase_uncertainty is set." },
       { kind = "scalar", name = "doppler_uncertainty", type = "float", size = 4, units = {"Hz", }, doc = "Uncertainty of the Doppler shift. Unit: Hz. Range: at least 0. Valid if valid_flags.doppler_uncertainty is set." },
       { kind = "scalar", name = "lock_time", type = "float", size = 4, units = {"s", }, doc = "Minimum time for which the carrier phase has been locked. Unit: s. Range: at least 0. Valid if valid_flags.lock_time is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Valid parts of the observation." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.raw_flags"], doc = "Validity flags for the observation." },
     } }, { { set = 0x81, name = "gnss_data.raw", title = "Raw" }, { set = 0x91, name = "gnss_1.raw", title = "Raw" }, { set = 0x92, name = "gnss_2.raw", title = "Raw" }, { set = 0x93, name = "gnss_corrections.raw", title = "Raw" }, { set = 0x94, name = "gnss_external.raw", title = "Raw" }, { set = 0x95, name = "gnss_external_2.raw", title = "Raw" }, })
 field({ descriptor = 0x30, name = "gnss_data.base_station_info", role = "data", title = "Base station info",
     doc = "Base station that sends the corrections, from RTCM message 1005 or 1006.", least = 44,
@@ -3676,7 +3676,7 @@ field({ descriptor = 0x62, name = "gnss_data.glonass_ephemeris", role = "data", 
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the satellite in PZ-90. Unit: m. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the satellite in PZ-90. Unit: m/s. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration of the satellite due to perturbations, in PZ-90. Unit: m/s^2. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health (Bn); not 0 if the satellite fails. Valid if valid_flags.ephemeris is set." },
+      { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health (Bn); nonzero if the satellite is malfunctioning. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "p", type = "u8", size = 1, doc = "Mode of operation of the satellite. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "nt", type = "u8", size = 1, units = {"day", }, doc = "Day within a period of four years. Unit: day. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "delta_tau_n", type = "float", size = 4, units = {"s", }, doc = "Time difference between L1 and L2. Unit: s. Valid if valid_flags.ephemeris is set." },
@@ -3774,7 +3774,7 @@ field({ descriptor = 0x71, name = "gnss_data.gps_iono_correction", role = "data"
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Valid parts of the model." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.gps_iono_correction_flags"], doc = "Validity flags for the model." },
     } }, { { set = 0x81, name = "gnss_data.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x91, name = "gnss_1.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x92, name = "gnss_2.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x93, name = "gnss_corrections.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x94, name = "gnss_external.gps_iono_correction", title = "GPS ionospheric correction" }, { set = 0x95, name = "gnss_external_2.gps_iono_correction", title = "GPS ionospheric correction" }, })
 field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "data", title = "Galileo ionospheric correction",
     doc = "Ionospheric model that Galileo broadcasts.", least = 37,
@@ -3784,7 +3784,7 @@ field({ descriptor = 0x73, name = "gnss_data.galileo_iono_correction", role = "d
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
       { kind = "array", name = "alpha", count = 3, capacity = 3, size = 8, doc = "The three coefficients of the model. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "scalar", name = "disturbance_flags", type = "u8", size = 1, doc = "Ionospheric storms, one bit (1 to 5) for each of five regions. Valid if valid_flags.disturbance_flags is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Valid parts of the model." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.galileo_iono_correction_flags"], doc = "Validity flags for the model." },
     } }, { { set = 0x81, name = "gnss_data.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x91, name = "gnss_1.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x92, name = "gnss_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x93, name = "gnss_corrections.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x94, name = "gnss_external.galileo_iono_correction", title = "Galileo ionospheric correction" }, { set = 0x95, name = "gnss_external_2.galileo_iono_correction", title = "Galileo ionospheric correction" }, })
 field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "data", title = "BeiDou ionospheric correction",
     doc = "Ionospheric model that BeiDou broadcasts.", least = 148,
@@ -3795,7 +3795,7 @@ field({ descriptor = 0x74, name = "gnss_data.beidou_iono_correction", role = "da
       { kind = "array", name = "alpha", count = 4, capacity = 4, size = 8, doc = "Coefficients alpha 0 to 3. Valid if valid_flags.alpha is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "beta", count = 4, capacity = 4, size = 8, doc = "Coefficients beta 0 to 3. Valid if valid_flags.beta is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "alpha_correction", count = 9, capacity = 9, size = 8, doc = "Nine further coefficients of the delay. Valid if valid_flags.alpha_correction is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Valid parts of the model." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_data.beidou_iono_correction_flags"], doc = "Validity flags for the model." },
     } }, { { set = 0x81, name = "gnss_data.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x91, name = "gnss_1.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x92, name = "gnss_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x93, name = "gnss_corrections.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x94, name = "gnss_external.beidou_iono_correction", title = "BeiDou ionospheric correction" }, { set = 0x95, name = "gnss_external_2.beidou_iono_correction", title = "BeiDou ionospheric correction" }, })
 field({ descriptor = 0x01, name = "filter_data.llh_position", role = "data", title = "LLH position",
     doc = "Estimated position as latitude, longitude and height.", least = 26,
@@ -3856,18 +3856,18 @@ field({ descriptor = 0x08, name = "filter_data.llh_position_uncertainty", role =
     doc = "Standard deviation of the estimated position, in the NED frame.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m", }, doc = "North standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m", }, doc = "East standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m", }, doc = "Down standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.llh_position_uncertainty", title = "Position uncertainty" }, })
 field({ descriptor = 0x09, name = "filter_data.ned_velocity_uncertainty", role = "data", title = "NED velocity uncertainty",
     doc = "Standard deviation of the estimated velocity in the NED frame.", least = 14,
     always = 4,
     rows = {
-      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "north", type = "float", size = 4, units = {"m/s", }, doc = "North standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "east", type = "float", size = 4, units = {"m/s", }, doc = "East standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "down", type = "float", size = 4, units = {"m/s", }, doc = "Down standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.ned_velocity_uncertainty", title = "NED velocity uncertainty" }, })
 field({ descriptor = 0x0A, name = "filter_data.euler_angles_uncertainty", role = "data", title = "Euler angles uncertainty",
@@ -3901,7 +3901,7 @@ field({ descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", tit
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.linear_accel", title = "Linear acceleration" }, })
 field({ descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = "data", title = "Compensated angular rate",
-    doc = "Angular rate without the estimated bias.", least = 14,
+    doc = "Angular rate with the estimated bias removed.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "gyro", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Angular rate. Unit: rad/s. Frame: vehicle. At rest and level: x 0, y 0, z 0. Positive: right side down, nose up, clockwise seen from above. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -3941,7 +3941,7 @@ field({ descriptor = 0x13, name = "filter_data.gravity_vector", role = "data", t
     doc = "Estimated gravity.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity, which points down. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "gravity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Gravity vector, which points down. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z 9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.gravity_vector", title = "Gravity vector" }, })
 field({ descriptor = 0x14, name = "filter_data.heading_update_state", role = "data", title = "Heading update source state",
@@ -3957,9 +3957,9 @@ field({ descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", t
     doc = "Magnetic field at the position of the device according to the World Magnetic Model.", least = 22,
     always = 6,
     rows = {
-      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "Northward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "Eastward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Downward part of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "North component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_east", type = "float", size = 4, units = {"gauss", }, doc = "East component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "intensity_down", type = "float", size = 4, units = {"gauss", }, doc = "Down component of the field. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "inclination", type = "float", size = 4, units = {"rad", }, doc = "Angle of the field below the horizontal plane. Unit: rad. Range: -1.5707963267948966 to 1.5707963267948966. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "declination", type = "float", size = 4, units = {"rad", }, doc = "Angle from true north to magnetic north. Unit: rad. Range: -3.141592653589793 to 3.141592653589793. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
@@ -4007,21 +4007,21 @@ field({ descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role = "da
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_bias_uncertainty", title = "Magnetometer bias uncertainty" }, })
 field({ descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
-    doc = "Acceleration without the estimated bias. It includes gravity.", least = 14,
+    doc = "Acceleration with the estimated bias removed. It includes gravity.", least = 14,
     always = 2,
     rows = {
       { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration with the estimated bias removed; gravity is included. Unit: m/s^2. Frame: vehicle. At rest and level: x 0, y 0, z -9.8. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.comp_accel", title = "Compensated acceleration" }, })
 field({ descriptor = 0x20, name = "filter_data.standard_atmosphere", role = "data", title = "Standard atmosphere",
-    doc = "US Standard Atmosphere of 1976 at the altitude of the device.", least = 22,
+    doc = "US Standard Atmosphere of 1976 at the device's altitude.", least = 22,
     always = 6,
     rows = {
       { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geometric altitude corrected for the decrease of gravity with height. Unit: m. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature that the model has at this altitude. Unit: degC. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature at this altitude according to the model. Unit: degC. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure at this altitude according to the model. Unit: mbar. Range: at least 0. Valid if valid_flags.valid is set." },
-      { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "standard_density", type = "float", size = 4, units = {"kg/m^3", }, doc = "Air density at this altitude according to the model. Unit: kg/m^3. Range: at least 0. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.standard_atmosphere", title = "Standard atmosphere" }, })
 field({ descriptor = 0x21, name = "filter_data.pressure_altitude", role = "data", title = "Pressure altitude",
@@ -4079,7 +4079,7 @@ field({ descriptor = 0x2C, name = "filter_data.mag_residual_vector", role = "dat
     doc = "Residual of the magnetometer measurement.", least = 14,
     always = 2,
     rows = {
-      { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Difference between the measured magnetic field and the one that the filter expects. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "residual", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"gauss", }, doc = "Difference between the measured and the expected magnetic field. Unit: gauss. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values of a field." },
     } }, { { set = 0x82, name = "filter_data.mag_residual_vector", title = "Magnetometer residual vector" }, })
 field({ descriptor = 0x30, name = "filter_data.antenna_offset_correction", role = "data", title = "Antenna offset correction",
@@ -4233,7 +4233,7 @@ field({ descriptor = 0x50, name = "filter_data.aiding_frame_config_error", role 
       { kind = "array", name = "attitude", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Estimated error of the rotation. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error", title = "Aiding frame configuration error" }, })
 field({ descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncertainty", role = "data", title = "Aiding frame configuration error uncertainty",
-    doc = "Uncertainty of the error that filter_data.aiding_frame_config_error estimates.", least = 25,
+    doc = "Uncertainty of the error in filter_data.aiding_frame_config_error.", least = 25,
     always = 3,
     rows = {
       { kind = "scalar", name = "frame_id", type = "u8", size = 1, doc = "Number of the frame." },
@@ -4241,7 +4241,7 @@ field({ descriptor = 0x51, name = "filter_data.aiding_frame_config_error_uncerta
       { kind = "array", name = "attitude_uncertainty", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad", }, doc = "Uncertainty of the rotation about each axis. Unit: rad. Range: at least 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     } }, { { set = 0x82, name = "filter_data.aiding_frame_config_error_uncertainty", title = "Aiding frame configuration error uncertainty" }, })
 field({ descriptor = 0x01, name = "displacement_data.displacement_raw", role = "data", title = "Raw displacement",
-    doc = "Displacement in counts of the converter.", least = 4,
+    doc = "Displacement in ADC counts.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Output of the analog-to-digital converter. Unit: 1." },
@@ -4257,7 +4257,7 @@ field({ descriptor = 0x04, name = "displacement_data.timestamp", role = "data", 
     doc = "Time of the measurement by the clock of the device.", least = 9,
     always = 2,
     rows = {
-      { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["displacement_data.timestamp_flags"], doc = "Validity of the time of displacement data." },
+      { kind = "scalar", name = "flags", type = "u8", size = 1, flags = F["displacement_data.timestamp_flags"], doc = "Validity of the displacement timestamp." },
       { kind = "scalar", name = "time", type = "u64", size = 8, units = {"ns", }, doc = "UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if flags.time is set." },
     } }, { { set = 0x90, name = "displacement_data.timestamp", title = "Displacement Device Timestamp" }, })
 field({ descriptor = 0x01, name = "system_data.built_in_test", role = "data", title = "Built-in test",
@@ -4311,7 +4311,7 @@ field({ descriptor = 0xD3, name = "shared.gps_timestamp", role = "data", title =
     rows = {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Range: at least 0, less than 604800. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.gps_timestamp_flags"], doc = "Valid parts of the timestamp." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["shared.gps_timestamp_flags"], doc = "Validity flags for the timestamp." },
     } }, { { set = 0xFF, name = "shared.gps_timestamp", title = "GPS timestamp" }, })
 field({ descriptor = 0xD4, name = "shared.delta_time", role = "data", title = "Delta time",
     doc = "External time since this field was last sent in the same set and event instance.", least = 8,

@@ -51,7 +51,7 @@ class Acknowledge(Shared, Response):
     _LAYOUT = (("command", "B", None), ("code", "B", types.AckCode))
 
     command: int
-    """Descriptor of the command that this replies to."""
+    """Descriptor of the acknowledged command."""
     code: types.AckCode
     """0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK)."""
 

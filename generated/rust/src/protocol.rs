@@ -33,7 +33,7 @@ record! {
     /// Specification.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct Acknowledge {
-        /// Descriptor of the command that this replies to.
+        /// Descriptor of the acknowledged command.
         pub command: u8,
         /// 0 (ACK) if the device carried out the command, otherwise the reason why it did not
         /// (NACK).

@@ -51,7 +51,7 @@ MIP_API const char *mip_function_selector_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Ack/Nack Field Specification
  */
 struct mip_protocol_acknowledge {
-    /** Descriptor of the command that this replies to. */
+    /** Descriptor of the acknowledged command. */
     uint8_t command;
     /**
      * 0 (ACK) if the device carried out the command, otherwise the reason why it did not (NACK). A
