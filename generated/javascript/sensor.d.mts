@@ -374,7 +374,7 @@ export declare class PpsTimestampWithFlags extends Data {
  *
  * Supported by 3DM-GX5-15.
  *
- * Without magnetic disturbance it equals the measured magnetic field, unless a sensor-to-vehicle transformation takes
+ * Without magnetic disturbance it equals the measured magnetic field, unless a sensor-to-vehicle transformation moves
  * the latter out of the sensor frame. A lasting disturbance is not compensated.
  *
  * - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
@@ -395,7 +395,7 @@ export declare class NorthVector extends Data {
  *
  * Supported by 3DM-GX5-15 and 3DM-GX5-35.
  *
- * At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation takes the latter out of the
+ * At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation moves the latter out of the
  * sensor frame.
  *
  * - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)

@@ -131,8 +131,8 @@ def test_references_are_names_of_python() -> None:
     package = SPECS["invented"][1] / "python/mip_protocol"
     tools, sensors = documentation(package / "tools.py"), documentation(package / "measurements.py")
     assert tools["SetTimeSlowResponse"] == (
-        "Set time response (0x01,0x84). Response to `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model A "
-        "and Model C. - guide: Set time"
+        "Set time response (0x01,0x84). Response to `SetTime`. Sent if `part` is `types.Mode.SLOW`. Supported by Model "
+        "A and Model C. - guide: Set time"
     )
     assert tools["Settings.mode"] == (
         "What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`. "

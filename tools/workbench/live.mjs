@@ -235,7 +235,7 @@ class Live {
             return;
         }
         const baud = Number(this.#parts.baud.value) || undefined;
-        await this.#connect((more) => openSerial(port, { baud, ...more }), baud ? "" : " It may take some seconds to detect the baud rate.");
+        await this.#connect((more) => openSerial(port, { baud, ...more }), baud ? "" : " It may take some seconds to find the baud rate.");
     }
 
     async #openServe() {

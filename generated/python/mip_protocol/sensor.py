@@ -609,7 +609,7 @@ class NorthVector(Data):
     Supported by 3DM-GX5-15.
 
     Without magnetic disturbance it equals the measured magnetic field, unless a sensor-to-vehicle
-    transformation takes the latter out of the sensor frame. A lasting disturbance is not
+    transformation moves the latter out of the sensor frame. A lasting disturbance is not
     compensated.
 
     - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
@@ -644,7 +644,7 @@ class UpVector(Data):
 
     Supported by 3DM-GX5-15 and 3DM-GX5-35.
 
-    At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation takes the
+    At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation moves the
     latter out of the sensor frame.
 
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)

@@ -730,7 +730,7 @@ record! {
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - Without magnetic disturbance it equals the measured magnetic field, unless a
-    ///   sensor-to-vehicle transformation takes the latter out of the sensor frame.
+    ///   sensor-to-vehicle transformation moves the latter out of the sensor frame.
     /// - A lasting disturbance is not compensated.
     ///
     /// Source: 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10).
@@ -770,7 +770,7 @@ record! {
     /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// - At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation
-    ///   takes the latter out of the sensor frame.
+    ///   moves the latter out of the sensor frame.
     ///
     /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11); mip-sdk-4: Complementary
     /// filter stabilized up vector (0x80,0x11).
