@@ -54,8 +54,8 @@ enum mip_3dm_factory_streaming_action MIP_ENUM_8 {
 MIP_API const char *mip_3dm_factory_streaming_action_name(uint8_t value);
 
 /**
- * Constellation in receiver settings. The values are not those of enum mip_gnss_constellation,
- * which GNSS data use.
+ * Constellation in receiver settings. The values differ from those of enum mip_gnss_constellation,
+ * which GNSS data uses.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
@@ -94,11 +94,11 @@ typedef uint16_t mip_3dm_constellation_options;
 struct mip_3dm_constellation_settings_entry {
     /** Constellation that this entry configures. A value of enum mip_3dm_constellation_id. */
     uint8_t constellation_id;
-    /** 1 switches it on, 0 off. Range: 0 to 1. */
+    /** 1 enables the constellation, 0 disables it. Range: 0 to 1. */
     uint8_t enable;
-    /** Number of channels reserved for it. Unit: 1. Range: 0 to 32. */
+    /** Number of channels reserved for the constellation. Unit: 1. Range: 0 to 32. */
     uint8_t reserved_channels;
-    /** Maximum number of channels that it uses. Unit: 1. Range: 0 to 32. */
+    /** Maximum number of channels for the constellation. Unit: 1. Range: 0 to 32. */
     uint8_t max_channels;
     /** Options of this constellation. */
     mip_3dm_constellation_options option_flags;
@@ -123,7 +123,7 @@ typedef uint16_t mip_3dm_sbas_options;
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
 enum mip_3dm_assisted_fix_option MIP_ENUM_8 {
-    /** The receiver starts without it. */
+    /** The receiver ignores its last fix. */
     MIP_3DM_ASSISTED_FIX_OPTION_NONE = 0,
     /** The receiver starts from its last fix. */
     MIP_3DM_ASSISTED_FIX_OPTION_ENABLED = 1
@@ -181,7 +181,7 @@ MIP_API const char *mip_3dm_event_support_query_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Info
  */
 struct mip_3dm_event_support_info {
-    /** Type of triggers, or of actions. */
+    /** Trigger type or action type. */
     uint8_t type;
     /** Maximum number of instances of this type. Unit: 1. */
     uint8_t count;
@@ -260,15 +260,15 @@ typedef uint16_t mip_3dm_data_conditioning_flags;
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_LITTLE_ENDIAN_FLOATS 0x0010U
 /** Bit 5. Suppresses values that are NaN (not a number). */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_NAN_SUPPRESSED 0x0020U
-/** Bit 6. Corrects the distance between the accelerometers. */
+/** Bit 6. Compensates for the distance between the accelerometers. */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_FINITE_SIZE_CORRECTION 0x0040U
 /** Bit 8. Switches the magnetometer off. */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_DISABLE_MAG 0x0100U
 /** Bit 9. Reduces the power of the magnetometer. */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_MAG_LOW_POWER 0x0200U
-/** Bit 10. Disables the correction of the heading. */
+/** Bit 10. Disables the heading correction. */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_DISABLE_NORTH_COMPENSATION 0x0400U
-/** Bit 11. Disables the correction of pitch and roll. */
+/** Bit 11. Disables the pitch and roll correction. */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_DISABLE_UP_COMPENSATION 0x0800U
 /** Bit 12. Computes the quaternion. */
 #define MIP_3DM_DATA_CONDITIONING_FLAGS_QUATERNION_CALCULATION 0x1000U
@@ -379,7 +379,7 @@ MIP_API const char *mip_3dm_internal_sensor_name(uint8_t value);
 enum mip_3dm_stream_format MIP_ENUM_8 {
     /** MIP data fields. */
     MIP_3DM_STREAM_FORMAT_STANDARD = 1,
-    /** Packets of the sensor itself, each in a MIP field. */
+    /** The sensor's own packets, each in a MIP field. */
     MIP_3DM_STREAM_FORMAT_WRAPPED_RAW = 2
 };
 
@@ -476,7 +476,7 @@ MIP_API const char *mip_3dm_gx4_system_state_name(uint16_t value);
 struct mip_3dm_poll_imu_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. The number of elements of descriptors. */
+    /** Number of fields. Counts the elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields to send. Refers to fields of MIP_SENSOR_SET. */
     struct mip_3dm_poll_entry descriptors[83];
@@ -508,7 +508,7 @@ MIP_CHECKED static inline mip_error mip_3dm_poll_imu_data_encode(
  * Poll IMU Data. Fills the structure and returns its address.
  *
  * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors.
  * - descriptors: Fields to send. Refers to fields of MIP_SENSOR_SET.
  */
 static inline struct mip_3dm_poll_imu_data *
@@ -542,7 +542,7 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
 struct mip_3dm_poll_gnss_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. The number of elements of descriptors. Range: 0 to 83. */
+    /** Number of fields. Counts the elements of descriptors. Range: 0 to 83. */
     uint8_t num_descriptors;
     /**
      * Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a decimation in
@@ -577,7 +577,7 @@ MIP_CHECKED static inline mip_error mip_3dm_poll_gnss_data_encode(
  * Poll GNSS Data. Fills the structure and returns its address.
  *
  * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Range: 0 to 83.
  * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
  *   decimation in place of the reserved number and does not document how a poll uses it.
  */
@@ -612,7 +612,7 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
 struct mip_3dm_poll_filter_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. The number of elements of descriptors. */
+    /** Number of fields. Counts the elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields to send. Refers to fields of MIP_FILTER_DATA_SET. */
     struct mip_3dm_poll_entry descriptors[83];
@@ -644,7 +644,7 @@ MIP_CHECKED static inline mip_error mip_3dm_poll_filter_data_encode(
  * Poll Estimation Filter Data. Fills the structure and returns its address.
  *
  * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors.
  * - descriptors: Fields to send. Refers to fields of MIP_FILTER_DATA_SET.
  */
 static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
@@ -678,7 +678,7 @@ static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
 struct mip_3dm_poll_nmea_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of sentences. The number of elements of format_entries. */
+    /** Number of sentences. Counts the elements of format_entries. */
     uint8_t count;
     /** Sentences to send. */
     struct mip_nmea_message format_entries[50];
@@ -710,7 +710,7 @@ MIP_CHECKED static inline mip_error mip_3dm_poll_nmea_data_encode(
  * Poll NMEA Data. Fills the structure and returns its address.
  *
  * - suppress_ack: Send no acknowledge.
- * - count: Number of sentences. The number of elements of format_entries.
+ * - count: Number of sentences. Counts the elements of format_entries.
  * - format_entries: Sentences to send.
  */
 static inline struct mip_3dm_poll_nmea_data *
@@ -729,7 +729,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
  *
  * Gets the base rate, which is divided by the decimations of mip_3dm_imu_message_format.
  *
- * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
+ * Also called `imu_get_base_rate`. Response: mip_3dm_get_imu_base_rate_response. Supported by
  * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
@@ -764,7 +764,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_encode(
 /**
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
- * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_base_rate. Supported by
+ * Also called `imu_get_base_rate_response`. Response to mip_3dm_get_imu_base_rate. Supported by
  * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
@@ -802,7 +802,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
  *
  * Gets the base rate, which is divided by the decimations of mip_3dm_gnss_message_format.
  *
- * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response. Supported by
+ * Also called `gnss_get_base_rate`. Response: mip_3dm_get_gnss_base_rate_response. Supported by
  * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
  * MicroStrain MIP SDK.
  *
@@ -838,7 +838,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_encode(
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
- * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate. Supported by
+ * Also called `gnss_get_base_rate_response`. Response to mip_3dm_get_gnss_base_rate. Supported by
  * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
  * MicroStrain MIP SDK.
  *
@@ -877,7 +877,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
  *
  * Sets the fields of the sensor data packets (0x80), their order and their decimations.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
+ * Functions: write, read, save, load and default. Response: mip_3dm_imu_message_format_response.
  * Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
@@ -897,7 +897,7 @@ struct mip_3dm_imu_message_format {
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Number of fields. The number of elements of descriptors. Required for write. */
+    /** Number of fields. Counts the elements of descriptors. Required for write. */
     uint8_t num_descriptors;
     /** Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write. */
     struct mip_descriptor_rate descriptors[83];
@@ -928,7 +928,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
  */
 static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_write(
@@ -977,13 +977,13 @@ mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
 /**
  * IMU Message Format response: response (0x0C,0x80).
  *
- * Answers mip_3dm_imu_message_format. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_imu_message_format. Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format_response {
-    /** Number of fields. The number of elements of descriptors. */
+    /** Number of fields. Counts the elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. Refers to fields of MIP_SENSOR_SET. */
     struct mip_descriptor_rate descriptors[84];
@@ -1017,7 +1017,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_message_format_response_encode(
  *
  * Sets the fields of the GNSS data packets, their order and their decimations.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
+ * Functions: write, read, save, load and default. Response: mip_3dm_gnss_message_format_response.
  * Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as mip_3dm_get_gnss_base_rate reports it, divided by the desired
@@ -1034,9 +1034,7 @@ struct mip_3dm_gnss_message_format {
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /**
-     * Number of fields. The number of elements of descriptors. Range: 0 to 82. Required for write.
-     */
+    /** Number of fields. Counts the elements of descriptors. Range: 0 to 82. Required for write. */
     uint8_t num_descriptors;
     /** Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write. */
     struct mip_descriptor_rate descriptors[83];
@@ -1067,8 +1065,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
- *   Required for write.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Range: 0 to 82. Required
+ *   for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write.
  */
 static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write(
@@ -1117,14 +1115,14 @@ mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command)
 /**
  * GNSS Message Format response: response (0x0C,0x81).
  *
- * Answers mip_3dm_gnss_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
+ * Response to mip_3dm_gnss_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - mip-sdk-4: GNSS Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 struct mip_3dm_gnss_message_format_response {
-    /** Number of fields. The number of elements of descriptors. Range: 0 to 82. */
+    /** Number of fields. Counts the elements of descriptors. Range: 0 to 82. */
     uint8_t num_descriptors;
     /** Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. */
     struct mip_descriptor_rate descriptors[84];
@@ -1158,9 +1156,8 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_message_format_response_encode(
  *
  * Sets the fields of the filter data packets (0x82), their order and their decimations.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_filter_message_format_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Functions: write, read, save, load and default. Response: mip_3dm_filter_message_format_response.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as mip_3dm_get_filter_base_rate reports it, divided by the
  * desired rate.
@@ -1178,7 +1175,7 @@ struct mip_3dm_filter_message_format {
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Number of fields. The number of elements of descriptors. Required for write. */
+    /** Number of fields. Counts the elements of descriptors. Required for write. */
     uint8_t num_descriptors;
     /** Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for write. */
     struct mip_descriptor_rate descriptors[83];
@@ -1210,7 +1207,7 @@ MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
  *   write.
  */
@@ -1260,13 +1257,13 @@ mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *comm
 /**
  * Estimation Filter Message Format response: response (0x0C,0x82).
  *
- * Answers mip_3dm_filter_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
+ * Response to mip_3dm_filter_message_format. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
 struct mip_3dm_filter_message_format_response {
-    /** Number of fields. The number of elements of descriptors. */
+    /** Number of fields. Counts the elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. */
     struct mip_descriptor_rate descriptors[84];
@@ -1300,8 +1297,8 @@ MIP_CHECKED static inline mip_error mip_3dm_filter_message_format_response_encod
  *
  * Gets the base rate, which is divided by the decimations of mip_3dm_filter_message_format.
  *
- * Also called `filter_get_base_rate`. Answered by mip_3dm_get_filter_base_rate_response. Supported
- * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `filter_get_base_rate`. Response: mip_3dm_get_filter_base_rate_response. Supported by
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -1335,8 +1332,8 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_encode(
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
- * Also called `filter_get_base_rate_response`. Answers mip_3dm_get_filter_base_rate. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Also called `filter_get_base_rate_response`. Response to mip_3dm_get_filter_base_rate. Supported
+ * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -1373,7 +1370,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_filter_base_rate_response_encode
  *
  * Sets the NMEA sentences that the device streams.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_nmea_message_format_response.
+ * Functions: write, read, save, load and default. Response: mip_3dm_nmea_message_format_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * A sentence may be listed several times with different talkers or sources.
@@ -1393,7 +1390,7 @@ struct mip_3dm_nmea_message_format {
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Number of sentences. The number of elements of format_entries. Required for write. */
+    /** Number of sentences. Counts the elements of format_entries. Required for write. */
     uint8_t count;
     /** Sentences to stream. Required for write. */
     struct mip_nmea_message format_entries[50];
@@ -1424,7 +1421,7 @@ MIP_CHECKED static inline mip_error mip_3dm_nmea_message_format_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - count: Number of sentences. The number of elements of format_entries. Required for write.
+ * - count: Number of sentences. Counts the elements of format_entries. Required for write.
  * - format_entries: Sentences to stream. Required for write.
  */
 static inline struct mip_3dm_nmea_message_format *
@@ -1473,12 +1470,12 @@ mip_3dm_nmea_message_format_default(struct mip_3dm_nmea_message_format *command)
 /**
  * NMEA Message Format response: response (0x0C,0x8C).
  *
- * Answers mip_3dm_nmea_message_format. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_nmea_message_format. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format_response {
-    /** Number of sentences. The number of elements of format_entries. */
+    /** Number of sentences. Counts the elements of format_entries. */
     uint8_t count;
     /** Sentences to stream. */
     struct mip_nmea_message format_entries[50];
@@ -1530,7 +1527,7 @@ struct mip_3dm_poll_data {
     uint8_t descriptor_set;
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. The number of elements of descriptors. */
+    /** Number of fields. Counts the elements of descriptors. */
     uint8_t num_descriptors;
     /** Field descriptors. Refers to fields of descriptor_set. */
     uint8_t descriptors[250];
@@ -1563,7 +1560,7 @@ MIP_CHECKED static inline mip_error mip_3dm_poll_data_encode(const struct mip_3d
  *
  * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
  * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors.
  * - descriptors: Field descriptors. Refers to fields of descriptor_set.
  */
 static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_poll_data *command,
@@ -1585,8 +1582,8 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
  *
  * Gets the base rate, which is divided by the decimations of a descriptor set.
  *
- * Answered by mip_3dm_get_base_rate_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response: mip_3dm_get_base_rate_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS
+ * and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -1632,7 +1629,7 @@ mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descri
 /**
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
- * Answers mip_3dm_get_base_rate. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+ * Response to mip_3dm_get_base_rate. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
@@ -1672,7 +1669,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_base_rate_response_encode(
  *
  * Sets the fields of the data packets of a descriptor set, their order and their decimations.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
+ * Functions: write, read, save, load and default. Response: mip_3dm_message_format_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * The decimation is the base rate, as mip_3dm_get_base_rate reports it, divided by the desired
@@ -1693,7 +1690,7 @@ struct mip_3dm_message_format {
     uint8_t function;
     /** Data descriptor set; 0 means all of them (save, load, default). */
     uint8_t descriptor_set;
-    /** Number of fields. The number of elements of descriptors. Required for write. */
+    /** Number of fields. Counts the elements of descriptors. Required for write. */
     uint8_t num_descriptors;
     /** Fields and decimations. Refers to fields of descriptor_set. Required for write. */
     struct mip_descriptor_rate descriptors[83];
@@ -1725,7 +1722,7 @@ MIP_CHECKED static inline mip_error mip_3dm_message_format_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
- * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
  */
 static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
@@ -1795,14 +1792,14 @@ mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t d
 /**
  * Message Format response: response (0x0C,0x8F).
  *
- * Answers mip_3dm_message_format. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_message_format. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format_response {
     /** Data descriptor set. */
     uint8_t descriptor_set;
-    /** Number of fields. The number of elements of descriptors. */
+    /** Number of fields. Counts the elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. Refers to fields of descriptor_set. */
     struct mip_descriptor_rate descriptors[83];
@@ -1886,14 +1883,14 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  *
  * Switches a data stream on or off.
  *
- * Also called `datastream_control`. Functions: write, read, save, load and default. Answered by
+ * Also called `datastream_control`. Functions: write, read, save, load and default. Response:
  * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
  * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Devices of the generations 3 to 5 identify the stream by a number (enum
  * mip_3dm_legacy_data_stream), other devices by its descriptor set.
  *
- * A stream that you enable begins with current data, not with data from the time before.
+ * A newly enabled stream starts with current data, without any from before.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -2047,7 +2044,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
 /**
  * Data Stream Control response: response (0x0C,0x85).
  *
- * Also called `datastream_control_response`. Answers mip_3dm_data_stream_control. Supported by
+ * Also called `datastream_control_response`. Response to mip_3dm_data_stream_control. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
@@ -2056,7 +2053,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
  */
 struct mip_3dm_data_stream_control_response {
     /**
-     * The stream that the command names. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
+     * Stream specified in the command. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
      * 3DM-CV5-15, 3DM-CV5-25, 3DM-CV5-45, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
      * 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
      * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR,
@@ -2156,7 +2153,7 @@ static inline struct mip_3dm_raw_rtcm_2_3_message *mip_3dm_raw_rtcm_2_3_message_
  * Selects the constellations that the GNSS receiver tracks, and their shares of its tracking
  * channels.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_3dm_constellation_settings_response. Probably changes mip_gnss_data_fix_info,
  * mip_gnss_data_sv_info and mip_gnss_data_satellite_status. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
  * Uncertain: The factory default. The SDK names only GPS and GLONASS as enabled, but has channels
@@ -2191,9 +2188,7 @@ struct mip_3dm_constellation_settings {
      * available. Unit: 1. Required for write.
      */
     uint16_t max_channels;
-    /**
-     * Number of entries. The number of elements of settings. Range: 0 to 41. Required for write.
-     */
+    /** Number of entries. Counts the elements of settings. Range: 0 to 41. Required for write. */
     uint8_t config_count;
     /** One entry for each constellation. Required for write. */
     struct mip_3dm_constellation_settings_entry settings[41];
@@ -2227,8 +2222,8 @@ MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_encode(
  *
  * - max_channels: Maximum number of tracking channels in use; at most the number that the response
  *   reports as available. Unit: 1. Required for write.
- * - config_count: Number of entries. The number of elements of settings. Range: 0 to 41. Required
- *   for write.
+ * - config_count: Number of entries. Counts the elements of settings. Range: 0 to 41. Required for
+ *   write.
  * - settings: One entry for each constellation. Required for write.
  */
 static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_settings_write(
@@ -2280,17 +2275,17 @@ mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *co
  *
  * Tracking channels of the receiver and the setting of each constellation.
  *
- * Answers mip_3dm_constellation_settings. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
+ * Response to mip_3dm_constellation_settings. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
  */
 struct mip_3dm_constellation_settings_response {
-    /** Channels that the receiver has. Unit: 1. */
+    /** Number of channels of the receiver. Unit: 1. */
     uint16_t max_channels_available;
     /** Maximum number of channels in use. Unit: 1. */
     uint16_t max_channels_use;
-    /** Number of entries. The number of elements of settings. Range: 0 to 41. */
+    /** Number of entries. Counts the elements of settings. Range: 0 to 41. */
     uint8_t config_count;
     /** One entry for each constellation. */
     struct mip_3dm_constellation_settings_entry settings[41];
@@ -2324,7 +2319,7 @@ MIP_CHECKED static inline mip_error mip_3dm_constellation_settings_response_enco
  *
  * Sets how the GNSS receivers use satellite-based augmentation (SBAS).
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
+ * Functions: write, read, save, load and default. Response: mip_3dm_gnss_sbas_settings_response.
  * Probably changes mip_gnss_data_sbas_info and mip_gnss_data_sbas_correction. Supported by
  * 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
@@ -2339,7 +2334,8 @@ struct mip_3dm_gnss_sbas_settings {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35: default 1.
+     * 1 enables SBAS, 0 disables it. Range: 0 to 1. Required for write. On the 3DM-GX5-35: default
+     * 1.
      */
     uint8_t enable_sbas;
     /**
@@ -2348,7 +2344,7 @@ struct mip_3dm_gnss_sbas_settings {
      */
     mip_3dm_sbas_options sbas_options;
     /**
-     * Number of satellites listed; 0 searches for all. The number of elements of included_prns.
+     * Number of satellites listed; 0 searches for all. Counts the elements of included_prns.
      * Required for write.
      */
     uint8_t num_included_prns;
@@ -2381,11 +2377,11 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
- *   default 1.
+ * - enable_sbas: 1 enables SBAS, 0 disables it. Range: 0 to 1. Required for write. On the
+ *   3DM-GX5-35: default 1.
  * - sbas_options: Purposes of SBAS. Required for write. On the 3DM-GX5-35: default
  *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
- * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
+ * - num_included_prns: Number of satellites listed; 0 searches for all. Counts the elements of
  *   included_prns. Required for write.
  * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
  */
@@ -2437,16 +2433,16 @@ mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
 /**
  * GNSS SBAS Settings response: response (0x0C,0xA1).
  *
- * Answers mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
+ * Response to mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 struct mip_3dm_gnss_sbas_settings_response {
-    /** 1 switches SBAS on, 0 off. Range: 0 to 1. */
+    /** 1 enables SBAS, 0 disables it. Range: 0 to 1. */
     uint8_t enable_sbas;
     /** Purposes of SBAS. */
     mip_3dm_sbas_options sbas_options;
-    /** Number of satellites listed; 0 searches for all. The number of elements of included_prns. */
+    /** Number of satellites listed; 0 searches for all. Counts the elements of included_prns. */
     uint8_t num_included_prns;
     /** PRN numbers of the SBAS satellites to search for. */
     uint16_t included_prns[124];
@@ -2481,7 +2477,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * Sets whether the GNSS receiver keeps the data of its last fix and starts from it at the next
  * power-up.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
+ * Functions: write, read, save, load and default. Response: mip_3dm_gnss_assisted_fix_response.
  * Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
@@ -2492,7 +2488,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * A change from enabled to none erases the flash memory of the receiver, which is rated for 100 000
  * erasures.
  *
- * The power consumption is slightly higher.
+ * It slightly increases the power consumption.
  *
  * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
  */
@@ -2591,8 +2587,8 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
- * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP
- * SDK.
+ * Response to mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: GNSS Assisted Fix (0x0C,0x23)
  */
@@ -2634,7 +2630,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
  *
  * Sends the current GPS time to the GNSS receiver.
  *
- * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response. Supported by
+ * Functions: write and read. Response: mip_3dm_gnss_time_assistance_response. Supported by
  * 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * It is needed right after power-up if mip_3dm_gnss_assisted_fix was on at power-off.
@@ -2711,8 +2707,8 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
- * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known only from the MicroStrain
- * MIP SDK.
+ * Response to mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: GNSS Time Assistance (0x0C,0x24)
  */
@@ -2753,7 +2749,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gnss_time_assistance_response_encode
  *
  * Selects the source of the pulse per second (PPS).
  *
- * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
+ * Also called `pps_source`. Functions: write, read, save, load and default. Response:
  * mip_3dm_pps_source_control_response. Changes mip_system_data_time_sync_status. Probably changes
  * mip_shared_gps_timestamp, mip_shared_external_timestamp and mip_sensor_gps_timestamp. Supported
  * by 3DM-CV7-GNSS/INS.
@@ -2858,7 +2854,7 @@ mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
 /**
  * PPS Source Control response: response (0x0C,0xA8).
  *
- * Also called `pps_source_response`. Answers mip_3dm_pps_source_control. Supported by
+ * Also called `pps_source_response`. Response to mip_3dm_pps_source_control. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
@@ -2894,9 +2890,9 @@ MIP_CHECKED static inline mip_error mip_3dm_pps_source_control_response_encode(
 /**
  * Get Supported Events: command (0x0C,0x2A).
  *
- * Gets the types of event triggers or actions that the device has, and how many of each.
+ * Gets the types of event triggers or actions that the device supports, and the number of each.
  *
- * Answered by mip_3dm_get_event_support_response. Supported by 3DM-CV7-GNSS/INS.
+ * Response: mip_3dm_get_event_support_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -2942,7 +2938,7 @@ static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
 /**
  * Get Supported Events response: response (0x0C,0xB4).
  *
- * Answers mip_3dm_get_event_support. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_get_event_support. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -2951,7 +2947,7 @@ struct mip_3dm_get_event_support_response {
     uint8_t query;
     /** Number of slots; instances are numbered from 1 to this. Unit: 1. */
     uint8_t max_instances;
-    /** Number of types. The number of elements of entries. */
+    /** Number of types. Counts the elements of entries. */
     uint8_t num_entries;
     /**
      * The types. If query is MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES: type has values of enum
@@ -2989,7 +2985,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_support_response_encode(
  *
  * Enables, disables or tests an event trigger.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_event_control_response.
+ * Functions: write, read, save, load and default. Response: mip_3dm_event_control_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * Triggers are disabled by default and after configuration.
@@ -3108,7 +3104,7 @@ mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t ins
 /**
  * Event Control response: response (0x0C,0xB5).
  *
- * Answers mip_3dm_event_control. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_event_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
@@ -3150,13 +3146,13 @@ MIP_CHECKED static inline mip_error mip_3dm_event_control_response_encode(
  *
  * Gets the type and the state of event triggers.
  *
- * Answered by mip_3dm_get_event_trigger_status_response. Supported by 3DM-CV7-GNSS/INS.
+ * Response: mip_3dm_get_event_trigger_status_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 struct mip_3dm_get_event_trigger_status {
     /**
-     * Number of requested triggers; 0 requests all slots. The number of elements of
+     * Number of requested triggers; 0 requests all slots. Counts the elements of
      * requested_instances.
      */
     uint8_t requested_count;
@@ -3190,7 +3186,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_encode(
 /**
  * Get Event Trigger Status. Fills the structure and returns its address.
  *
- * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements of
+ * - requested_count: Number of requested triggers; 0 requests all slots. Counts the elements of
  *   requested_instances.
  * - requested_instances: Numbers of the triggers to report; none for all.
  */
@@ -3208,12 +3204,12 @@ static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger
 /**
  * Get Event Trigger Status response: response (0x0C,0xB6).
  *
- * Answers mip_3dm_get_event_trigger_status. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_get_event_trigger_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 struct mip_3dm_get_event_trigger_status_response {
-    /** Number of entries. The number of elements of triggers. */
+    /** Number of entries. Counts the elements of triggers. */
     uint8_t count;
     /** One entry per trigger, in the requested order, or by instance if all were requested. */
     struct mip_3dm_event_trigger_status_entry triggers[126];
@@ -3247,13 +3243,13 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_trigger_status_response_en
  *
  * Gets the type and the trigger of event actions.
  *
- * Answered by mip_3dm_get_event_action_status_response. Supported by 3DM-CV7-GNSS/INS.
+ * Response: mip_3dm_get_event_action_status_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 struct mip_3dm_get_event_action_status {
     /**
-     * Number of requested actions; 0 requests all slots. The number of elements of
+     * Number of requested actions; 0 requests all slots. Counts the elements of
      * requested_instances.
      */
     uint8_t requested_count;
@@ -3287,7 +3283,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_event_action_status_encode(
 /**
  * Get Event Action Status. Fills the structure and returns its address.
  *
- * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
+ * - requested_count: Number of requested actions; 0 requests all slots. Counts the elements of
  *   requested_instances.
  * - requested_instances: Numbers of the actions to report; none for all.
  */
@@ -3305,12 +3301,12 @@ mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *com
 /**
  * Get Event Action Status response: response (0x0C,0xB7).
  *
- * Answers mip_3dm_get_event_action_status. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_get_event_action_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 struct mip_3dm_get_event_action_status_response {
-    /** Number of entries. The number of elements of actions. */
+    /** Number of entries. Counts the elements of actions. */
     uint8_t count;
     /** One entry per action, in the requested order, or by instance if all were requested. */
     struct mip_3dm_event_action_status_entry actions[126];
@@ -3360,7 +3356,7 @@ union mip_3dm_event_trigger_config_parameters {
  *
  * Configures the kind and the condition of an event trigger.
  *
- * Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
+ * Also called `event_trigger`. Functions: write, read, save, load and default. Response:
  * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
  * 3DM-CV7-GNSS/INS.
  *
@@ -3508,7 +3504,7 @@ union mip_3dm_event_trigger_config_response_parameters {
 /**
  * Event Trigger Configuration response: response (0x0C,0xB8).
  *
- * Also called `event_trigger_response`. Answers mip_3dm_event_trigger_config. Supported by
+ * Also called `event_trigger_response`. Response to mip_3dm_event_trigger_config. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
@@ -3561,7 +3557,7 @@ union mip_3dm_event_action_config_parameters {
  *
  * Configures the trigger and the effect of an event action.
  *
- * Also called `event_action`. Functions: write, read, save, load and default. Answered by
+ * Also called `event_action`. Functions: write, read, save, load and default. Response:
  * mip_3dm_event_action_config_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger.
@@ -3708,7 +3704,7 @@ union mip_3dm_event_action_config_response_parameters {
 /**
  * Event Action Configuration response: response (0x0C,0xB9).
  *
- * Also called `event_action_response`. Answers mip_3dm_event_action_config. Supported by
+ * Also called `event_action_response`. Response to mip_3dm_event_action_config. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
@@ -3823,7 +3819,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * Sets the mounting of the sensor in the vehicle as Euler angles.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Changes mip_sensor_scaled_accel,
+ * Response: mip_3dm_sensor_to_vehicle_transform_euler_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
@@ -3941,7 +3937,7 @@ mip_3dm_sensor_to_vehicle_transform_euler_default(
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
- * Also called `sensor_2_vehicle_transform_euler_response`. Answers
+ * Also called `sensor_2_vehicle_transform_euler_response`. Response to
  * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
@@ -3987,7 +3983,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_re
  * Sets the mounting of the sensor in the vehicle as a quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_sensor_to_vehicle_transform_quaternion_response. Changes
+ * default. Response: mip_3dm_sensor_to_vehicle_transform_quaternion_response. Changes
  * mip_sensor_scaled_accel, mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta,
  * mip_sensor_delta_velocity, mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion,
  * mip_sensor_comp_euler_angles, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
@@ -4099,7 +4095,7 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_default(
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
- * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+ * Also called `sensor_2_vehicle_transform_quaternion_response`. Response to
  * mip_3dm_sensor_to_vehicle_transform_quaternion. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
@@ -4145,7 +4141,7 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaterni
  * Sets the mounting of the sensor in the vehicle as a direction cosine matrix.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_transform_dcm_response. Changes mip_sensor_scaled_accel,
+ * Response: mip_3dm_sensor_to_vehicle_transform_dcm_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion, mip_sensor_comp_euler_angles,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
@@ -4255,7 +4251,7 @@ mip_3dm_sensor_to_vehicle_transform_dcm_default(
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
- * Also called `sensor_2_vehicle_transform_dcm_response`. Answers
+ * Also called `sensor_2_vehicle_transform_dcm_response`. Response to
  * mip_3dm_sensor_to_vehicle_transform_dcm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
@@ -4299,9 +4295,9 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_resp
  * Sets the dynamics that the GNSS receiver assumes of the vehicle.
  *
  * No device is known for certain to support it. Functions: write, read, save, load and default.
- * Answered by mip_3dm_gps_dynamics_mode_response. Probably changes mip_gnss_data_llh_position and
+ * Response: mip_3dm_gps_dynamics_mode_response. Probably changes mip_gnss_data_llh_position and
  * mip_gnss_data_ned_velocity. Known only from the MIP SDK of 2014 and MicroStrain Communication
- * Library. Uncertain: Which devices have it. The SDK of 2014 has it in its example for the
+ * Library. Uncertain: Which devices support it. The SDK of 2014 uses it in its example for the
  * 3DM-GX3-35 only.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
@@ -4389,8 +4385,8 @@ mip_3dm_gps_dynamics_mode_default(struct mip_3dm_gps_dynamics_mode *command) {
 /**
  * GPS dynamics mode response: response (0x0C,0x92).
  *
- * No device is known for certain to support it. Answers mip_3dm_gps_dynamics_mode. Known only from
- * the MIP SDK of 2014 and MicroStrain Communication Library.
+ * No device is known for certain to support it. Response to mip_3dm_gps_dynamics_mode. Known only
+ * from the MIP SDK of 2014 and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: GPS dynamics mode (0x0C,0x34)
  * - mscl: GPS dynamics mode (0x0C,0x34)
@@ -4429,14 +4425,14 @@ MIP_CHECKED static inline mip_error mip_3dm_gps_dynamics_mode_response_encode(
  * Configures the filters and the orientation algorithm of 3-series devices.
  *
  * No device is known for certain to support it. Functions: write, read, save, load and default.
- * Answered by mip_3dm_imu_signal_conditioning_response. Changes mip_sensor_scaled_accel,
+ * Response: mip_3dm_imu_signal_conditioning_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion and mip_sensor_comp_euler_angles.
  * Probably changes mip_sensor_scaled_mag. Known only from the MIP SDK of 2014 and MicroStrain
  * Communication Library. Uncertain: The ranges, the defaults, and some of the flags. They are those
  * of the single-byte protocol of the 3DM-GX3, which has the same record. Uncertain: Which devices
- * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether every
- * device sends `reserved` in the response. MSCL reads it without.
+ * support it. The SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: Whether
+ * every device sends `reserved` in the response. MSCL reads it without.
  *
  * The filters are moving averages; the first zero of their response is at 1000 Hz divided by the
  * width.
@@ -4580,8 +4576,8 @@ mip_3dm_imu_signal_conditioning_default(struct mip_3dm_imu_signal_conditioning *
 /**
  * IMU signal conditioning response: response (0x0C,0x86).
  *
- * No device is known for certain to support it. Answers mip_3dm_imu_signal_conditioning. Known only
- * from the MIP SDK of 2014 and MicroStrain Communication Library.
+ * No device is known for certain to support it. Response to mip_3dm_imu_signal_conditioning. Known
+ * only from the MIP SDK of 2014 and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: IMU signal conditioning (0x0C,0x35)
  * - mscl: IMU signal conditioning (0x0C,0x35)
@@ -4639,10 +4635,10 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_signal_conditioning_response_enc
  *
  * Sets or reads a time counter of the sensor data.
  *
- * No device is known for certain to support it. Functions: write and read. Answered by
+ * No device is known for certain to support it. Functions: write and read. Response:
  * mip_3dm_imu_timestamp_response. Known only from the MIP SDK of 2014. Uncertain: Which devices
- * have it. The SDK of 2014 has it in its example for the 3DM-GX3-35 only. Uncertain: Whether a read
- * includes `time`, which is ignored, or omits it, as is assumed.
+ * support it. The SDK of 2014 uses it in its example for the 3DM-GX3-35 only. Uncertain: Whether a
+ * read includes `time`, which is ignored, or omits it, as is assumed.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
@@ -4656,7 +4652,7 @@ struct mip_3dm_imu_timestamp {
     uint8_t function;
     /** Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector. */
     uint8_t selector;
-    /** Value of the counter, in the unit that `selector` states. Required for write. */
+    /** Value of the counter, in the unit that `selector` selects. Required for write. */
     uint32_t time;
 };
 
@@ -4686,7 +4682,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
- * - time: Value of the counter, in the unit that `selector` states. Required for write.
+ * - time: Value of the counter, in the unit that `selector` selects. Required for write.
  */
 static inline struct mip_3dm_imu_timestamp *
 mip_3dm_imu_timestamp_write(struct mip_3dm_imu_timestamp *command,
@@ -4714,15 +4710,15 @@ static inline struct mip_3dm_imu_timestamp *mip_3dm_imu_timestamp_read(
 /**
  * IMU timestamp response: response (0x0C,0x93).
  *
- * No device is known for certain to support it. Answers mip_3dm_imu_timestamp. Known only from the
- * MIP SDK of 2014.
+ * No device is known for certain to support it. Response to mip_3dm_imu_timestamp. Known only from
+ * the MIP SDK of 2014.
  *
  * - mip-sdk-2014: IMU timestamp (0x0C,0x36)
  */
 struct mip_3dm_imu_timestamp_response {
     /** Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector. */
     uint8_t selector;
-    /** Value of the counter, in the unit that `selector` states. */
+    /** Value of the counter, in the unit that `selector` selects. */
     uint32_t time;
 };
 
@@ -4754,7 +4750,7 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_timestamp_response_encode(
  *
  * Sets the bias that is subtracted from the scaled acceleration.
  *
- * For advanced use. Functions: write, read, save, load, default and apply. Answered by
+ * For advanced use. Functions: write, read, save, load, default and apply. Response:
  * mip_3dm_accel_bias_response. Changes mip_sensor_scaled_accel. Probably changes
  * mip_sensor_delta_velocity and mip_filter_data_accel_bias. Supported by 3DM-CV7-GNSS/INS,
  * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS:
@@ -4864,8 +4860,8 @@ mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]
 /**
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
- * Answers mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
+ * 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -4905,7 +4901,7 @@ MIP_CHECKED static inline mip_error mip_3dm_accel_bias_response_encode(
  *
  * Sets the bias that is subtracted from the scaled angular rate.
  *
- * For advanced use. Functions: write, read, save, load, default and apply. Answered by
+ * For advanced use. Functions: write, read, save, load, default and apply. Response:
  * mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
  * mip_sensor_delta_theta, mip_filter_data_gyro_bias and mip_filter_data_status. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
@@ -5016,7 +5012,7 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_g
  *
  * The bias in use.
  *
- * Also called `capture_gyro_bias_response`. Answers mip_3dm_gyro_bias and
+ * Also called `capture_gyro_bias_response`. Response to mip_3dm_gyro_bias and
  * mip_3dm_capture_gyro_bias. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
@@ -5058,7 +5054,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gyro_bias_response_encode(
  *
  * Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
  *
- * Answered by mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
+ * Response: mip_3dm_gyro_bias_response. Changes mip_sensor_scaled_gyro. Probably changes
  * mip_sensor_delta_theta, mip_filter_data_gyro_bias and mip_filter_data_status. The device may take
  * 31 s to reply. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -5118,7 +5114,7 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  *
  * Sets the offset that corrects the scaled magnetic field for hard iron.
  *
- * Functions: write, read, save, load, default and apply. Answered by
+ * Functions: write, read, save, load, default and apply. Response:
  * mip_3dm_mag_hard_iron_offset_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
  * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the
  * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
@@ -5126,8 +5122,8 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  *
  * The values come from a calibration of the device as it is installed.
  *
- * On some devices, mip_filter_mag_capture_auto_calibration captures them from the calibration that
- * the filter makes during operation.
+ * On some devices, mip_filter_mag_capture_auto_calibration captures them from the filter's
+ * automatic calibration.
  *
  * The device applies the correction before it sends mip_sensor_scaled_mag.
  *
@@ -5235,8 +5231,8 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
 /**
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
- * Answers mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -5277,7 +5273,7 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode
  *
  * Sets the matrix that corrects the scaled magnetic field for soft iron.
  *
- * Functions: write, read, save, load, default and apply. Answered by
+ * Functions: write, read, save, load, default and apply. Response:
  * mip_3dm_mag_soft_iron_matrix_response. Changes mip_sensor_scaled_mag. Supported by 3DM-CV7-AHRS,
  * 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the
  * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
@@ -5285,8 +5281,8 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode
  *
  * The values come from a calibration of the device as it is installed.
  *
- * On some devices, mip_filter_mag_capture_auto_calibration captures them from the calibration that
- * the filter makes during operation.
+ * On some devices, mip_filter_mag_capture_auto_calibration captures them from the filter's
+ * automatic calibration.
  *
  * The device applies the correction before it sends mip_sensor_scaled_mag.
  *
@@ -5394,8 +5390,8 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
 /**
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
- * Answers mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Response to mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)
@@ -5434,9 +5430,9 @@ MIP_CHECKED static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode
 /**
  * Coning and Sculling Enable: command (0x0C,0x3E).
  *
- * Switches the compensation of coning and sculling on or off.
+ * Enables or disables coning and sculling compensation.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_3dm_coning_sculling_enable_response. Probably changes mip_sensor_delta_theta and
  * mip_sensor_delta_velocity. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
@@ -5525,8 +5521,8 @@ mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *co
 /**
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
- * Answers mip_3dm_coning_sculling_enable. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Response to mip_3dm_coning_sculling_enable. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT
+ * and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -5563,7 +5559,7 @@ MIP_CHECKED static inline mip_error mip_3dm_coning_sculling_enable_response_enco
  *
  * Sets the baud rate of the main port.
  *
- * Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
+ * Also called `uart_baudrate`. Functions: write, read, save, load and default. Response:
  * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
  * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
@@ -5586,8 +5582,8 @@ struct mip_3dm_uart_baud_rate {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Baud rate, one of those that the port supports. Unit: Bd. Required for write. On the
-     * 3DM-GX5-15 and 3DM-GX5-45: default 115200.
+     * Baud rate that the port supports. Unit: Bd. Required for write. On the 3DM-GX5-15 and
+     * 3DM-GX5-45: default 115200.
      */
     uint32_t baud;
 };
@@ -5617,8 +5613,8 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - baud: Baud rate, one of those that the port supports. Unit: Bd. Required for write. On the
- *   3DM-GX5-15 and 3DM-GX5-45: default 115200.
+ * - baud: Baud rate that the port supports. Unit: Bd. Required for write. On the 3DM-GX5-15 and
+ *   3DM-GX5-45: default 115200.
  */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
@@ -5663,14 +5659,14 @@ mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
 /**
  * UART Baud Rate response: response (0x0C,0x87).
  *
- * Also called `uart_baudrate_response`. Answers mip_3dm_uart_baud_rate. Supported by
+ * Also called `uart_baudrate_response`. Response to mip_3dm_uart_baud_rate. Supported by
  * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate_response {
-    /** Baud rate, one of those that the port supports. Unit: Bd. */
+    /** Baud rate that the port supports. Unit: Bd. */
     uint32_t baud;
 };
 
@@ -5702,17 +5698,17 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_response_encode(
  *
  * Sets the use of a GPIO pin.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
- * Probably changes mip_system_data_gpio_state and mip_system_data_gpio_analog_value. Supported by
+ * Functions: write, read, save, load and default. Response: mip_3dm_gpio_config_response. Probably
+ * changes mip_system_data_gpio_state and mip_system_data_gpio_analog_value. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * Not every pin has every feature.
  *
- * For an output with another feature than gpio, set up what drives it first, then the pin;
- * meanwhile, its level would be undefined. For an input, configure the pin first, then what uses
- * it.
+ * For an output with a feature other than gpio, configure the function that drives it before the
+ * pin; otherwise, the level of the pin is undefined in the meantime. For an input, configure the
+ * pin before the function that uses it.
  *
- * A configuration that only one pin can have moves to the last pin configured; the earlier pin is
+ * If only one pin can have a configuration, the last pin configured gets it, and the earlier pin is
  * reset.
  *
  * With NMEA input at most one pin may be a UART input; set it to unused before another one takes
@@ -5853,7 +5849,7 @@ mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
- * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_gpio_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -5903,7 +5899,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_config_response_encode(
  *
  * Sets or reads the state of a GPIO pin.
  *
- * Functions: write and read. Answered by mip_3dm_gpio_state_response. Changes
+ * Functions: write and read. Response: mip_3dm_gpio_state_response. Changes
  * mip_system_data_gpio_state. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * A read returns the level of the pin itself.
@@ -5928,7 +5924,7 @@ struct mip_3dm_gpio_state {
     uint8_t function;
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** True is high. Required for write. */
+    /** True means high. Required for write. */
     mip_bool state;
 };
 
@@ -5958,7 +5954,7 @@ mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value, struct mip_bui
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - pin: GPIO pin, counted from 1. Range: at least 1.
- * - state: True is high. Required for write.
+ * - state: True means high. Required for write.
  */
 static inline struct mip_3dm_gpio_state *
 mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bool state) {
@@ -5985,14 +5981,14 @@ static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_
 /**
  * GPIO State response: response (0x0C,0xC2).
  *
- * Answers mip_3dm_gpio_state. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Response to mip_3dm_gpio_state. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state_response {
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** True is high. */
+    /** True means high. */
     mip_bool state;
 };
 
@@ -6023,7 +6019,7 @@ MIP_CHECKED static inline mip_error mip_3dm_gpio_state_response_encode(
  *
  * Configures the input from a wheel encoder.
  *
- * Also called `odometer`. Functions: write, read, save, load and default. Answered by
+ * Also called `odometer`. Functions: write, read, save, load and default. Response:
  * mip_3dm_odometer_config_response. Changes mip_sensor_odometer. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
@@ -6129,7 +6125,8 @@ mip_3dm_odometer_config_default(struct mip_3dm_odometer_config *command) {
 /**
  * Odometer Configuration response: response (0x0C,0xC3).
  *
- * Also called `odometer_response`. Answers mip_3dm_odometer_config. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_response`. Response to mip_3dm_odometer_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -6172,10 +6169,10 @@ MIP_CHECKED static inline mip_error mip_3dm_odometer_config_response_encode(
 /**
  * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
  *
- * Configures the low-pass filter of one quantity of the sensor data.
+ * Configures the low-pass filter of one sensor data quantity.
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_imu_low_pass_filter_response. Changes mip_sensor_scaled_accel,
+ * default. Response: mip_3dm_imu_low_pass_filter_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag and mip_sensor_scaled_pressure. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use mip_3dm_low_pass_filter
@@ -6335,7 +6332,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
 /**
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
- * Also called `imu_lowpass_filter_response`. Answers mip_3dm_imu_low_pass_filter. Supported by
+ * Also called `imu_lowpass_filter_response`. Response to mip_3dm_imu_low_pass_filter. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
@@ -6387,11 +6384,10 @@ MIP_CHECKED static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
  * Configures the complementary filter, which computes the attitude independently of the estimation
  * filter.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_complementary_filter_response. Changes mip_sensor_comp_orientation_matrix,
- * mip_sensor_comp_quaternion and mip_sensor_comp_euler_angles. Probably changes
- * mip_sensor_north_vector and mip_sensor_up_vector. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15 and 3DM-GX5-35.
+ * Functions: write, read, save, load and default. Response: mip_3dm_complementary_filter_response.
+ * Changes mip_sensor_comp_orientation_matrix, mip_sensor_comp_quaternion and
+ * mip_sensor_comp_euler_angles. Probably changes mip_sensor_north_vector and mip_sensor_up_vector.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * Pitch and roll follow the accelerometers, on the assumption that the mean acceleration is zero.
  *
@@ -6421,7 +6417,7 @@ struct mip_3dm_complementary_filter {
     /**
      * True enables the heading correction, which 5-series manuals call north compensation. Required
      * for write. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and
-     * 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true.
+     * 3DM-GX5-10: MSCL has no support for it. On the 3DM-GX5-15: default true.
      */
     mip_bool heading_enable;
     /**
@@ -6465,7 +6461,8 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_encode(
  *   compensation. Required for write. On the 3DM-GX5-15: default true.
  * - heading_enable: True enables the heading correction, which 5-series manuals call north
  *   compensation. Required for write. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15,
- *   3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true.
+ *   3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL has no support for it. On the 3DM-GX5-15: default
+ *   true.
  * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1 to
  *   1000. Default: 10. Required for write.
  * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.
@@ -6518,8 +6515,8 @@ mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *comman
 /**
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
- * Answers mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35.
+ * Response to mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15
+ * and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -6563,8 +6560,8 @@ MIP_CHECKED static inline mip_error mip_3dm_complementary_filter_response_encode
  *
  * Sets the measuring range of a sensor.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
- * Probably changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro and mip_sensor_overrange_status.
+ * Functions: write, read, save, load and default. Response: mip_3dm_sensor_range_response. Probably
+ * changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro and mip_sensor_overrange_status.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * mip_3dm_get_calibrated_sensor_ranges lists the settings. The device may reject other settings, or
@@ -6678,7 +6675,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
 /**
  * Sensor Range response: response (0x0C,0xD2).
  *
- * Answers mip_3dm_sensor_range. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_3dm_sensor_range. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
@@ -6717,8 +6714,8 @@ MIP_CHECKED static inline mip_error mip_3dm_sensor_range_response_encode(
  *
  * Gets the ranges that a sensor supports.
  *
- * Also called `calibrated_sensor_ranges`. Answered by
- * mip_3dm_get_calibrated_sensor_ranges_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges`. Response: mip_3dm_get_calibrated_sensor_ranges_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -6766,18 +6763,18 @@ mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_r
 /**
  * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
  *
- * Also called `calibrated_sensor_ranges_response`. Answers mip_3dm_get_calibrated_sensor_ranges.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges_response`. Response to
+ * mip_3dm_get_calibrated_sensor_ranges. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
 struct mip_3dm_get_calibrated_sensor_ranges_response {
     /** Sensor specified in the command. A value of enum mip_3dm_sensor_range_type. */
     uint8_t sensor;
-    /** Number of ranges. The number of elements of ranges. */
+    /** Number of ranges. Counts the elements of ranges. */
     uint8_t num_ranges;
     /**
-     * Each range that the sensor is calibrated for. If sensor is MIP_3DM_SENSOR_RANGE_TYPE_ACCEL:
+     * Ranges for which the sensor is calibrated. If sensor is MIP_3DM_SENSOR_RANGE_TYPE_ACCEL:
      * range has unit g. If sensor is MIP_3DM_SENSOR_RANGE_TYPE_GYRO: range has unit deg/s. If
      * sensor is MIP_3DM_SENSOR_RANGE_TYPE_MAG: range has unit gauss. If sensor is
      * MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE: range has unit mbar.
@@ -6815,7 +6812,7 @@ MIP_CHECKED static inline mip_error mip_3dm_get_calibrated_sensor_ranges_respons
  *
  * Configures the low-pass filter of a data field.
  *
- * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
+ * Also called `lowpass_filter`. Functions: write, read, save, load and default. Response:
  * mip_3dm_low_pass_filter_response. Changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro,
  * mip_sensor_scaled_mag, mip_sensor_scaled_pressure, mip_filter_data_comp_accel,
  * mip_filter_data_comp_angular_rate and mip_filter_data_linear_accel. Supported by 3DM-CV7-AHRS,
@@ -6962,7 +6959,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
 /**
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
- * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_filter. Supported by
+ * Also called `lowpass_filter_response`. Response to mip_3dm_low_pass_filter. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
@@ -7009,10 +7006,11 @@ MIP_CHECKED static inline mip_error mip_3dm_low_pass_filter_response_encode(
  * Selects MIP data or the raw data of a sensor for a stream.
  *
  * No device is known for certain to support it. Functions: write, read, save, load and default.
- * Answered by mip_3dm_data_stream_format_response. Known only from the MIP SDK of 2014 and
- * MicroStrain Communication Library. Uncertain: Which devices have it. A comment in the SDK of 2014
- * restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write require `format`.
- * The SDK of 2014 sends both parameters with every function, and a 0 in place of `format`.
+ * Response: mip_3dm_data_stream_format_response. Known only from the MIP SDK of 2014 and
+ * MicroStrain Communication Library. Uncertain: Which devices support it. A comment in the SDK of
+ * 2014 restricts it to the 3DM-GX3-35. Uncertain: Whether functions other than write require
+ * `format`. The SDK of 2014 sends both parameters with every function, and a 0 in place of
+ * `format`.
  *
  * In the wrapped format, packets of the sensor arrive in fields of the data sets: `sensor.aspp` and
  * `sensor.gxsb` for the IMU, `gnss_data.nmea` and `gnss_data.ubx` for the receiver.
@@ -7139,8 +7137,8 @@ static inline struct mip_3dm_data_stream_format *mip_3dm_data_stream_format_defa
 /**
  * Data stream format response: response (0x0C,0x88).
  *
- * No device is known for certain to support it. Answers mip_3dm_data_stream_format. Known only from
- * the MIP SDK of 2014 and MicroStrain Communication Library.
+ * No device is known for certain to support it. Response to mip_3dm_data_stream_format. Known only
+ * from the MIP SDK of 2014 and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: Data stream format (0x0C,0x60)
  * - mscl: Data stream format (0x0C,0x60)
@@ -7181,12 +7179,12 @@ MIP_CHECKED static inline mip_error mip_3dm_data_stream_format_response_encode(
  * Sets the power state of an internal sensor.
  *
  * No device is known for certain to support it. Functions: write, read, save, load and default.
- * Answered by mip_3dm_device_power_state_response. The device may take 5 s to reply. Known only
- * from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices have it.
- * A comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out.
- * The SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether `state` may be
- * omitted with functions other than write. The SDK of 2014 sends `device` with every function, and
- * a 0 in place of `state`.
+ * Response: mip_3dm_device_power_state_response. The device may take 5 s to reply. Known only from
+ * the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices support it. A
+ * comment in the SDK of 2014 names the 3DM-GX3-25 and the 3DM-GX3-35. Uncertain: The time-out. The
+ * SDK of 2014 uses one longer than usual; 5 s is assumed. Uncertain: Whether `state` may be omitted
+ * with functions other than write. The SDK of 2014 sends `device` with every function, and a 0 in
+ * place of `state`.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
  * - mscl: Device power state (0x0C,0x61)
@@ -7302,8 +7300,8 @@ static inline struct mip_3dm_device_power_state *mip_3dm_device_power_state_defa
 /**
  * Device power state response: response (0x0C,0x89).
  *
- * No device is known for certain to support it. Answers mip_3dm_device_power_state. Known only from
- * the MIP SDK of 2014 and MicroStrain Communication Library.
+ * No device is known for certain to support it. Response to mip_3dm_device_power_state. Known only
+ * from the MIP SDK of 2014 and MicroStrain Communication Library.
  *
  * - mip-sdk-2014: Device power state (0x0C,0x61)
  * - mscl: Device power state (0x0C,0x61)
@@ -7345,7 +7343,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_power_state_response_encode(
  *
  * No device is known for certain to support it. For advanced use. Functions: save, load and
  * default. Known only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain:
- * Which devices have it. A comment in the SDK of 2014 names the 3DM-GX3-35.
+ * Which devices support it. A comment in the SDK of 2014 names the 3DM-GX3-35.
  *
  * In direct mode, your program configures the u-blox receiver with its own protocol; see
  * mip_system_comm_mode.
@@ -7410,7 +7408,7 @@ mip_3dm_gps_advanced_settings_default(struct mip_3dm_gps_advanced_settings *comm
  *
  * Gets the state of the device, in basic form or with counters.
  *
- * For advanced use. Answered by mip_3dm_device_status_basic_rq1_imu_response,
+ * For advanced use. Response: mip_3dm_device_status_basic_rq1_imu_response,
  * mip_3dm_device_status_basic_response, mip_3dm_device_status_basic_without_state_response,
  * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
@@ -7482,7 +7480,7 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  *
  * Timer only, in microseconds.
  *
- * No device is known for certain to support it. Answers mip_3dm_device_status. Sent if
+ * No device is known for certain to support it. Response to mip_3dm_device_status. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: The SDK of 2014 lists the
  * names of the values and the unit of the timer; the descriptions are inferred from the names.
  *
@@ -7533,7 +7531,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_rq1_imu_response
  *
  * State and timer.
  *
- * Answers mip_3dm_device_status. Distinguished from
+ * Response to mip_3dm_device_status. Distinguished from
  * mip_3dm_device_status_basic_without_state_response and mip_3dm_device_status_basic_gx3_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
  * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -7591,13 +7589,13 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_response_encode(
  *
  * Timer only.
  *
- * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_gx3_response by the size of
- * its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain: MSCL has it
- * for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of 2014 for the
- * 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the 3DM-CL5-10 has it
- * is inferred. Uncertain: The manual of the 3DM-GX5-45 has it too, but for the model number of
- * another device; MSCL has the layout with a state for that device.
+ * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
+ * from mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_gx3_response by the
+ * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain:
+ * MSCL uses it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10, the SDK of
+ * 2014 for the 3DM-GX4-15, the 3DM-GX4-25 and the inertial sensor of the 3DM-GX4-45; that the
+ * 3DM-CL5-10 has it is inferred. Uncertain: The manual of the 3DM-GX5-45 documents it too, but for
+ * the model number of another device; MSCL uses the layout with a state for that device.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -7650,8 +7648,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_without_state_re
  *
  * State, timer, and the counters of streams and port.
  *
- * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_gnss_response,
- * mip_3dm_device_status_diagnostic_gq4_45_response,
+ * Response to mip_3dm_device_status. Distinguished from
+ * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
@@ -7691,11 +7689,11 @@ struct mip_3dm_device_status_diagnostic_response {
     uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
     uint32_t comm_port_read_overruns;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     uint32_t imu_message_count;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     uint32_t imu_last_message_time;
 };
 
@@ -7730,14 +7728,14 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_response_en
  *
  * State, timer, and the counters of pulses, streams, port and receiver.
  *
- * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
+ * Response to mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-35 and 3DM-GX5-45. Uncertain:
- * MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
+ * MSCL uses it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is from a manual.
  * Uncertain: MSCL lists only the names of the values, from which the descriptions are inferred; the
  * times are assumed to be in ms like the system timer.
  *
@@ -7784,17 +7782,17 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
     uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
     uint32_t comm_port_read_overruns;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     uint32_t imu_message_count;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     uint32_t imu_last_message_time;
-    /** Messages of the receiver that could not be parsed. Unit: 1. */
+    /** Receiver messages that could not be parsed. Unit: 1. */
     uint32_t gnss_parser_errors;
-    /** Messages of the receiver that were read. Unit: 1. */
+    /** Receiver messages that were read. Unit: 1. */
     uint32_t gnss_message_count;
-    /** System timer at the last message of the receiver. Unit: ms. */
+    /** System timer at the last receiver message. Unit: ms. */
     uint32_t gnss_last_message_time;
 };
 
@@ -7831,7 +7829,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gnss_respon
  *
  * The layout with GNSS, plus flags for parts that could not be started.
  *
- * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
+ * Response to mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response,
  * mip_3dm_device_status_diagnostic_gx4_imu_response,
@@ -7884,17 +7882,17 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
     uint32_t comm_port_read_overruns;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     uint32_t imu_message_count;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     uint32_t imu_last_message_time;
-    /** Messages of the receiver that could not be parsed. Unit: 1. */
+    /** Receiver messages that could not be parsed. Unit: 1. */
     uint32_t gnss_parser_errors;
-    /** Messages of the receiver that were read. Unit: 1. */
+    /** Receiver messages that were read. Unit: 1. */
     uint32_t gnss_message_count;
-    /** System timer at the last message of the receiver. Unit: ms. */
+    /** System timer at the last receiver message. Unit: ms. */
     uint32_t gnss_last_message_time;
     /** True if the magnetometer could not be started. */
     mip_bool mag_init_failed;
@@ -7937,7 +7935,7 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_resp
  *
  * The layout with GNSS, plus the temperature.
  *
- * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
+ * Response to mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response, mip_3dm_device_status_diagnostic_imu_response,
  * mip_3dm_device_status_diagnostic_gx4_imu_response,
@@ -7996,17 +7994,17 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint32_t comm_port_write_overruns;
     /** Overruns while reading from the port. Unit: 1. */
     uint32_t comm_port_read_overruns;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     uint32_t imu_message_count;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     uint32_t imu_last_message_time;
-    /** Messages of the receiver that could not be parsed. Unit: 1. */
+    /** Receiver messages that could not be parsed. Unit: 1. */
     uint32_t gnss_parser_errors;
-    /** Messages of the receiver that were read. Unit: 1. */
+    /** Receiver messages that were read. Unit: 1. */
     uint32_t gnss_message_count;
-    /** System timer at the last message of the receiver. Unit: ms. */
+    /** System timer at the last receiver message. Unit: ms. */
     uint32_t gnss_last_message_time;
 };
 
@@ -8043,8 +8041,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_resp
  *
  * Timer, and counters of pulses, streams, port and USB.
  *
- * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
+ * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_imu_response,
  * mip_3dm_device_status_diagnostic_gx4_imu_response,
@@ -8098,11 +8096,11 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
     uint32_t usb_write_overruns;
     /** Overruns while reading from USB. Unit: 1. */
     uint32_t usb_read_overruns;
-    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    /** IMU messages that could not be parsed. Unit: 1. */
     uint32_t imu_parser_errors;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     uint32_t imu_message_count;
-    /** System timer at the last message of the IMU. Unit: ms. */
+    /** System timer at the last IMU message. Unit: ms. */
     uint32_t imu_last_message_time;
 };
 
@@ -8139,14 +8137,14 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_respons
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
+ * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_gx4_imu_response,
  * mip_3dm_device_status_diagnostic_rq1_imu_response and
  * mip_3dm_device_status_diagnostic_gx3_response by the size of its data. Sent if status_selector is
- * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: MSCL uses it for the 3DM-GX5-10, 3DM-CX5-10
  * and 3DM-CV5-10; no known manual documents it. Uncertain: MSCL lists only the names of the values,
  * from which the descriptions are inferred; the times are assumed to be in ms like the system
  * timer. Uncertain: The units of the ranges are not known.
@@ -8166,9 +8164,9 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint32_t status_flags;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
-    /** True if it has a magnetometer. */
+    /** True if the device has a magnetometer. */
     mip_bool has_mag;
-    /** True if it has a pressure sensor. */
+    /** True if the device has a pressure sensor. */
     mip_bool has_pressure;
     /** Power state of the sensors. */
     uint8_t power_state;
@@ -8236,8 +8234,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_imu_respons
  * Timer, available sensors and their ranges, temperature, and the counters of pulses, stream and
  * port.
  *
- * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
+ * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_rq1_imu_response
@@ -8261,9 +8259,9 @@ struct mip_3dm_device_status_diagnostic_gx4_imu_response {
     uint32_t status_flags;
     /** Time since start-up. Unit: ms. */
     uint32_t system_timer;
-    /** True if it has a magnetometer. */
+    /** True if the device has a magnetometer. */
     mip_bool has_mag;
-    /** True if it has a pressure sensor. */
+    /** True if the device has a pressure sensor. */
     mip_bool has_pressure;
     /** Largest angular rate that can be measured. */
     uint16_t gyro_range;
@@ -8331,8 +8329,8 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_gx4_imu_res
  *
  * Timer, temperature and supply, and the counters of pulses, stream and port.
  *
- * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
+ * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response
@@ -8422,11 +8420,11 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_diagnostic_rq1_imu_res
  *
  * State of the port.
  *
- * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_without_state_response by
- * the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Uncertain:
- * Only the SDK of 2014 has it, with the names of the values; the descriptions are inferred from the
- * names.
+ * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
+ * from mip_3dm_device_status_basic_response and mip_3dm_device_status_basic_without_state_response
+ * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
+ * Uncertain: Only the SDK of 2014 contains it, with the names of the values; the descriptions are
+ * inferred from the names.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
@@ -8482,14 +8480,14 @@ MIP_CHECKED static inline mip_error mip_3dm_device_status_basic_gx3_response_enc
  *
  * State of the port, and the counters of the port, USB, receiver and IMU.
  *
- * No device is known for certain to support it. Answers mip_3dm_device_status. Distinguished from
- * mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
+ * No device is known for certain to support it. Response to mip_3dm_device_status. Distinguished
+ * from mip_3dm_device_status_diagnostic_response, mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response,
  * mip_3dm_device_status_diagnostic_imu_response, mip_3dm_device_status_diagnostic_gx4_imu_response
  * and mip_3dm_device_status_diagnostic_rq1_imu_response by the size of its data. Sent if
- * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: Only the SDK of 2014 has
- * it, with the names of the values; the descriptions are inferred from the names.
+ * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Uncertain: Only the SDK of 2014
+ * contains it, with the names of the values; the descriptions are inferred from the names.
  *
  * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
@@ -8542,9 +8540,9 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
     uint32_t gnss_write_overruns;
     /** Overruns while reading from the receiver. Unit: 1. */
     uint32_t gnss_read_overruns;
-    /** Messages of the receiver that were read. Unit: 1. */
+    /** Receiver messages that were read. Unit: 1. */
     uint32_t gnss_message_count;
-    /** Messages of the receiver that arrived late. Unit: 1. */
+    /** Receiver messages that arrived late. Unit: 1. */
     uint32_t gnss_delayed_message_count;
     /** State of the IMU's driver; the meaning of its values is not known. */
     uint16_t imu_driver_state;
@@ -8558,9 +8556,9 @@ struct mip_3dm_device_status_diagnostic_gx3_response {
     uint32_t imu_write_overruns;
     /** Overruns while reading from the IMU. Unit: 1. */
     uint32_t imu_read_overruns;
-    /** Messages of the IMU that were read. Unit: 1. */
+    /** IMU messages that were read. Unit: 1. */
     uint32_t imu_message_count;
-    /** Messages of the IMU that arrived late. Unit: 1. */
+    /** IMU messages that arrived late. Unit: 1. */
     uint32_t imu_delayed_message_count;
 };
 

@@ -39,7 +39,7 @@ static inline mip_error mip_send_3dm_poll_imu_data(struct mip_client *client,
  * Poll IMU Data. See mip_device_call.
  *
  * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors.
  * - descriptors: Fields to send. Refers to fields of MIP_SENSOR_SET.
  */
 static inline struct mip_result
@@ -81,7 +81,7 @@ static inline mip_error mip_send_3dm_poll_gnss_data(struct mip_client *client,
  * Poll GNSS Data. See mip_device_call.
  *
  * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 83.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Range: 0 to 83.
  * - descriptors: Fields to send. Refers to fields of MIP_GNSS_DATA_SET. Uncertain: The SDK has a
  *   decimation in place of the reserved number and does not document how a poll uses it.
  */
@@ -125,7 +125,7 @@ static inline mip_error mip_send_3dm_poll_filter_data(
  * Poll Estimation Filter Data. See mip_device_call.
  *
  * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors.
  * - descriptors: Fields to send. Refers to fields of MIP_FILTER_DATA_SET.
  */
 static inline struct mip_result mip_call_3dm_poll_filter_data(
@@ -167,7 +167,7 @@ static inline mip_error mip_send_3dm_poll_nmea_data(struct mip_client *client,
  * Poll NMEA Data. See mip_device_call.
  *
  * - suppress_ack: Send no acknowledge.
- * - count: Number of sentences. The number of elements of format_entries.
+ * - count: Number of sentences. Counts the elements of format_entries.
  * - format_entries: Sentences to send.
  */
 static inline struct mip_result
@@ -259,7 +259,7 @@ static inline mip_error mip_send_3dm_imu_message_format(
 /**
  * IMU Message Format: write. Apply the new setting. See mip_device_call.
  *
- * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_SENSOR_SET. Required for write.
  */
 MIP_INLINE struct mip_result
@@ -342,8 +342,8 @@ static inline mip_error mip_send_3dm_gnss_message_format(
 /**
  * GNSS Message Format: write. Apply the new setting. See mip_device_call.
  *
- * - num_descriptors: Number of fields. The number of elements of descriptors. Range: 0 to 82.
- *   Required for write.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Range: 0 to 82. Required
+ *   for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_GNSS_DATA_SET. Required for write.
  */
 MIP_INLINE struct mip_result
@@ -427,7 +427,7 @@ static inline mip_error mip_send_3dm_filter_message_format(
 /**
  * Estimation Filter Message Format: write. Apply the new setting. See mip_device_call.
  *
- * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of MIP_FILTER_DATA_SET. Required for
  *   write.
  */
@@ -544,7 +544,7 @@ static inline mip_error mip_send_3dm_nmea_message_format(
 /**
  * NMEA Message Format: write. Apply the new setting. See mip_device_call.
  *
- * - count: Number of sentences. The number of elements of format_entries. Required for write.
+ * - count: Number of sentences. Counts the elements of format_entries. Required for write.
  * - format_entries: Sentences to stream. Required for write.
  */
 MIP_INLINE struct mip_result mip_call_3dm_nmea_message_format_write(
@@ -628,7 +628,7 @@ static inline mip_error mip_send_3dm_poll_data(struct mip_client *client,
  *
  * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
  * - suppress_ack: Send no acknowledge.
- * - num_descriptors: Number of fields. The number of elements of descriptors.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors.
  * - descriptors: Field descriptors. Refers to fields of descriptor_set.
  */
 static inline struct mip_result mip_call_3dm_poll_data(struct mip_device *device,
@@ -719,7 +719,7 @@ static inline mip_error mip_send_3dm_message_format(
  * Message Format: write. Apply the new setting. See mip_device_call.
  *
  * - descriptor_set: Data descriptor set; 0 means all of them (save, load, default).
- * - num_descriptors: Number of fields. The number of elements of descriptors. Required for write.
+ * - num_descriptors: Number of fields. Counts the elements of descriptors. Required for write.
  * - descriptors: Fields and decimations. Refers to fields of descriptor_set. Required for write.
  */
 MIP_INLINE struct mip_result mip_call_3dm_message_format_write(
@@ -1030,8 +1030,8 @@ static inline mip_error mip_send_3dm_constellation_settings(
  *
  * - max_channels: Maximum number of tracking channels in use; at most the number that the response
  *   reports as available. Unit: 1. Required for write.
- * - config_count: Number of entries. The number of elements of settings. Range: 0 to 41. Required
- *   for write.
+ * - config_count: Number of entries. Counts the elements of settings. Range: 0 to 41. Required for
+ *   write.
  * - settings: One entry for each constellation. Required for write.
  */
 MIP_INLINE struct mip_result mip_call_3dm_constellation_settings_write(
@@ -1122,11 +1122,11 @@ static inline mip_error mip_send_3dm_gnss_sbas_settings(
 /**
  * GNSS SBAS Settings: write. Apply the new setting. See mip_device_call.
  *
- * - enable_sbas: 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35:
- *   default 1.
+ * - enable_sbas: 1 enables SBAS, 0 disables it. Range: 0 to 1. Required for write. On the
+ *   3DM-GX5-35: default 1.
  * - sbas_options: Purposes of SBAS. Required for write. On the 3DM-GX5-35: default
  *   MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING and MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS.
- * - num_included_prns: Number of satellites listed; 0 searches for all. The number of elements of
+ * - num_included_prns: Number of satellites listed; 0 searches for all. Counts the elements of
  *   included_prns. Required for write.
  * - included_prns: PRN numbers of the SBAS satellites to search for. Required for write.
  */
@@ -1570,7 +1570,7 @@ static inline mip_error mip_send_3dm_get_event_trigger_status(
 /**
  * Get Event Trigger Status. See mip_device_call.
  *
- * - requested_count: Number of requested triggers; 0 requests all slots. The number of elements of
+ * - requested_count: Number of requested triggers; 0 requests all slots. Counts the elements of
  *   requested_instances.
  * - requested_instances: Numbers of the triggers to report; none for all.
  */
@@ -1621,7 +1621,7 @@ static inline mip_error mip_send_3dm_get_event_action_status(
 /**
  * Get Event Action Status. See mip_device_call.
  *
- * - requested_count: Number of requested actions; 0 requests all slots. The number of elements of
+ * - requested_count: Number of requested actions; 0 requests all slots. Counts the elements of
  *   requested_instances.
  * - requested_instances: Numbers of the actions to report; none for all.
  */
@@ -2394,7 +2394,7 @@ static inline mip_error mip_send_3dm_imu_timestamp(struct mip_client *client,
  * IMU timestamp: write. Apply the new setting. See mip_device_call.
  *
  * - selector: Counter to set or read. A value of enum mip_3dm_imu_timestamp_selector.
- * - time: Value of the counter, in the unit that `selector` states. Required for write.
+ * - time: Value of the counter, in the unit that `selector` selects. Required for write.
  */
 static inline struct mip_result mip_call_3dm_imu_timestamp_write(
     struct mip_device *device, enum mip_3dm_imu_timestamp_selector selector, uint32_t time) {
@@ -2969,8 +2969,8 @@ static inline mip_error mip_send_3dm_uart_baud_rate(
 /**
  * UART Baud Rate: write. Apply the new setting. See mip_device_call.
  *
- * - baud: Baud rate, one of those that the port supports. Unit: Bd. Required for write. On the
- *   3DM-GX5-15 and 3DM-GX5-45: default 115200.
+ * - baud: Baud rate that the port supports. Unit: Bd. Required for write. On the 3DM-GX5-15 and
+ *   3DM-GX5-45: default 115200.
  */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_device *device,
                                                                   uint32_t baud) {
@@ -3158,7 +3158,7 @@ static inline mip_error mip_send_3dm_gpio_state(struct mip_client *client,
  * GPIO State: write. Apply the new setting. See mip_device_call.
  *
  * - pin: GPIO pin, counted from 1. Range: at least 1.
- * - state: True is high. Required for write.
+ * - state: True means high. Required for write.
  */
 static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device *device,
                                                               uint8_t pin, mip_bool state) {
@@ -3430,7 +3430,8 @@ static inline mip_error mip_send_3dm_complementary_filter(
  *   compensation. Required for write. On the 3DM-GX5-15: default true.
  * - heading_enable: True enables the heading correction, which 5-series manuals call north
  *   compensation. Required for write. On the 3DM-CL5-10, 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15,
- *   3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true.
+ *   3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL has no support for it. On the 3DM-GX5-15: default
+ *   true.
  * - pitch_roll_time_constant: Time constant of the pitch and roll correction. Unit: s. Range: 1 to
  *   1000. Default: 10. Required for write.
  * - heading_time_constant: Time constant of the heading correction. Unit: s. Range: 1 to 1000.

@@ -57,7 +57,7 @@ enum mip_aiding_echo_mode MIP_ENUM_8 {
 /** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_aiding_echo_mode_name(uint8_t value);
 
-/** Clock of the time of a measurement. */
+/** Clock that the time of a measurement refers to. */
 enum mip_aiding_timebase MIP_ENUM_8 {
     /** Internal reference clock of the device. */
     MIP_AIDING_TIMEBASE_INTERNAL_REFERENCE = 1,
@@ -72,7 +72,7 @@ MIP_API const char *mip_aiding_timebase_name(uint8_t value);
 
 /** Time at which a measurement was taken. */
 struct mip_aiding_measurement_time {
-    /** Clock of the time. A value of enum mip_aiding_timebase. */
+    /** Clock that the time refers to. A value of enum mip_aiding_timebase. */
     uint8_t timebase;
     /** Reserved: send 1. */
     uint8_t reserved;
@@ -117,19 +117,19 @@ union mip_aiding_frame_config_rotation {
  *
  * Sets the position and the orientation of an external sensor on the vehicle.
  *
- * Functions: write, read, save, load and default. Answered by mip_aiding_frame_config_response.
+ * Functions: write, read, save, load and default. Response: mip_aiding_frame_config_response.
  * Changes mip_filter_data_aiding_frame_config_error. Probably changes
  * mip_filter_data_aiding_frame_config_error_uncertainty. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS and 3DM-CV7-INS.
  *
- * Aiding measurements name the frame by its number.
+ * Aiding measurements refer to the frame by its number.
  *
  * `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
  *
  * For GNSS positions and velocities the rotation does not matter. Send the identity: Euler angles
  * 0, 0, 0 or the quaternion 1, 0, 0, 0.
  *
- * A read selects the format of the reply.
+ * In a read, `format` selects the format of the rotation in the reply.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -151,8 +151,8 @@ struct mip_aiding_frame_config {
     /** True if the filter estimates the errors of the frame. Required for write. */
     mip_bool tracking_enabled;
     /**
-     * Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
-     * write.
+     * Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Required for write.
      */
     float translation[3];
     /** Rotation from the frame to the vehicle. Selected by format. Required for write. */
@@ -188,8 +188,8 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_encode(
  * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
  *   read.
  * - tracking_enabled: True if the filter estimates the errors of the frame. Required for write.
- * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
- *   Required for write.
+ * - translation: Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Required for write.
  * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
  */
 static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
@@ -281,7 +281,7 @@ union mip_aiding_frame_config_response_rotation {
 /**
  * Frame configuration response: response (0x13,0x81).
  *
- * Answers mip_aiding_frame_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+ * Response to mip_aiding_frame_config. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
  * 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
@@ -294,7 +294,10 @@ struct mip_aiding_frame_config_response {
     uint8_t format;
     /** True if the filter estimates the errors of the frame. */
     mip_bool tracking_enabled;
-    /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. */
+    /**
+     * Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+     * vehicle.
+     */
     float translation[3];
     /** Rotation from the frame to the vehicle. Selected by format. */
     union mip_aiding_frame_config_response_rotation rotation;
@@ -328,7 +331,7 @@ MIP_CHECKED static inline mip_error mip_aiding_frame_config_response_encode(
  *
  * Sets how the device replies to aiding measurements.
  *
- * Functions: write, read, save, load and default. Answered by mip_aiding_echo_control_response.
+ * Functions: write, read, save, load and default. Response: mip_aiding_echo_control_response.
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * The manual does not contain the layout of the responses that carry the data back.
@@ -418,7 +421,7 @@ mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
 /**
  * Echo control response: response (0x13,0x9F).
  *
- * Answers mip_aiding_echo_control. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Response to mip_aiding_echo_control. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -470,7 +473,7 @@ MIP_CHECKED static inline mip_error mip_aiding_echo_control_response_encode(
 struct mip_aiding_ecef_position {
     /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each element
@@ -514,7 +517,7 @@ MIP_CHECKED static inline mip_error mip_aiding_ecef_position_encode(
  * ECEF position. Fills the structure and returns its address.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
  *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -558,7 +561,7 @@ static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
 struct mip_aiding_llh_position {
     /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
@@ -612,7 +615,7 @@ MIP_CHECKED static inline mip_error mip_aiding_llh_position_encode(
  * LLH position. Fills the structure and returns its address.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
  * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid
@@ -656,13 +659,13 @@ static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
 struct mip_aiding_height_above_ellipsoid {
     /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /** Height above the ellipsoid. Unit: m. Frame: llh. */
     float height;
     /** Uncertainty of the height. Unit: m. Range: at least 0. */
     float uncertainty;
-    /** Not 0: the measurement is valid. */
+    /** Nonzero if the measurement is valid. */
     uint16_t valid_flags;
 };
 
@@ -693,10 +696,10 @@ MIP_CHECKED static inline mip_error mip_aiding_height_above_ellipsoid_encode(
  * Height above ellipsoid. Fills the structure and returns its address.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
- * - valid_flags: Not 0: the measurement is valid.
+ * - valid_flags: Nonzero if the measurement is valid.
  */
 static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(
     struct mip_aiding_height_above_ellipsoid *command,
@@ -733,7 +736,7 @@ static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_
 struct mip_aiding_ecef_velocity {
     /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element
@@ -777,7 +780,7 @@ MIP_CHECKED static inline mip_error mip_aiding_ecef_velocity_encode(
  * ECEF velocity. Fills the structure and returns its address.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each
  *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -821,7 +824,7 @@ static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
 struct mip_aiding_ned_velocity {
     /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame: ned. Each
@@ -866,7 +869,7 @@ MIP_CHECKED static inline mip_error mip_aiding_ned_velocity_encode(
  * NED velocity. Fills the structure and returns its address.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
  *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -904,7 +907,7 @@ static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
  *
  * With z also valid and 0, motion is constrained to a plane (2D mode).
  *
- * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold that
+ * For a zero velocity update, send a velocity of 0 while the GNSS speed is below a threshold that
  * you choose.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
@@ -917,7 +920,7 @@ static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
 struct mip_aiding_body_frame_velocity {
     /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding. Each
@@ -963,7 +966,7 @@ MIP_CHECKED static inline mip_error mip_aiding_body_frame_velocity_encode(
  * Body frame velocity. Fills the structure and returns its address.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
  *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -1003,7 +1006,7 @@ static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_veloc
 struct mip_aiding_true_heading {
     /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
@@ -1012,7 +1015,7 @@ struct mip_aiding_true_heading {
     float heading;
     /** Uncertainty of the heading. Unit: rad. Range: greater than 0. */
     float uncertainty;
-    /** Not 0: the measurement is valid. */
+    /** Nonzero if the measurement is valid. */
     uint16_t valid_flags;
 };
 
@@ -1042,11 +1045,11 @@ MIP_CHECKED static inline mip_error mip_aiding_true_heading_encode(
  * True heading. Fills the structure and returns its address.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
  *   3.141592653589793. Positive: clockwise seen from above.
  * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
- * - valid_flags: Not 0: the measurement is valid.
+ * - valid_flags: Nonzero if the measurement is valid.
  */
 static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
     struct mip_aiding_true_heading *command, const struct mip_aiding_measurement_time *time,
@@ -1079,7 +1082,7 @@ static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
 struct mip_aiding_magnetic_field {
     /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /**
      * Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has
@@ -1124,7 +1127,7 @@ MIP_CHECKED static inline mip_error mip_aiding_magnetic_field_encode(
  * Magnetic field. Fills the structure and returns its address.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each
  *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -1164,13 +1167,13 @@ static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
 struct mip_aiding_pressure {
     /** Time of the measurement. */
     struct mip_aiding_measurement_time time;
-    /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
+    /** Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4. */
     uint8_t frame_id;
     /** Air pressure. Unit: mbar. */
     float pressure;
     /** Standard deviation of the pressure. Unit: mbar. Range: greater than 0. */
     float uncertainty;
-    /** Not 0: the measurement is valid. */
+    /** Nonzero if the measurement is valid. */
     uint16_t valid_flags;
 };
 
@@ -1200,10 +1203,10 @@ mip_aiding_pressure_encode(const struct mip_aiding_pressure *value, struct mip_b
  * Pressure. Fills the structure and returns its address.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - pressure: Air pressure. Unit: mbar.
  * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
- * - valid_flags: Not 0: the measurement is valid.
+ * - valid_flags: Nonzero if the measurement is valid.
  */
 static inline struct mip_aiding_pressure *mip_aiding_pressure_make(
     struct mip_aiding_pressure *command, const struct mip_aiding_measurement_time *time,

@@ -44,8 +44,8 @@ static inline mip_error mip_send_aiding_frame_config(
  * - format: Format of the rotation. A value of enum mip_aiding_frame_format. Required for write and
  *   read.
  * - tracking_enabled: True if the filter estimates the errors of the frame. Required for write.
- * - translation: Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle.
- *   Required for write.
+ * - translation: Position of the frame's origin in the vehicle frame. Elements: x, y, z. Unit: m.
+ *   Frame: vehicle. Required for write.
  * - rotation: Rotation from the frame to the vehicle. Selected by format. Required for write.
  */
 static inline struct mip_result mip_call_aiding_frame_config_write(
@@ -217,7 +217,7 @@ static inline mip_error mip_send_aiding_ecef_position(
  * ECEF position. See mip_device_call.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - position: Position of the origin of the frame. Elements: x, y, z. Unit: m. Frame: ecef. Each
  *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -265,7 +265,7 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
  * LLH position. See mip_device_call.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - latitude: Geodetic latitude. Unit: deg. Frame: llh. Range: -90 to 90. Positive: north. Valid if
  *   MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in valid_flags is set.
  * - longitude: Geodetic longitude. Unit: deg. Frame: llh. Range: -180 to 180. Positive: east. Valid
@@ -319,10 +319,10 @@ static inline mip_error mip_send_aiding_height_above_ellipsoid(
  * Height above ellipsoid. See mip_device_call.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - height: Height above the ellipsoid. Unit: m. Frame: llh.
  * - uncertainty: Uncertainty of the height. Unit: m. Range: at least 0.
- * - valid_flags: Not 0: the measurement is valid.
+ * - valid_flags: Nonzero if the measurement is valid.
  */
 static inline struct mip_result mip_call_aiding_height_above_ellipsoid(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
@@ -361,7 +361,7 @@ static inline mip_error mip_send_aiding_ecef_velocity(
  * ECEF velocity. See mip_device_call.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: ecef. Each
  *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -409,7 +409,7 @@ static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
  * NED velocity. See mip_device_call.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - velocity: Velocity of the origin of the frame. Elements: north, east, down. Unit: m/s. Frame:
  *   ned. Each element has its own valid flag. north: MIP_AIDING_AXIS_FLAGS_X in valid_flags, east:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, down: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -456,7 +456,7 @@ static inline mip_error mip_send_aiding_body_frame_velocity(
  * Body frame velocity. See mip_device_call.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - velocity: Velocity of the origin of the frame. Elements: x, y, z. Unit: m/s. Frame: aiding.
  *   Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -505,11 +505,11 @@ static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
  * True heading. See mip_device_call.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - heading: Heading relative to true north. Unit: rad. Frame: ned. Range: -3.141592653589793 to
  *   3.141592653589793. Positive: clockwise seen from above.
  * - uncertainty: Uncertainty of the heading. Unit: rad. Range: greater than 0.
- * - valid_flags: Not 0: the measurement is valid.
+ * - valid_flags: Nonzero if the measurement is valid.
  */
 static inline struct mip_result mip_call_aiding_true_heading(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
@@ -548,7 +548,7 @@ static inline mip_error mip_send_aiding_magnetic_field(
  * Magnetic field. See mip_device_call.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - magnetic_field: Calibrated magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each
  *   element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
  *   MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
@@ -597,10 +597,10 @@ static inline mip_error mip_send_aiding_pressure(struct mip_client *client,
  * Pressure. See mip_device_call.
  *
  * - time: Time of the measurement.
- * - frame_id: Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4.
+ * - frame_id: Sensor frame, defined by mip_aiding_frame_config. Range: 1 to 4.
  * - pressure: Air pressure. Unit: mbar.
  * - uncertainty: Standard deviation of the pressure. Unit: mbar. Range: greater than 0.
- * - valid_flags: Not 0: the measurement is valid.
+ * - valid_flags: Nonzero if the measurement is valid.
  */
 static inline struct mip_result mip_call_aiding_pressure(
     struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,

@@ -38,7 +38,7 @@ struct mip_base_device_info {
     char model_name[17];
     /** Part number of the model. */
     char model_number[17];
-    /** Number of this device, which begins with the model number. */
+    /** Serial number, which begins with the model number. */
     char serial_number[17];
     /** Lot number; reserved and blank on some devices. */
     char lot_number[17];
@@ -144,7 +144,7 @@ MIP_CHECKED static inline mip_error mip_base_set_idle_encode(const struct mip_ba
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Answered by mip_base_get_device_info_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
+ * Response: mip_base_get_device_info_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10,
  * 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
  *
@@ -181,7 +181,7 @@ MIP_CHECKED static inline mip_error mip_base_get_device_info_encode(
 /**
  * Get device information response: response (0x01,0x81).
  *
- * Answers mip_base_get_device_info. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+ * Response to mip_base_get_device_info. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
@@ -220,7 +220,7 @@ MIP_CHECKED static inline mip_error mip_base_get_device_info_response_encode(
  *
  * Gets the command and data descriptors that the device supports.
  *
- * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * Response: mip_base_get_device_descriptors_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT
  * and 3DM-RQ1-45-ST.
  *
@@ -261,9 +261,9 @@ MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_encode(
 /**
  * Get device descriptors response: response (0x01,0x82).
  *
- * Answers mip_base_get_device_descriptors. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Response to mip_base_get_device_descriptors. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT
+ * and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -306,7 +306,7 @@ MIP_CHECKED static inline mip_error mip_base_get_device_descriptors_response_enc
  *
  * Runs the self test of the device and gets its result.
  *
- * Answered by mip_base_built_in_test_response. The device may take 10 s to reply. Supported by
+ * Response: mip_base_built_in_test_response. The device may take 10 s to reply. Supported by
  * 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain:
  * The maximum duration of the test. The manual of the 3DM-CV7 states several seconds; 10 s leaves
  * room for that.
@@ -351,7 +351,7 @@ MIP_CHECKED static inline mip_error mip_base_built_in_test_encode(
 /**
  * Built-in test response: response (0x01,0x83).
  *
- * Answers mip_base_built_in_test. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
+ * Response to mip_base_built_in_test. Supported by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
@@ -443,7 +443,7 @@ MIP_CHECKED static inline mip_error mip_base_resume_encode(const struct mip_base
  * Gets the supported descriptors that did not fit into the reply of
  * mip_base_get_device_descriptors.
  *
- * Answered by mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * Response: mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * Only supported if mip_base_get_device_descriptors lists it.
@@ -482,7 +482,7 @@ MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_encode(
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
- * Answers mip_base_get_extended_descriptors. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * Response to mip_base_get_extended_descriptors. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
@@ -526,8 +526,8 @@ MIP_CHECKED static inline mip_error mip_base_get_extended_descriptors_response_e
  *
  * Gets the flags of the tests that run all the time. It does not interrupt operation.
  *
- * Also called `continuous_bit`. Answered by mip_base_continuous_built_in_test_response. Supported
- * by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Also called `continuous_bit`. Response: mip_base_continuous_built_in_test_response. Supported by
+ * 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * It is less thorough than mip_base_built_in_test.
  *
@@ -569,8 +569,8 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_encode(
 /**
  * Continuous built-in test response: response (0x01,0x88).
  *
- * Also called `continuous_bit_response`. Answers mip_base_continuous_built_in_test. Supported by
- * 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+ * Also called `continuous_bit_response`. Response to mip_base_continuous_built_in_test. Supported
+ * by 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
@@ -612,8 +612,8 @@ MIP_CHECKED static inline mip_error mip_base_continuous_built_in_test_response_e
  *
  * Sets the baud rate of one communication port.
  *
- * Functions: write, read, save, load and default. Answered by mip_base_comm_speed_response.
- * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * Functions: write, read, save, load and default. Response: mip_base_comm_speed_response. Supported
+ * by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * The change takes effect once pending data is sent and received, after at most 250 ms.
  *
@@ -644,7 +644,7 @@ struct mip_base_comm_speed {
      * 3DM-RTK: the values are unknown.
      */
     uint8_t port;
-    /** Baud rate; one that the port supports. Unit: Bd. Required for write. */
+    /** Baud rate that the port supports. Unit: Bd. Required for write. */
     uint32_t baud;
 };
 
@@ -683,7 +683,7 @@ mip_base_comm_speed_encode(const struct mip_base_comm_speed *value, struct mip_b
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
  *   3DM-RTK: the values are unknown.
- * - baud: Baud rate; one that the port supports. Unit: Bd. Required for write.
+ * - baud: Baud rate that the port supports. Unit: Bd. Required for write.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uint32_t baud) {
@@ -785,7 +785,7 @@ mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
 /**
  * Comm port speed response: response (0x01,0x89).
  *
- * Answers mip_base_comm_speed. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
+ * Response to mip_base_comm_speed. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
@@ -835,7 +835,7 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
  *
  * Sets the week number or the time of week of the external (GPS) time.
  *
- * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
+ * Functions: write, read and apply. Response: mip_base_gps_time_update_week_number_response or
  * mip_base_gps_time_update_tow_response. Changes mip_filter_data_timestamp,
  * mip_sensor_gps_timestamp, mip_shared_gps_timestamp and mip_shared_external_timestamp. Supported
  * by 3DM-CV7-GNSS/INS, 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. On the 3DM-CV7-GNSS/INS:
@@ -843,8 +843,8 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
  *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
- * On the 3DM-CV7-GNSS/INS, the time may have another epoch than GPS time, for example that of Unix
- * time; mip_shared_external_timestamp then has the same epoch.
+ * On the 3DM-CV7-GNSS/INS, the time may have a different epoch from GPS time, for example the Unix
+ * epoch; mip_shared_external_timestamp then has the same epoch.
  *
  * The PPS supplies the fraction of the second; send the whole second that began at its last edge.
  *
@@ -852,8 +852,8 @@ MIP_CHECKED static inline mip_error mip_base_comm_speed_response_encode(
  *
  * Once per second is recommended for the 3DM-GX5-15; the 3DM-CV7-GNSS/INS needs it at least once.
  *
- * Send it again after a glitch of the PPS. It is usually not needed if an internal GNSS receiver is
- * the PPS source.
+ * Send it again after a PPS glitch. It is usually not needed if an internal GNSS receiver is the
+ * PPS source.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -954,7 +954,7 @@ mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,
  *
  * The current week number.
  *
- * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER.
+ * Response to mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER.
  * Supported by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
@@ -996,8 +996,8 @@ MIP_CHECKED static inline mip_error mip_base_gps_time_update_week_number_respons
  *
  * The current time of week.
  *
- * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TOW. Supported by
- * 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
+ * Response to mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TOW. Supported
+ * by 3DM-CX5-10, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)

@@ -2,7 +2,7 @@
  * @file
  *
  * Displacement commands (0x11). Commands of the DEMOD-DC, a demodulator for displacement sensors.
- * Inertial sensors have none of them.
+ * Inertial sensors do not support them.
  *
  * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
@@ -28,11 +28,10 @@ extern "C" {
 /**
  * Get Analog to Displacement Calibration: command (0x11,0x01).
  *
- * Reads the linear function with which the device converts the counts of its converter to a
- * displacement.
+ * Reads the slope and offset with which the device converts ADC counts to displacement.
  *
  * No device is known for certain to support it. Also called `get_analog_displacement_calibration`.
- * Answered by mip_displacement_get_calibration_response. Known only from the MicroStrain
+ * Response: mip_displacement_get_calibration_response. Known only from the MicroStrain
  * Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
@@ -69,13 +68,13 @@ MIP_CHECKED static inline mip_error mip_displacement_get_calibration_encode(
  * Get Analog to Displacement Calibration response: response (0x11,0x81).
  *
  * No device is known for certain to support it. Also called
- * `get_analog_displacement_calibration_response`. Answers mip_displacement_get_calibration. Known
- * only from the MicroStrain Communication Library.
+ * `get_analog_displacement_calibration_response`. Response to mip_displacement_get_calibration.
+ * Known only from the MicroStrain Communication Library.
  *
  * - mscl: Get Analog to Displacement Calibration (0x11,0x01)
  */
 struct mip_displacement_get_calibration_response {
-    /** Displacement per count of the converter. Uncertain: The unit; mm per count is likely. */
+    /** Displacement per ADC count. Uncertain: The unit; mm per count is likely. */
     float slope;
     /** Displacement at zero counts. Uncertain: The unit; mm is likely. */
     float offset;
@@ -110,7 +109,7 @@ MIP_CHECKED static inline mip_error mip_displacement_get_calibration_response_en
  * Reads the rate at which displacement is measured.
  *
  * No device is known for certain to support it. Also called `displacement_output_rate`. Functions:
- * read. Answered by mip_displacement_output_rate_response. Known only from the MicroStrain
+ * read. Response: mip_displacement_output_rate_response. Known only from the MicroStrain
  * Communication Library. Uncertain: Whether the rate can be written. MSCL only reads it.
  *
  * - mscl: Displacement Output Data Rate (0x11,0x02)
@@ -154,7 +153,7 @@ mip_displacement_output_rate_read(struct mip_displacement_output_rate *command) 
  * Displacement Output Data Rate response: response (0x11,0x82).
  *
  * No device is known for certain to support it. Also called `displacement_output_rate_response`.
- * Answers mip_displacement_output_rate. Known only from the MicroStrain Communication Library.
+ * Response to mip_displacement_output_rate. Known only from the MicroStrain Communication Library.
  *
  * - mscl: Displacement Output Data Rate (0x11,0x02)
  */

@@ -26,8 +26,8 @@ extern "C" {
 #define MIP_DISPLACEMENT_DATA_SET 0x90
 
 /**
- * Validity of the time of displacement data. Uncertain: That it is a bitfield. MSCL considers the
- * time valid if the number is 1.
+ * Validity of the displacement timestamp. Uncertain: That it is a bitfield. MSCL considers the time
+ * valid if the number is 1.
  */
 typedef uint8_t mip_displacement_data_timestamp_flags;
 /** Bit 0. The clock has been set; `time` is valid. */
@@ -36,7 +36,7 @@ typedef uint8_t mip_displacement_data_timestamp_flags;
 /**
  * Raw displacement: data (0x90,0x01).
  *
- * Displacement in counts of the converter.
+ * Displacement in ADC counts.
  *
  * No device is known for certain to support it. Known only from the MicroStrain Communication
  * Library.
@@ -120,7 +120,7 @@ MIP_CHECKED static inline mip_error mip_displacement_data_displacement_encode(
  * - mscl: Displacement Device Timestamp (0x90,0x04)
  */
 struct mip_displacement_data_timestamp {
-    /** Validity of the time of displacement data. */
+    /** Validity of the displacement timestamp. */
     mip_displacement_data_timestamp_flags flags;
     /**
      * UTC since 1970-01-01, without leap seconds, if the clock was set to it. Unit: ns. Valid if

@@ -196,7 +196,7 @@ MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
  * Position and velocity of the GNSS receivers.
  */
 #define MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY 0
-/** GNSS heading of two antennas. */
+/** GNSS heading from two antennas. */
 #define MIP_FILTER_AIDING_SOURCE_GNSS_HEADING 1
 /** Built-in pressure altimeter. */
 #define MIP_FILTER_AIDING_SOURCE_ALTIMETER 2
@@ -317,7 +317,7 @@ enum mip_filter_adaptive_level MIP_ENUM_8 {
 /** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
 
-/** Source of the reference of relative positions. */
+/** Source of the reference point for relative positions. */
 enum mip_filter_relative_position_source MIP_ENUM_8 {
     /** The base station of the RTK corrections. */
     MIP_FILTER_RELATIVE_POSITION_SOURCE_AUTO = 0,
@@ -328,7 +328,7 @@ enum mip_filter_relative_position_source MIP_ENUM_8 {
 /** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_relative_position_source_name(uint8_t value);
 
-/** The end of a lever arm. */
+/** Point that a lever arm moves. */
 enum mip_filter_reference_point MIP_ENUM_8 {
     /** The origin of the vehicle. */
     MIP_FILTER_REFERENCE_POINT_VEHICLE = 1
@@ -384,7 +384,7 @@ MIP_CHECKED static inline mip_error mip_filter_reset_encode(const struct mip_fil
 /**
  * Set initial attitude: command (0x0D,0x02).
  *
- * Sets the initial attitude of the filter, the orientation of the sensor frame in the NED frame.
+ * Sets the initial attitude of the filter: the orientation of the sensor frame in the NED frame.
  *
  * Changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
@@ -517,14 +517,14 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
 /**
  * Set initial attitude from IMU: command (0x0D,0x04).
  *
- * Initializes the attitude of the filter with that of the complementary filter.
+ * Initializes the filter's attitude from the complementary filter.
  *
  * No device is known for certain to support it. Also called `set_initial_heading_from_mag`. Changes
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Known only from the MIP SDK of 2014, MicroStrain Communication
  * Library and MicroStrain MIP SDK. Uncertain: The name. The SDK calls it set initial heading from
  * mag, and has no layout; the SDK of 2014 has this layout, in its example for the 3DM-GX3-45.
- * Uncertain: Which devices have it.
+ * Uncertain: Which devices support it.
  *
  * - mip-sdk-4: Set Initial Heading From Mag (0x0D,0x04)
  * - mip-sdk-2014: Set Initial Attitude From AHRS (0x0D,0x04)
@@ -619,7 +619,7 @@ MIP_CHECKED static inline mip_error mip_filter_run_encode(const struct mip_filte
  *
  * Adapts the filter to the expected motion.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_vehicle_dynamics_mode_response. Probably changes MIP_FILTER_DATA_SET. Supported by
  * 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
@@ -714,7 +714,7 @@ mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known only from the
+ * Response to mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle dynamics mode (0x0D,0x10)
@@ -752,7 +752,7 @@ MIP_CHECKED static inline mip_error mip_filter_vehicle_dynamics_mode_response_en
  *
  * Sets the rotation from the sensor frame to the vehicle frame as Euler angles (5-series).
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_sensor_to_vehicle_rotation_euler_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
@@ -864,7 +864,7 @@ mip_filter_sensor_to_vehicle_rotation_euler_default(
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -908,7 +908,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_
  *
  * Sets the origin of the vehicle frame relative to the sensor.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_sensor_to_vehicle_offset_response. Changes mip_filter_data_llh_position. Supported by
  * 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The direction, from the sensor to
  * the origin of the vehicle frame, is inferred from the name.
@@ -926,7 +926,7 @@ struct mip_filter_sensor_to_vehicle_offset {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+     * Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
      * sensor. Range: magnitude at most 10. Required for write.
      */
     float offset[3];
@@ -958,8 +958,8 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - offset: From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
- *   sensor. Range: magnitude at most 10. Required for write.
+ * - offset: Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m.
+ *   Frame: sensor. Range: magnitude at most 10. Required for write.
  */
 static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_vehicle_offset_write(
     struct mip_filter_sensor_to_vehicle_offset *command, const float offset[3]) {
@@ -1004,14 +1004,14 @@ mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
- * Answers mip_filter_sensor_to_vehicle_offset. Supported by 3DM-GX5-45. Known only from the
+ * Response to mip_filter_sensor_to_vehicle_offset. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor to vehicle offset (0x0D,0x12)
  */
 struct mip_filter_sensor_to_vehicle_offset_response {
     /**
-     * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+     * Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
      * sensor. Range: magnitude at most 10.
      */
     float offset[3];
@@ -1045,7 +1045,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_offset_response
  *
  * Sets the position of the GNSS antenna relative to the origin of the sensor.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_antenna_offset_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_antenna_offset_response.
  * Probably changes mip_filter_data_llh_position, mip_filter_data_ecef_position,
  * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
  * mip_filter_data_antenna_offset_correction. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
@@ -1067,8 +1067,9 @@ struct mip_filter_antenna_offset {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame sensor.
+     * Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
+     * Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
+     * sensor.
      */
     float offset[3];
 };
@@ -1098,9 +1099,9 @@ MIP_CHECKED static inline mip_error mip_filter_antenna_offset_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
- *   Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
- *   sensor.
+ * - offset: Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z.
+ *   Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45:
+ *   frame sensor.
  */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const float offset[3]) {
@@ -1145,14 +1146,14 @@ mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
- * Answers mip_filter_antenna_offset. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+ * Response to mip_filter_antenna_offset. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_antenna_offset_response {
     /**
-     * From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.
+     * Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
+     * Frame: vehicle. Range: magnitude at most 10. On the 3DM-GX5-45: frame sensor.
      */
     float offset[3];
 };
@@ -1185,9 +1186,8 @@ MIP_CHECKED static inline mip_error mip_filter_antenna_offset_response_encode(
  *
  * Selects the states that the filter estimates.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_estimation_control_response. Changes mip_filter_data_gyro_bias,
- * mip_filter_data_accel_bias, mip_filter_data_gyro_scale_factor,
+ * Functions: write, read, save, load and default. Response: mip_filter_estimation_control_response.
+ * Changes mip_filter_data_gyro_bias, mip_filter_data_accel_bias, mip_filter_data_gyro_scale_factor,
  * mip_filter_data_accel_scale_factor, mip_filter_data_antenna_offset_correction,
  * mip_filter_data_mag_offset and mip_filter_data_mag_matrix. Probably changes
  * mip_filter_data_gyro_bias_uncertainty, mip_filter_data_accel_bias_uncertainty,
@@ -1305,7 +1305,7 @@ mip_filter_estimation_control_default(struct mip_filter_estimation_control *comm
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Answers mip_filter_estimation_control. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_estimation_control. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -1342,7 +1342,7 @@ MIP_CHECKED static inline mip_error mip_filter_estimation_control_response_encod
  *
  * Selects the GNSS receiver that aids the filter.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_gnss_source_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_gnss_source_response.
  * Probably changes mip_filter_data_llh_position, mip_filter_data_ecef_position,
  * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
  * mip_filter_data_gnss_position_aiding_status. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
@@ -1441,7 +1441,8 @@ mip_filter_gnss_source_default(struct mip_filter_gnss_source *command) {
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
- * Answers mip_filter_gnss_source. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+ * Response to mip_filter_gnss_source. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and
+ * 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -1482,7 +1483,7 @@ MIP_CHECKED static inline mip_error mip_filter_gnss_source_response_encode(
  *
  * Rejected unless mip_filter_gnss_source selects the external source.
  *
- * The highest rate depends on the device.
+ * The maximum rate depends on the device.
  *
  * - mip-sdk-4: External GNSS update (0x0D,0x16)
  */
@@ -1586,13 +1587,12 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
  */
 struct mip_filter_external_heading_update {
     /**
-     * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
      * -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
      */
     float heading;
     /**
-     * Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than
-     * 0.
+     * Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0.
      */
     float heading_uncertainty;
     /** North that the heading refers to. A value of enum mip_filter_heading_type. */
@@ -1625,9 +1625,9 @@ MIP_CHECKED static inline mip_error mip_filter_external_heading_update_encode(
 /**
  * External heading update. Fills the structure and returns its address.
  *
- * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
  *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
+ * - heading_uncertainty: Standard deviation; the device rejects values out of range. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
  */
@@ -1646,7 +1646,7 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
  *
  * Selects the source of the heading that aids the filter.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_heading_source_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_heading_source_response.
  * Changes mip_filter_data_heading_update_state. Probably changes
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Supported by 3DM-GX5-15 and 3DM-GX5-45.
@@ -1767,7 +1767,7 @@ mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Answers mip_filter_heading_source. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_heading_source. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -1804,10 +1804,10 @@ MIP_CHECKED static inline mip_error mip_filter_heading_source_response_encode(
  *
  * Sets whether the filter initializes automatically at power-up.
  *
- * Also called `auto_init_control`. Functions: write, read, save, load and default. Answered by
+ * Also called `auto_init_control`. Functions: write, read, save, load and default. Response:
  * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
- * It needs a valid heading source.
+ * Automatic initialization needs a valid heading source.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -1899,7 +1899,7 @@ mip_filter_auto_initialization_control_default(
 /**
  * Automatic initialization response: response (0x0D,0x88).
  *
- * Also called `auto_init_control_response`. Answers mip_filter_auto_initialization_control.
+ * Also called `auto_init_control_response`. Response to mip_filter_auto_initialization_control.
  * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
@@ -1939,7 +1939,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_initialization_control_respo
  *
  * Sets the standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_accel_noise_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_accel_noise_response.
  * Probably changes mip_filter_data_llh_position_uncertainty,
  * mip_filter_data_ecef_position_uncertainty, mip_filter_data_ned_velocity_uncertainty,
  * mip_filter_data_ecef_velocity_uncertainty and mip_filter_data_accel_bias_uncertainty. Supported
@@ -2036,7 +2036,7 @@ mip_filter_accel_noise_default(struct mip_filter_accel_noise *command) {
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
- * Answers mip_filter_accel_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_accel_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -2074,7 +2074,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_noise_response_encode(
  *
  * Sets the standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_gyro_noise_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_gyro_noise_response.
  * Probably changes mip_filter_data_euler_angles_uncertainty,
  * mip_filter_data_quaternion_attitude_uncertainty and mip_filter_data_gyro_bias_uncertainty.
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
@@ -2170,7 +2170,7 @@ mip_filter_gyro_noise_default(struct mip_filter_gyro_noise *command) {
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
- * Answers mip_filter_gyro_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_gyro_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -2208,7 +2208,7 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_noise_response_encode(
  *
  * Sets the parameters of the accelerometer bias drift model.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_accel_bias_model_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_accel_bias_model_response.
  * Probably changes mip_filter_data_accel_bias and mip_filter_data_accel_bias_uncertainty. Supported
  * by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
  *
@@ -2308,7 +2308,7 @@ mip_filter_accel_bias_model_default(struct mip_filter_accel_bias_model *command)
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
- * Answers mip_filter_accel_bias_model. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+ * Response to mip_filter_accel_bias_model. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -2350,7 +2350,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_bias_model_response_encode(
  *
  * Sets the parameters of the gyroscope bias drift model.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_gyro_bias_model_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_gyro_bias_model_response.
  * Probably changes mip_filter_data_gyro_bias and mip_filter_data_gyro_bias_uncertainty. Supported
  * by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -2451,7 +2451,7 @@ mip_filter_gyro_bias_model_default(struct mip_filter_gyro_bias_model *command) {
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
- * Answers mip_filter_gyro_bias_model. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_gyro_bias_model. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -2494,8 +2494,8 @@ MIP_CHECKED static inline mip_error mip_filter_gyro_bias_model_response_encode(
  *
  * Sets whether the filter assumes that the device is at rest while its GNSS speed is low.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
- * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
+ * Functions: write, read, save, load and default. Response: mip_filter_auto_zupt_response. Probably
+ * changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
  * mip_filter_data_ned_velocity_uncertainty and mip_filter_data_ecef_velocity_uncertainty. Supported
  * by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
@@ -2590,8 +2590,8 @@ mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
- * Answers mip_filter_auto_zupt. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
- * MicroStrain MIP SDK.
+ * Response to mip_filter_auto_zupt. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -2652,13 +2652,12 @@ struct mip_filter_external_heading_update_with_time {
     /** GPS week, counted without rollover. Unit: week. */
     uint16_t week_number;
     /**
-     * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+     * Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
      * -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
      */
     float heading;
     /**
-     * Standard deviation; the device rejects a value out of bounds. Unit: rad. Range: greater than
-     * 0.
+     * Standard deviation; the device rejects values out of range. Unit: rad. Range: greater than 0.
      */
     float heading_uncertainty;
     /** North that the heading refers to. A value of enum mip_filter_heading_type. */
@@ -2693,9 +2692,9 @@ MIP_CHECKED static inline mip_error mip_filter_external_heading_update_with_time
  *
  * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
  *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
+ * - heading_uncertainty: Standard deviation; the device rejects values out of range. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
  */
@@ -2717,9 +2716,9 @@ mip_filter_external_heading_update_with_time_make(
  *
  * Sets whether the filter assumes that the device is not rotating while its angular rate is low.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_auto_angular_zupt_response. Probably changes mip_filter_data_attitude_quaternion,
- * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles, mip_filter_data_gyro_bias and
+ * Functions: write, read, save, load and default. Response: mip_filter_auto_angular_zupt_response.
+ * Probably changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
+ * mip_filter_data_euler_angles, mip_filter_data_gyro_bias and
  * mip_filter_data_gyro_bias_uncertainty. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -2818,7 +2817,7 @@ mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *comman
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
- * Answers mip_filter_auto_angular_zupt. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
+ * Response to mip_filter_auto_angular_zupt. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
  * 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
@@ -2859,7 +2858,7 @@ MIP_CHECKED static inline mip_error mip_filter_auto_angular_zupt_response_encode
  *
  * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_tare_orientation_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_tare_orientation_response.
  * Changes mip_sensor_scaled_accel, mip_sensor_scaled_gyro, mip_sensor_scaled_mag,
  * mip_sensor_delta_theta, mip_sensor_delta_velocity, mip_filter_data_attitude_quaternion,
  * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles, mip_filter_data_linear_accel,
@@ -2954,7 +2953,7 @@ mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command)
 /**
  * Tare orientation response: response (0x0D,0xA1).
  *
- * No device is known for certain to support it. Answers mip_filter_tare_orientation. Uncertain:
+ * No device is known for certain to support it. Response to mip_filter_tare_orientation. Uncertain:
  * Which devices send it. The SDK reads the setting back; the manuals of the 3DM-GX5-15 and
  * 3DM-GX5-45 have neither the read function nor the response.
  *
@@ -2998,7 +2997,7 @@ MIP_CHECKED static inline mip_error mip_filter_tare_orientation_response_encode(
  * mip_filter_data_ned_velocity_uncertainty and mip_filter_data_ecef_velocity_uncertainty. Supported
  * by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
- * The highest rate depends on the device.
+ * The maximum rate depends on the device.
  *
  * - mip-sdk-4: Commanded Zupt (0x0D,0x22)
  */
@@ -3075,9 +3074,9 @@ MIP_CHECKED static inline mip_error mip_filter_commanded_angular_zupt_encode(
  *
  * Sets the position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_reference_position_response. Changes mip_filter_data_wgs84_gravity_magnitude and
- * mip_filter_data_magnetic_model. Supported by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Response: mip_filter_reference_position_response.
+ * Changes mip_filter_data_wgs84_gravity_magnitude and mip_filter_data_magnetic_model. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -3191,7 +3190,7 @@ mip_filter_reference_position_default(struct mip_filter_reference_position *comm
 /**
  * Set reference position response: response (0x0D,0x90).
  *
- * Answers mip_filter_reference_position. Supported by 3DM-GX5-15.
+ * Response to mip_filter_reference_position. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -3243,9 +3242,9 @@ MIP_CHECKED static inline mip_error mip_filter_reference_position_response_encod
  * from the MicroStrain MIP SDK.
  *
  * A write combines the automatic calibration with mip_3dm_mag_hard_iron_offset and
- * mip_3dm_mag_soft_iron_matrix, and resets it.
+ * mip_3dm_mag_soft_iron_matrix, then resets the automatic calibration.
  *
- * A save does the same as the save of both of these commands.
+ * A save has the same effect as saving both of these settings.
  *
  * - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
  */
@@ -3300,7 +3299,7 @@ mip_filter_mag_capture_auto_calibration_save(
  *
  * Sets the standard deviation of the gravity noise that the filter assumes (process noise).
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_gravity_noise_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_gravity_noise_response.
  * Probably changes mip_filter_data_euler_angles_uncertainty and
  * mip_filter_data_quaternion_attitude_uncertainty. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
  * 3DM-GX5-45.
@@ -3396,7 +3395,7 @@ mip_filter_gravity_noise_default(struct mip_filter_gravity_noise *command) {
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
- * Answers mip_filter_gravity_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_gravity_noise. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -3434,7 +3433,7 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
  *
  * Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_pressure_altitude_noise_response. Probably changes mip_filter_data_llh_position and
  * mip_filter_data_llh_position_uncertainty. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
@@ -3531,7 +3530,7 @@ mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_n
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
- * Answers mip_filter_pressure_altitude_noise. Supported by 3DM-GX5-45. Known only from the
+ * Response to mip_filter_pressure_altitude_noise. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Pressure altitude noise (0x0D,0x29)
@@ -3569,7 +3568,7 @@ MIP_CHECKED static inline mip_error mip_filter_pressure_altitude_noise_response_
  *
  * Sets the standard deviation of the noise of the estimated hard iron offset (process noise).
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_hard_iron_offset_noise_response. Probably changes mip_filter_data_mag_offset and
  * mip_filter_data_mag_offset_uncertainty. Supported by 3DM-GX5-45. Known only from the MicroStrain
  * MIP SDK.
@@ -3663,7 +3662,7 @@ mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noi
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
- * Answers mip_filter_hard_iron_offset_noise. Supported by 3DM-GX5-45. Known only from the
+ * Response to mip_filter_hard_iron_offset_noise. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard iron offset noise (0x0D,0x2B)
@@ -3701,7 +3700,7 @@ MIP_CHECKED static inline mip_error mip_filter_hard_iron_offset_noise_response_e
  *
  * Sets the standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_soft_iron_matrix_noise_response. Probably changes mip_filter_data_mag_matrix and
  * mip_filter_data_mag_matrix_uncertainty. Supported by 3DM-GX5-45. Known only from the MicroStrain
  * MIP SDK.
@@ -3795,7 +3794,7 @@ mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noi
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
- * Answers mip_filter_soft_iron_matrix_noise. Supported by 3DM-GX5-45. Known only from the
+ * Response to mip_filter_soft_iron_matrix_noise. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft iron matrix noise (0x0D,0x2C)
@@ -3836,7 +3835,7 @@ MIP_CHECKED static inline mip_error mip_filter_soft_iron_matrix_noise_response_e
  *
  * Selects the inertial measurements that the filter uses.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_enable_measurements_response. Probably changes mip_filter_data_attitude_quaternion,
  * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
@@ -3931,7 +3930,7 @@ mip_filter_enable_measurements_default(struct mip_filter_enable_measurements *co
 /**
  * Enable or disable measurements response: response (0x0D,0xB0).
  *
- * Answers mip_filter_enable_measurements. Supported by 3DM-GX5-15.
+ * Response to mip_filter_enable_measurements. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -3968,8 +3967,8 @@ MIP_CHECKED static inline mip_error mip_filter_enable_measurements_response_enco
  *
  * Sets the standard deviation of the magnetometer noise that the filter assumes.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
- * Probably changes mip_filter_data_euler_angles_uncertainty and
+ * Functions: write, read, save, load and default. Response: mip_filter_mag_noise_response. Probably
+ * changes mip_filter_data_euler_angles_uncertainty and
  * mip_filter_data_quaternion_attitude_uncertainty. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK. Uncertain: The SDK calls it process noise, although the noise is that of a
  * measurement.
@@ -4062,7 +4061,8 @@ mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
- * Answers mip_filter_mag_noise. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
+ * Response to mip_filter_mag_noise. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+ * SDK.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -4099,7 +4099,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_noise_response_encode(
  *
  * Selects the source of the local declination of the magnetic field.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_magnetic_declination_source_response. Probably changes
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
@@ -4221,7 +4221,7 @@ mip_filter_magnetic_declination_source_default(
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
- * Answers mip_filter_magnetic_declination_source. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
+ * Response to mip_filter_magnetic_declination_source. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
  * 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
@@ -4271,7 +4271,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_declination_source_respo
  *
  * Full name: filter.accel_magnitude_error_adaptive_measurement.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_accel_magnitude_adaptive_response. Probably changes
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
@@ -4408,7 +4408,7 @@ mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_ad
  *
  * Full name: filter.accel_magnitude_error_adaptive_measurement_response.
  *
- * Answers mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -4460,7 +4460,7 @@ MIP_CHECKED static inline mip_error mip_filter_accel_magnitude_adaptive_response
  *
  * Full name: filter.mag_magnitude_error_adaptive_measurement.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_mag_magnitude_adaptive_response. Probably changes mip_filter_data_attitude_quaternion,
  * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
@@ -4628,7 +4628,7 @@ mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adapti
  *
  * Full name: filter.mag_magnitude_error_adaptive_measurement_response.
  *
- * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. Known only from the
+ * Response to mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
@@ -4701,7 +4701,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_magnitude_adaptive_response_e
  *
  * Full name: filter.mag_dip_angle_error_adaptive_measurement.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_mag_dip_angle_adaptive_response. Probably changes mip_filter_data_attitude_quaternion,
  * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
  * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
@@ -4831,7 +4831,7 @@ mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adapti
  *
  * Full name: filter.mag_dip_angle_error_adaptive_measurement_response.
  *
- * Answers mip_filter_mag_dip_angle_adaptive. Supported by 3DM-GX5-45. Known only from the
+ * Response to mip_filter_mag_dip_angle_adaptive. Supported by 3DM-GX5-45. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
@@ -4887,7 +4887,7 @@ MIP_CHECKED static inline mip_error mip_filter_mag_dip_angle_adaptive_response_e
  *
  * Selects the source that aids the altitude in addition to GNSS.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_altitude_aiding_response.
  * Probably changes mip_filter_data_llh_position and mip_filter_data_llh_position_uncertainty.
  * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
@@ -4982,8 +4982,8 @@ mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
- * Answers mip_filter_altitude_aiding. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
- * SDK.
+ * Response to mip_filter_altitude_aiding. Supported by 3DM-GX5-45. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Altitude aiding (0x0D,0x47)
  */
@@ -5020,11 +5020,10 @@ MIP_CHECKED static inline mip_error mip_filter_altitude_aiding_response_encode(
  *
  * Selects the source that aids pitch and roll while the motion is gentle.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_pitch_roll_aiding_response. Probably changes mip_filter_data_attitude_quaternion,
- * mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
- * mip_filter_data_euler_angles_uncertainty and mip_filter_data_quaternion_attitude_uncertainty.
- * Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Functions: write, read, save, load and default. Response: mip_filter_pitch_roll_aiding_response.
+ * Probably changes mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm,
+ * mip_filter_data_euler_angles, mip_filter_data_euler_angles_uncertainty and
+ * mip_filter_data_quaternion_attitude_uncertainty. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -5114,7 +5113,7 @@ mip_filter_pitch_roll_aiding_default(struct mip_filter_pitch_roll_aiding *comman
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
- * Answers mip_filter_pitch_roll_aiding. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * Response to mip_filter_pitch_roll_aiding. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -5151,7 +5150,7 @@ MIP_CHECKED static inline mip_error mip_filter_pitch_roll_aiding_response_encode
  *
  * Selects the source of the local inclination (dip angle) of the magnetic field.
  *
- * Also called `inclination_source`. Functions: write, read, save, load and default. Answered by
+ * Also called `inclination_source`. Functions: write, read, save, load and default. Response:
  * mip_filter_magnetic_inclination_source_response. Probably changes
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
@@ -5266,8 +5265,8 @@ mip_filter_magnetic_inclination_source_default(
 /**
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
- * Also called `inclination_source_response`. Answers mip_filter_magnetic_inclination_source. Known
- * only from the MicroStrain MIP SDK.
+ * Also called `inclination_source_response`. Response to mip_filter_magnetic_inclination_source.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
@@ -5313,7 +5312,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_inclination_source_respo
  * Selects the source of the local magnitude of the magnetic field.
  *
  * Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
- * Answered by mip_filter_magnetic_magnitude_source_response. Probably changes
+ * Response: mip_filter_magnetic_magnitude_source_response. Probably changes
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
  * MIP SDK.
@@ -5422,8 +5421,8 @@ mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitud
 /**
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
- * Also called `mag_field_magnitude_source_response`. Answers mip_filter_magnetic_magnitude_source.
- * Known only from the MicroStrain MIP SDK.
+ * Also called `mag_field_magnitude_source_response`. Response to
+ * mip_filter_magnetic_magnitude_source. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -5468,7 +5467,7 @@ MIP_CHECKED static inline mip_error mip_filter_magnetic_magnitude_source_respons
  *
  * Sets the rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_sensor_to_vehicle_rotation_dcm_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
@@ -5576,7 +5575,7 @@ mip_filter_sensor_to_vehicle_rotation_dcm_default(
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_dcm. Known only from the MicroStrain MIP SDK.
+ * Response to mip_filter_sensor_to_vehicle_rotation_dcm. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
@@ -5621,7 +5620,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_re
  *
  * Full name: filter.sensor_to_vehicle_rotation_quaternion.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_sensor_to_vehicle_quaternion_response. Changes mip_sensor_scaled_accel,
  * mip_sensor_scaled_gyro, mip_sensor_scaled_mag, mip_sensor_delta_theta, mip_sensor_delta_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
@@ -5729,7 +5728,7 @@ mip_filter_sensor_to_vehicle_quaternion_default(
  *
  * Full name: filter.sensor_to_vehicle_rotation_quaternion_response.
  *
- * Answers mip_filter_sensor_to_vehicle_quaternion. Known only from the MicroStrain MIP SDK.
+ * Response to mip_filter_sensor_to_vehicle_quaternion. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
@@ -5771,7 +5770,7 @@ MIP_CHECKED static inline mip_error mip_filter_sensor_to_vehicle_quaternion_resp
  *
  * Enables or disables one source of aiding measurements.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_aiding_measurement_enable_response. Changes
  * mip_filter_data_aiding_measurement_summary. Probably changes MIP_FILTER_DATA_SET. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
@@ -5969,7 +5968,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
+ * Response to mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
@@ -6011,12 +6010,12 @@ MIP_CHECKED static inline mip_error mip_filter_aiding_measurement_enable_respons
  *
  * Sets the assumptions about the motion that the filter uses in place of measurements.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_kinematic_constraint_response. Probably changes mip_filter_data_ned_velocity,
  * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
  * and mip_filter_data_euler_angles. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and
- * states the values in remarks.
+ * MicroStrain MIP SDK. Uncertain: Whether there are further values. The SDK uses plain numbers and
+ * lists the values in comments.
  *
  * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
@@ -6127,7 +6126,7 @@ mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *
 /**
  * Kinematic constraint response: response (0x0D,0xD1).
  *
- * Answers mip_filter_kinematic_constraint. Known only from the MicroStrain MIP SDK.
+ * Response to mip_filter_kinematic_constraint. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Kinematic constraint (0x0D,0x51)
  */
@@ -6178,7 +6177,7 @@ MIP_CHECKED static inline mip_error mip_filter_kinematic_constraint_response_enc
  * Sets the sources and values of the initial attitude, position and velocity of the filter.
  *
  * Also called `initialization_configuration`. Functions: write, read, save, load and default.
- * Answered by mip_filter_initialization_config_response. Probably changes mip_filter_data_status,
+ * Response: mip_filter_initialization_config_response. Probably changes mip_filter_data_status,
  * mip_filter_data_llh_position, mip_filter_data_ecef_position, mip_filter_data_ned_velocity,
  * mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm
  * and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
@@ -6351,8 +6350,9 @@ mip_filter_initialization_config_default(struct mip_filter_initialization_config
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
- * Also called `initialization_configuration_response`. Answers mip_filter_initialization_config.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
+ * Also called `initialization_configuration_response`. Response to
+ * mip_filter_initialization_config. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and
+ * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -6421,7 +6421,7 @@ MIP_CHECKED static inline mip_error mip_filter_initialization_config_response_en
  *
  * Sets how the filter adapts to measurements that do not fit its model.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_adaptive_filter_options_response. Probably changes MIP_FILTER_DATA_SET. Supported by
  * 3DM-CV7-GNSS/INS.
  *
@@ -6525,7 +6525,7 @@ mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_opt
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Answers mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -6564,7 +6564,7 @@ MIP_CHECKED static inline mip_error mip_filter_adaptive_filter_options_response_
  *
  * Sets the position of the antenna of one receiver on devices with several antennas.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_multi_antenna_offset_response. Probably changes mip_filter_data_llh_position,
  * mip_filter_data_ecef_position, mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity,
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm, mip_filter_data_euler_angles,
@@ -6584,8 +6584,8 @@ struct mip_filter_multi_antenna_offset {
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
-     * at most 10. Required for write.
+     * Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+     * magnitude at most 10. Required for write.
      */
     float antenna_offset[3];
 };
@@ -6617,8 +6617,8 @@ MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_encode(
  * Apply the new setting. Fills the structure and returns its address.
  *
  * - receiver_id: Number of the receiver, from 1. Range: at least 1.
- * - antenna_offset: From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
- *   Range: magnitude at most 10. Required for write.
+ * - antenna_offset: Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame:
+ *   vehicle. Range: magnitude at most 10. Required for write.
  */
 static inline struct mip_filter_multi_antenna_offset *
 mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *command,
@@ -6685,7 +6685,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
- * Answers mip_filter_multi_antenna_offset. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_filter_multi_antenna_offset. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -6693,8 +6693,8 @@ struct mip_filter_multi_antenna_offset_response {
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
-     * at most 10.
+     * Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+     * magnitude at most 10.
      */
     float antenna_offset[3];
 };
@@ -6727,7 +6727,7 @@ MIP_CHECKED static inline mip_error mip_filter_multi_antenna_offset_response_enc
  *
  * Sets the reference point of the relative position that the filter reports.
  *
- * Also called `rel_pos_configuration`. Functions: write, read, save, load and default. Answered by
+ * Also called `rel_pos_configuration`. Functions: write, read, save, load and default. Response:
  * mip_filter_relative_position_config_response. Changes mip_filter_data_ned_relative_position.
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -6841,7 +6841,7 @@ mip_filter_relative_position_config_default(struct mip_filter_relative_position_
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
- * Also called `rel_pos_configuration_response`. Answers mip_filter_relative_position_config.
+ * Also called `rel_pos_configuration_response`. Response to mip_filter_relative_position_config.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
@@ -6888,12 +6888,13 @@ MIP_CHECKED static inline mip_error mip_filter_relative_position_config_response
  *
  * Moves the point to which the position and the velocity of the filter refer.
  *
- * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered by
+ * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Response:
  * mip_filter_reference_point_lever_arm_response. Changes mip_filter_data_llh_position,
  * mip_filter_data_ecef_position, mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
  * mip_filter_data_ned_relative_position. Supported by 3DM-CV7-GNSS/INS.
  *
- * The shift of positions depends on the attitude, that of velocities on the angular rate as well.
+ * The shift in position depends on the attitude; the shift in velocity also depends on the angular
+ * rate.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -6910,8 +6911,8 @@ struct mip_filter_reference_point_lever_arm {
      */
     uint8_t reference_point;
     /**
-     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
-     * most 10. Required for write.
+     * Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+     * magnitude at most 10. Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -6944,8 +6945,8 @@ MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_encode(
  *
  * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
  *   Required for write.
- * - lever_arm_offset: From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle.
- *   Range: magnitude at most 10. Required for write.
+ * - lever_arm_offset: Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame:
+ *   vehicle. Range: magnitude at most 10. Required for write.
  */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lever_arm *command,
@@ -6993,7 +6994,7 @@ mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_l
 /**
  * Reference point lever arm response: response (0x0D,0xD6).
  *
- * Also called `ref_point_lever_arm_response`. Answers mip_filter_reference_point_lever_arm.
+ * Also called `ref_point_lever_arm_response`. Response to mip_filter_reference_point_lever_arm.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
@@ -7002,8 +7003,8 @@ struct mip_filter_reference_point_lever_arm_response {
     /** Point whose lever arm follows. A value of enum mip_filter_reference_point. */
     uint8_t reference_point;
     /**
-     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
-     * most 10.
+     * Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range:
+     * magnitude at most 10.
      */
     float lever_arm_offset[3];
 };
@@ -7041,7 +7042,7 @@ MIP_CHECKED static inline mip_error mip_filter_reference_point_lever_arm_respons
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
  * names a response, `filter.speed_measurement_response`, but has no layout of it.
  *
- * It must not be used together with the odometer of the device.
+ * Do not use it together with the device's odometer.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -7104,9 +7105,10 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
 /**
  * Speed measurement lever arm: command (0x0D,0x61).
  *
- * Sets the position of the point whose speed is measured, such as the wheel that an odometer is on.
+ * Sets the position of the point whose speed is measured, such as the wheel that drives the
+ * odometer.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_speed_lever_arm_response.
+ * Functions: write, read, save, load and default. Response: mip_filter_speed_lever_arm_response.
  * Probably changes mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity and
  * mip_filter_data_odometer_scale_factor_error. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -7125,8 +7127,8 @@ struct mip_filter_speed_lever_arm {
     /** Reserved: send 1. */
     uint8_t source;
     /**
-     * From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
-     * Required for write.
+     * Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -7156,8 +7158,8 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - lever_arm_offset: From the sensor to the point of measurement. Elements: x, y, z. Unit: m.
- *   Frame: vehicle. Required for write.
+ * - lever_arm_offset: Vector from the sensor to the point of measurement. Elements: x, y, z. Unit:
+ *   m. Frame: vehicle. Required for write.
  */
 static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_write(
     struct mip_filter_speed_lever_arm *command, const float lever_arm_offset[3]) {
@@ -7207,14 +7209,17 @@ mip_filter_speed_lever_arm_default(struct mip_filter_speed_lever_arm *command) {
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
- * Answers mip_filter_speed_lever_arm. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_filter_speed_lever_arm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_speed_lever_arm_response {
     /** Reserved. */
     uint8_t source;
-    /** From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
+    /**
+     * Vector from the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame:
+     * vehicle.
+     */
     float lever_arm_offset[3];
 };
 
@@ -7246,7 +7251,7 @@ MIP_CHECKED static inline mip_error mip_filter_speed_lever_arm_response_encode(
  *
  * Sets whether the filter maintains pitch and roll with the accelerometers while there is no GNSS.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_vertical_gyro_constraint_control_response. Probably changes
  * mip_filter_data_attitude_quaternion, mip_filter_data_attitude_dcm and
  * mip_filter_data_euler_angles. Not listed in any device profile. Known only from the MicroStrain
@@ -7344,7 +7349,7 @@ mip_filter_vertical_gyro_constraint_control_default(
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
- * Answers mip_filter_vertical_gyro_constraint_control. Known only from the MicroStrain MIP SDK.
+ * Response to mip_filter_vertical_gyro_constraint_control. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
@@ -7384,7 +7389,7 @@ MIP_CHECKED static inline mip_error mip_filter_vertical_gyro_constraint_control_
  *
  * Sets whether the filter assumes that the vehicle moves only along its x axis.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Functions: write, read, save, load and default. Response:
  * mip_filter_wheeled_vehicle_constraint_control_response. Probably changes
  * mip_filter_data_ned_velocity, mip_filter_data_ecef_velocity, mip_filter_data_attitude_quaternion,
  * mip_filter_data_attitude_dcm and mip_filter_data_euler_angles. Supported by 3DM-CV7-GNSS/INS.
@@ -7484,7 +7489,7 @@ mip_filter_wheeled_vehicle_constraint_control_default(
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * Answers mip_filter_wheeled_vehicle_constraint_control. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_filter_wheeled_vehicle_constraint_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -7525,8 +7530,8 @@ MIP_CHECKED static inline mip_error mip_filter_wheeled_vehicle_constraint_contro
  *
  * Enables antenna offset calibration.
  *
- * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
- * by mip_filter_gnss_antenna_calibration_control_response. Changes
+ * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Response:
+ * mip_filter_gnss_antenna_calibration_control_response. Changes
  * mip_filter_data_multi_antenna_offset_correction. Probably changes
  * mip_filter_data_multi_antenna_offset_uncertainty. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
@@ -7630,7 +7635,7 @@ mip_filter_gnss_antenna_calibration_control_default(
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * Also called `gnss_antenna_cal_control_response`. Answers
+ * Also called `gnss_antenna_cal_control_response`. Response to
  * mip_filter_gnss_antenna_calibration_control. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)

@@ -376,8 +376,8 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_offset(
 /**
  * Sensor to vehicle offset: write. Apply the new setting. See mip_device_call.
  *
- * - offset: From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
- *   sensor. Range: magnitude at most 10. Required for write.
+ * - offset: Vector from the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m.
+ *   Frame: sensor. Range: magnitude at most 10. Required for write.
  */
 static inline struct mip_result
 mip_call_filter_sensor_to_vehicle_offset_write(struct mip_device *device, const float offset[3]) {
@@ -459,9 +459,9 @@ static inline mip_error mip_send_filter_antenna_offset(
 /**
  * GNSS antenna offset: write. Apply the new setting. See mip_device_call.
  *
- * - offset: From the sensor origin to the phase centre of the antenna. Elements: x, y, z. Unit: m.
- *   Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45: frame
- *   sensor.
+ * - offset: Vector from the sensor origin to the phase centre of the antenna. Elements: x, y, z.
+ *   Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for write. On the 3DM-GX5-45:
+ *   frame sensor.
  */
 static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_device *device,
                                                                      const float offset[3]) {
@@ -759,9 +759,9 @@ static inline mip_error mip_send_filter_external_heading_update(
 /**
  * External heading update. See mip_device_call.
  *
- * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
  *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
+ * - heading_uncertainty: Standard deviation; the device rejects values out of range. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
  */
@@ -1388,9 +1388,9 @@ static inline mip_error mip_send_filter_external_heading_update_with_time(
  *
  * - tow: GPS time of week of the measurement. Unit: s. Range: at least 0, less than 604800.
  * - week_number: GPS week, counted without rollover. Unit: week.
- * - heading: Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+ * - heading: Heading relative to the north selected by `type`. Unit: rad. Frame: ned. Range:
  *   -3.141592653589793 to 3.141592653589793. Positive: clockwise seen from above.
- * - heading_uncertainty: Standard deviation; the device rejects a value out of bounds. Unit: rad.
+ * - heading_uncertainty: Standard deviation; the device rejects values out of range. Unit: rad.
  *   Range: greater than 0.
  * - type: North that the heading refers to. A value of enum mip_filter_heading_type.
  */
@@ -3628,8 +3628,8 @@ static inline mip_error mip_send_filter_multi_antenna_offset(
  * GNSS multi-antenna offset: write. Apply the new setting. See mip_device_call.
  *
  * - receiver_id: Number of the receiver, from 1. Range: at least 1.
- * - antenna_offset: From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle.
- *   Range: magnitude at most 10. Required for write.
+ * - antenna_offset: Vector from the sensor to the antenna. Elements: x, y, z. Unit: m. Frame:
+ *   vehicle. Range: magnitude at most 10. Required for write.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
     struct mip_device *device, uint8_t receiver_id, const float antenna_offset[3]) {
@@ -3830,8 +3830,8 @@ static inline mip_error mip_send_filter_reference_point_lever_arm(
  *
  * - reference_point: Point to move; it must be 1. A value of enum mip_filter_reference_point.
  *   Required for write.
- * - lever_arm_offset: From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle.
- *   Range: magnitude at most 10. Required for write.
+ * - lever_arm_offset: Vector from the sensor to the point. Elements: x, y, z. Unit: m. Frame:
+ *   vehicle. Range: magnitude at most 10. Required for write.
  */
 static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
     struct mip_device *device, enum mip_filter_reference_point reference_point,
@@ -3957,8 +3957,8 @@ static inline mip_error mip_send_filter_speed_lever_arm(
 /**
  * Speed measurement lever arm: write. Apply the new setting. See mip_device_call.
  *
- * - lever_arm_offset: From the sensor to the point of measurement. Elements: x, y, z. Unit: m.
- *   Frame: vehicle. Required for write.
+ * - lever_arm_offset: Vector from the sensor to the point of measurement. Elements: x, y, z. Unit:
+ *   m. Frame: vehicle. Required for write.
  */
 static inline struct mip_result
 mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lever_arm_offset[3]) {

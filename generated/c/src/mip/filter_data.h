@@ -45,11 +45,11 @@ typedef uint16_t mip_filter_data_heading_source_flags;
 
 /** Use of one GNSS receiver by the filter. */
 typedef uint16_t mip_filter_data_gnss_aiding_status;
-/** Bit 0. Raw ranges of the receiver are used. */
+/** Bit 0. The receiver's raw ranges are used. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_TIGHT_COUPLING 0x0001U
 /** Bit 1. RTK corrections are used. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_DIFFERENTIAL 0x0002U
-/** Bit 2. There is an RTK integer fix, with the most accurate position. */
+/** Bit 2. The receiver has an RTK integer fix, the most accurate kind. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_INTEGER_FIX 0x0004U
 /** Bit 3. GPS L1 is used. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L1 0x0008U
@@ -94,13 +94,13 @@ enum mip_filter_data_heading_aiding_type MIP_ENUM_8 {
 MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
 
 /**
- * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
- * `aiding` that send the measurement.
+ * Kind of aiding measurement. Values from 0x20 are the descriptors of the commands of set `aiding`
+ * that send the measurement.
  */
 enum mip_filter_data_aiding_measurement_type MIP_ENUM_8 {
     /** GNSS position and velocity. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_GNSS = 1,
-    /** GNSS heading of two antennas. */
+    /** GNSS heading from two antennas. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_DUAL_ANTENNA = 2,
     /** The value `heading`. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_HEADING = 3,
@@ -110,23 +110,23 @@ enum mip_filter_data_aiding_measurement_type MIP_ENUM_8 {
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAG = 5,
     /** Speed or odometer. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED = 6,
-    /** ECEF position by command. */
+    /** ECEF position, sent by command. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_POSITION = 33,
-    /** Latitude, longitude and height by command. */
+    /** Latitude, longitude and height, sent by command. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_LLH_POSITION = 34,
-    /** Height above the ellipsoid by command. */
+    /** Height above the ellipsoid, sent by command. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID = 35,
-    /** ECEF velocity by command. */
+    /** ECEF velocity, sent by command. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_VELOCITY = 40,
-    /** NED velocity by command. */
+    /** NED velocity, sent by command. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_NED_VELOCITY = 41,
-    /** Body frame velocity by command. */
+    /** Body frame velocity, sent by command. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_BODY_FRAME_VELOCITY = 42,
-    /** True heading by command. */
+    /** True heading, sent by command. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_TRUE_HEADING = 49,
-    /** Magnetic field by command. */
+    /** Magnetic field, sent by command. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD = 50,
-    /** Pressure by command. */
+    /** Pressure, sent by command. */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE = 51
 };
 
@@ -137,18 +137,18 @@ MIP_API const char *mip_filter_data_aiding_measurement_type_name(uint8_t value);
 typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 /** Bit 0. The measurement is enabled. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_ENABLED 0x01U
-/** Bit 1. The filter used it. */
+/** Bit 1. The filter used the measurement. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_USED 0x02U
-/** Bit 2. It disagrees with the estimate. */
+/** Bit 2. The measurement disagrees with the estimate. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_RESIDUAL_HIGH_WARNING 0x04U
-/** Bit 3. Its time is doubtful. */
+/** Bit 3. The time of the measurement is doubtful. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING 0x08U
-/** Bit 4. Its configuration is wrong. */
+/** Bit 4. The configuration of the measurement is wrong. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR 0x10U
 /** Bit 5. There are more measurements than the filter can process. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
 
-/** Kind of the heading solution of two antennas. */
+/** Kind of dual-antenna heading solution. */
 enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
     /** No solution. */
     MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_NONE = 0,
@@ -161,7 +161,7 @@ enum mip_filter_data_dual_antenna_fix_type MIP_ENUM_8 {
 /** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_dual_antenna_fix_type_name(uint8_t value);
 
-/** Inputs available to the heading solution of two antennas. */
+/** Inputs available to the dual-antenna heading solution. */
 typedef uint16_t mip_filter_data_dual_antenna_status_flags;
 /** Bit 0. Data of receiver 1 is valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_1_DATA_VALID 0x0001U
@@ -247,7 +247,7 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
  * mip_filter_data_ned_velocity.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GPS_UNAVAILABLE 0x0002U
-/** Bit 3. A matrix of the computation is singular. Concerns mip_filter_reset. */
+/** Bit 3. A matrix in the computation is singular. Concerns mip_filter_reset. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
 /**
  * Bit 4. A position covariance is above its normal limit. Concerns mip_filter_data_llh_position and
@@ -303,7 +303,7 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
 
 /**
- * Convergence of the estimates of the filter.
+ * Convergence of the filter's estimates.
  *
  * - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
  * - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
@@ -761,17 +761,17 @@ MIP_CHECKED static inline mip_error mip_filter_data_accel_bias_encode(
  */
 struct mip_filter_data_llh_position_uncertainty {
     /**
-     * Standard deviation north. Unit: m. Frame: ned. Range: at least 0. Valid if
+     * North standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float north;
     /**
-     * Standard deviation east. Unit: m. Frame: ned. Range: at least 0. Valid if
+     * East standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float east;
     /**
-     * Standard deviation down. Unit: m. Frame: ned. Range: at least 0. Valid if
+     * Down standard deviation. Unit: m. Frame: ned. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
@@ -813,17 +813,17 @@ MIP_CHECKED static inline mip_error mip_filter_data_llh_position_uncertainty_enc
  */
 struct mip_filter_data_ned_velocity_uncertainty {
     /**
-     * Standard deviation north. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+     * North standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float north;
     /**
-     * Standard deviation east. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+     * East standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float east;
     /**
-     * Standard deviation down. Unit: m/s. Frame: ned. Range: at least 0. Valid if
+     * Down standard deviation. Unit: m/s. Frame: ned. Range: at least 0. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float down;
@@ -1041,7 +1041,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_linear_accel_encode(
 /**
  * Compensated angular rate: data (0x82,0x0E).
  *
- * Angular rate without the estimated bias.
+ * Angular rate with the estimated bias removed.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and
  * 3DM-GX5-45.
@@ -1218,7 +1218,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_status_encode(
  *
  * Without synchronization to a receiver or an external clock it is the internal system time.
  *
- * 3DM-CV7: the field may be withdrawn; mip_shared_gps_timestamp is better.
+ * 3DM-CV7: this field may be withdrawn; prefer mip_shared_gps_timestamp.
  *
  * - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
  * - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
@@ -1317,8 +1317,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_quaternion_attitude_uncertai
  */
 struct mip_filter_data_gravity_vector {
     /**
-     * Gravity, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest and
-     * level: x 0, y 0, z 9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Gravity vector, which points down. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. At rest
+     * and level: x 0, y 0, z 9.8. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      * Uncertain: The sign, which no source states.
      */
     float gravity[3];
@@ -1416,17 +1416,17 @@ MIP_CHECKED static inline mip_error mip_filter_data_heading_update_state_encode(
  */
 struct mip_filter_data_magnetic_model {
     /**
-     * Northward part of the field. Unit: gauss. Frame: ned. Valid if
+     * North component of the field. Unit: gauss. Frame: ned. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float intensity_north;
     /**
-     * Eastward part of the field. Unit: gauss. Frame: ned. Valid if
+     * East component of the field. Unit: gauss. Frame: ned. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float intensity_east;
     /**
-     * Downward part of the field. Unit: gauss. Frame: ned. Valid if
+     * Down component of the field. Unit: gauss. Frame: ned. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float intensity_down;
@@ -1725,7 +1725,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
 /**
  * Compensated acceleration: data (0x82,0x1C).
  *
- * Acceleration without the estimated bias. It includes gravity.
+ * Acceleration with the estimated bias removed. It includes gravity.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
@@ -1768,7 +1768,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_comp_accel_encode(
 /**
  * Standard atmosphere: data (0x82,0x20).
  *
- * US Standard Atmosphere of 1976 at the altitude of the device.
+ * US Standard Atmosphere of 1976 at the device's altitude.
  *
  * No device is known for certain to support it. Known only from the MicroStrain MIP SDK.
  *
@@ -1788,7 +1788,7 @@ struct mip_filter_data_standard_atmosphere {
      */
     float geopotential_altitude;
     /**
-     * Temperature that the model has at this altitude. Unit: degC. Valid if
+     * Temperature at this altitude according to the model. Unit: degC. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float standard_temperature;
@@ -1798,8 +1798,8 @@ struct mip_filter_data_standard_atmosphere {
      */
     float standard_pressure;
     /**
-     * Air density that the model has at this altitude. Unit: kg/m^3. Range: at least 0. Valid if
-     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     * Air density at this altitude according to the model. Unit: kg/m^3. Range: at least 0. Valid
+     * if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float standard_density;
     /** Validity of the values of a field. */
@@ -1970,7 +1970,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_offset_encode(
  * No device is known for certain to support it. Also called `magnetometer_matrix`. Known only from
  * the MicroStrain MIP SDK.
  *
- * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by it, from the right.
+ * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by this matrix on the
+ * right.
  *
  * - mip-sdk-4: Magnetometer matrix (0x82,0x26)
  */
@@ -2149,9 +2150,8 @@ MIP_CHECKED static inline mip_error mip_filter_data_mag_covariance_matrix_encode
  */
 struct mip_filter_data_mag_residual_vector {
     /**
-     * Difference between the measured magnetic field and the one that the filter expects. Elements:
-     * x, y, z. Unit: gauss. Frame: vehicle. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
-     * valid_flags is set.
+     * Difference between the measured and the expected magnetic field. Elements: x, y, z. Unit:
+     * gauss. Frame: vehicle. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
      */
     float residual[3];
     /** Validity of the values of a field. */
@@ -3048,7 +3048,7 @@ MIP_CHECKED static inline mip_error mip_filter_data_aiding_frame_config_error_en
 /**
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *
- * Uncertainty of the error that mip_filter_data_aiding_frame_config_error estimates.
+ * Uncertainty of the error in mip_filter_data_aiding_frame_config_error.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *

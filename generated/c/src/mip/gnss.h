@@ -25,7 +25,7 @@ extern "C" {
 #define MIP_GNSS_SET 0x0E
 
 /**
- * One GNSS receiver.
+ * Description of a GNSS receiver.
  *
  * - 3dm-cv7-gnss-ins: Info
  * - mip-sdk-4: Receiver Info (0x0E,0x01)
@@ -36,7 +36,7 @@ struct mip_gnss_receiver_info_entry {
      * least 1.
      */
     uint8_t receiver_id;
-    /** Descriptor set of the data of this receiver. Range: 0x80 to 0xFE. */
+    /** Descriptor set of this receiver's data. Range: 0x80 to 0xFE. */
     uint8_t mip_data_descriptor_set;
     /** Module name or model and firmware version, separated by a comma. */
     char description[33];
@@ -115,7 +115,7 @@ enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
     MIP_GNSS_RECEIVER_RESET_TYPE_WARM = 3,
     /**
      * Restarts the positioning engine and clears its ephemerides and almanacs. Uncertain: The name,
-     * which an earlier branch of the SDK exchanges with that of 3.
+     * which an earlier branch of the SDK swaps with that of 3.
      */
     MIP_GNSS_RECEIVER_RESET_TYPE_HOT = 4
 };
@@ -124,7 +124,7 @@ enum mip_gnss_receiver_reset_type MIP_ENUM_8 {
 MIP_API const char *mip_gnss_receiver_reset_type_name(uint8_t value);
 
 /**
- * Readiness of RTK to fix the carrier phase ambiguities to whole numbers. Uncertain: The
+ * Strategy for fixing the RTK carrier phase ambiguities to whole numbers. Uncertain: The
  * descriptions of `conservative` and `moderate`, which are inferred from the names.
  *
  * - mip-sdk-4: Rtk Configuration (0x0E,0x04)
@@ -132,7 +132,7 @@ MIP_API const char *mip_gnss_receiver_reset_type_name(uint8_t value);
 enum mip_gnss_ambiguity_fix_mode MIP_ENUM_8 {
     /** Never fixes them. The solution remains a float solution. */
     MIP_GNSS_AMBIGUITY_FIX_MODE_OFF = 1,
-    /** Fixes them late and with few wrong fixes. */
+    /** Fixes them late, so that few fixes are wrong. */
     MIP_GNSS_AMBIGUITY_FIX_MODE_CONSERVATIVE = 2,
     /** Between conservative and aggressive. */
     MIP_GNSS_AMBIGUITY_FIX_MODE_MODERATE = 3,
@@ -143,7 +143,7 @@ enum mip_gnss_ambiguity_fix_mode MIP_ENUM_8 {
 /** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_ambiguity_fix_mode_name(uint8_t value);
 
-/** Channel of SPARTN corrections. */
+/** Channel that delivers SPARTN corrections. */
 enum mip_gnss_spartn_connection MIP_ENUM_8 {
     /** No connection. */
     MIP_GNSS_SPARTN_CONNECTION_NONE = 0,
@@ -161,7 +161,7 @@ MIP_API const char *mip_gnss_spartn_connection_name(uint8_t value);
  *
  * Gets the GNSS receivers of the device.
  *
- * Answered by mip_gnss_receiver_info_response. Supported by 3DM-CV7-GNSS/INS.
+ * Response: mip_gnss_receiver_info_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -195,12 +195,12 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_encode(
 /**
  * Receiver info response: response (0x0E,0x81).
  *
- * Answers mip_gnss_receiver_info. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_gnss_receiver_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
 struct mip_gnss_receiver_info_response {
-    /** Number of physical receivers. The number of elements of receiver_info. */
+    /** Number of physical receivers. Counts the elements of receiver_info. */
     uint8_t num_receivers;
     /** One entry for each receiver. */
     struct mip_gnss_receiver_info_entry receiver_info[7];
@@ -234,12 +234,12 @@ MIP_CHECKED static inline mip_error mip_gnss_receiver_info_response_encode(
  *
  * Selects the GNSS signals that the device uses.
  *
- * Also called `signal_configuration`. Functions: write, read, save, load and default. Answered by
+ * Also called `signal_configuration`. Functions: write, read, save, load and default. Response:
  * mip_gnss_signal_config_response. Probably changes mip_gnss_data_fix_info,
  * mip_gnss_data_satellite_status and mip_gnss_data_raw. Supported by 3DM-CV7-GNSS/INS. On the
  * 3DM-GQ7-GNSS/INS: firmware > 1.0.10.
  *
- * A device accepts certain combinations only.
+ * A device accepts only certain combinations.
  *
  * The 3DM-CV7-GNSS/INS needs GPS or Galileo, and rejects GPS L1 with BeiDou L1 alone. For GPS and
  * BeiDou it accepts none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
@@ -345,7 +345,7 @@ mip_gnss_signal_config_default(struct mip_gnss_signal_config *command) {
 /**
  * Signal configuration response: response (0x0E,0x82).
  *
- * Also called `signal_configuration_response`. Answers mip_gnss_signal_config. Supported by
+ * Also called `signal_configuration_response`. Response to mip_gnss_signal_config. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
@@ -393,11 +393,11 @@ MIP_CHECKED static inline mip_error mip_gnss_signal_config_response_encode(
  * Resets a GNSS receiver of the device.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Which
- * devices have it. The SDK does not name any.
+ * devices support it. The SDK does not name any.
  *
  * Only internal receivers can be reset.
  *
- * Some devices lack some of the reset types.
+ * Some devices do not support all reset types.
  *
  * - mip-sdk-4: Receiver reset (0x0E,0x03)
  */
@@ -450,11 +450,11 @@ static inline struct mip_gnss_receiver_reset *mip_gnss_receiver_reset_make(
  *
  * Sets how readily the device fixes the ambiguities of an RTK solution.
  *
- * Also called `rtk_configuration`. Functions: write, read, save, load and default. Answered by
+ * Also called `rtk_configuration`. Functions: write, read, save, load and default. Response:
  * mip_gnss_rtk_config_response. Probably changes mip_gnss_data_fix_info and
  * mip_gnss_data_llh_position. Not listed in any device profile. Known only from the MicroStrain MIP
- * SDK. Uncertain: Which devices have it. Users of the vendor's ROS driver report it as experimental
- * on the 3DM-GQ7, which accepts `conservative` only.
+ * SDK. Uncertain: Which devices support it. Users of the vendor's ROS driver report it as
+ * experimental on the 3DM-GQ7, which accepts `conservative` only.
  *
  * The available modes differ by device.
  *
@@ -469,7 +469,7 @@ struct mip_gnss_rtk_config {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Readiness to fix ambiguities. A value of enum mip_gnss_ambiguity_fix_mode. Required for
+     * Strategy for fixing ambiguities. A value of enum mip_gnss_ambiguity_fix_mode. Required for
      * write.
      */
     uint8_t ambiguity_fix_mode;
@@ -502,8 +502,8 @@ mip_gnss_rtk_config_encode(const struct mip_gnss_rtk_config *value, struct mip_b
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - ambiguity_fix_mode: Readiness to fix ambiguities. A value of enum mip_gnss_ambiguity_fix_mode.
- *   Required for write.
+ * - ambiguity_fix_mode: Strategy for fixing ambiguities. A value of enum
+ *   mip_gnss_ambiguity_fix_mode. Required for write.
  */
 static inline struct mip_gnss_rtk_config *mip_gnss_rtk_config_write(
     struct mip_gnss_rtk_config *command, enum mip_gnss_ambiguity_fix_mode ambiguity_fix_mode) {
@@ -548,13 +548,13 @@ mip_gnss_rtk_config_default(struct mip_gnss_rtk_config *command) {
 /**
  * RTK configuration response: response (0x0E,0x84).
  *
- * Also called `rtk_configuration_response`. Answers mip_gnss_rtk_config. Known only from the
+ * Also called `rtk_configuration_response`. Response to mip_gnss_rtk_config. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK configuration (0x0E,0x04)
  */
 struct mip_gnss_rtk_config_response {
-    /** Readiness to fix ambiguities. A value of enum mip_gnss_ambiguity_fix_mode. */
+    /** Strategy for fixing ambiguities. A value of enum mip_gnss_ambiguity_fix_mode. */
     uint8_t ambiguity_fix_mode;
     /** Reserved. */
     uint8_t reserved[4];
@@ -588,7 +588,7 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_config_response_encode(
  * Switches the communication with a connected RTK dongle on or off.
  *
  * No device is known for certain to support it. Also called `rtk_dongle_configuration`. Functions:
- * write, read, save, load and default. Answered by mip_gnss_rtk_dongle_config_response. Probably
+ * write, read, save, load and default. Response: mip_gnss_rtk_dongle_config_response. Probably
  * changes mip_gnss_data_rtk_corrections_status. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
@@ -678,7 +678,7 @@ mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
  * RTK dongle configuration response: response (0x0E,0x90).
  *
  * No device is known for certain to support it. Also called `rtk_dongle_configuration_response`.
- * Answers mip_gnss_rtk_dongle_config. Known only from the MicroStrain MIP SDK.
+ * Response to mip_gnss_rtk_dongle_config. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: RTK dongle configuration (0x0E,0x10)
  */
@@ -717,17 +717,17 @@ MIP_CHECKED static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
  *
  * Sets the source and the keys of SPARTN corrections.
  *
- * Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered by
+ * Also called `spartn_configuration`. Functions: write, read, save, load and default. Response:
  * mip_gnss_spartn_config_response. Probably changes mip_gnss_data_rtk_corrections_status. Supported
  * by 3DM-CV7-GNSS/INS. Uncertain: Whether the device accepts upper and lower case. The section on
- * UART has the digits 0-9 and A-F, the description of the command has "bc" for 0xBC.
+ * UART uses the digits 0-9 and A-F, the description of the command uses "bc" for 0xBC.
  *
  * A change of `enable` or `type` takes effect only after a power cycle; keys can be changed at any
  * time.
  *
  * While SPARTN corrections are enabled, RTCM corrections are blocked.
  *
- * A key of 16 bytes, none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each byte.
+ * A key has 16 bytes, none of them 0. Send it as 32 hexadecimal digits in ASCII, two for each byte.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -851,7 +851,7 @@ mip_gnss_spartn_config_default(struct mip_gnss_spartn_config *command) {
 /**
  * SPARTN configuration response: response (0x0E,0xA0).
  *
- * Also called `spartn_configuration_response`. Answers mip_gnss_spartn_config. Supported by
+ * Also called `spartn_configuration_response`. Response to mip_gnss_spartn_config. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)

@@ -187,8 +187,8 @@ static inline mip_error mip_send_gnss_rtk_config(struct mip_client *client,
 /**
  * RTK configuration: write. Apply the new setting. See mip_device_call.
  *
- * - ambiguity_fix_mode: Readiness to fix ambiguities. A value of enum mip_gnss_ambiguity_fix_mode.
- *   Required for write.
+ * - ambiguity_fix_mode: Strategy for fixing ambiguities. A value of enum
+ *   mip_gnss_ambiguity_fix_mode. Required for write.
  */
 static inline struct mip_result mip_call_gnss_rtk_config_write(
     struct mip_device *device, enum mip_gnss_ambiguity_fix_mode ambiguity_fix_mode) {

@@ -3,7 +3,7 @@
  *
  * GNSS data. Measurements and status of GNSS receivers. Each receiver has a descriptor set; all
  * have the same fields. Uncertain: Which devices send the fields that no manual lists for a set.
- * The SDK lists all GNSS data sets the same fields.
+ * The SDK lists the same fields for all GNSS data sets.
  *
  * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
@@ -56,7 +56,7 @@ extern "C" {
  */
 #define MIP_GNSS_EXTERNAL_2_SET 0x95
 
-/** Valid parts of the position. */
+/** Validity flags for the position. */
 typedef uint16_t mip_gnss_data_llh_position_flags;
 /** Bit 0. `latitude` and `longitude` are valid. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_LAT_LON 0x0001U
@@ -71,7 +71,7 @@ typedef uint16_t mip_gnss_data_llh_position_flags;
 /** Bits 0 to 4. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_LLH_POSITION_FLAGS_FLAGS 0x001FU
 
-/** Valid parts of the position. */
+/** Validity flags for the position. */
 typedef uint16_t mip_gnss_data_ecef_position_flags;
 /** Bit 0. `position` is valid. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION 0x0001U
@@ -80,7 +80,7 @@ typedef uint16_t mip_gnss_data_ecef_position_flags;
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_ECEF_POSITION_FLAGS_FLAGS 0x0003U
 
-/** Valid parts of the velocity. */
+/** Validity flags for the velocity. */
 typedef uint16_t mip_gnss_data_ned_velocity_flags;
 /** Bit 0. `velocity` is valid. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_VELOCITY 0x0001U
@@ -97,7 +97,7 @@ typedef uint16_t mip_gnss_data_ned_velocity_flags;
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_NED_VELOCITY_FLAGS_FLAGS 0x003FU
 
-/** Valid parts of the velocity. */
+/** Validity flags for the velocity. */
 typedef uint16_t mip_gnss_data_ecef_velocity_flags;
 /** Bit 0. `velocity` is valid. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
@@ -106,7 +106,7 @@ typedef uint16_t mip_gnss_data_ecef_velocity_flags;
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
 
-/** Valid dilutions of precision. */
+/** Validity flags for the dilutions of precision. */
 typedef uint16_t mip_gnss_data_dop_flags;
 /** Bit 0. `gdop` is valid. */
 #define MIP_GNSS_DATA_DOP_FLAGS_GDOP 0x0001U
@@ -125,7 +125,7 @@ typedef uint16_t mip_gnss_data_dop_flags;
 /** Bits 0 to 6. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DOP_FLAGS_FLAGS 0x007FU
 
-/** Valid parts of the UTC time. */
+/** Validity flags for the UTC time. */
 typedef uint16_t mip_gnss_data_utc_time_flags;
 /** Bit 0. Date and time come from GNSS. */
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
@@ -134,7 +134,7 @@ typedef uint16_t mip_gnss_data_utc_time_flags;
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_UTC_TIME_FLAGS_FLAGS 0x0003U
 
-/** Valid parts of the time. */
+/** Validity flags for the time. */
 typedef uint16_t mip_gnss_data_gps_time_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_TOW 0x0001U
@@ -143,7 +143,7 @@ typedef uint16_t mip_gnss_data_gps_time_flags;
 /** Bits 0 to 1. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GPS_TIME_FLAGS_FLAGS 0x0003U
 
-/** Valid clock parameters. */
+/** Validity flags for the clock parameters. */
 typedef uint16_t mip_gnss_data_clock_info_flags;
 /** Bit 0. `bias` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_FLAGS_BIAS 0x0001U
@@ -161,7 +161,7 @@ typedef uint16_t mip_gnss_data_fix_flags;
 /** Bit 1. Differential corrections were used in the fix. */
 #define MIP_GNSS_DATA_FIX_FLAGS_DGNSS_USED 0x0002U
 
-/** Valid parts of the fix information. */
+/** Validity flags for the fix information. */
 typedef uint16_t mip_gnss_data_fix_info_flags;
 /** Bit 0. `fix_type` is valid. */
 #define MIP_GNSS_DATA_FIX_INFO_FLAGS_FIX_TYPE 0x0001U
@@ -179,7 +179,7 @@ typedef uint16_t mip_gnss_data_sv_flags;
 /** Bit 1. The satellite reports that its signals can be used. */
 #define MIP_GNSS_DATA_SV_FLAGS_HEALTHY 0x0002U
 
-/** Valid parts of the satellite info. */
+/** Validity flags for the satellite info. */
 typedef uint16_t mip_gnss_data_sv_info_flags;
 /** Bit 0. `channel` is valid. */
 #define MIP_GNSS_DATA_SV_INFO_FLAGS_CHANNEL 0x0001U
@@ -239,7 +239,7 @@ enum mip_gnss_data_antenna_power MIP_ENUM_8 {
 /** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_antenna_power_name(uint8_t value);
 
-/** Valid parts of the hardware status. */
+/** Validity flags for the hardware status. */
 typedef uint16_t mip_gnss_data_hardware_status_flags;
 /** Bit 0. `receiver_state` is valid. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
@@ -250,7 +250,7 @@ typedef uint16_t mip_gnss_data_hardware_status_flags;
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
 
-/** Valid parts of the state of the corrections. */
+/** Validity flags for the state of the corrections. */
 typedef uint16_t mip_gnss_data_dgps_info_flags;
 /** Bit 0. `age` is valid. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_AGE 0x0001U
@@ -263,7 +263,7 @@ typedef uint16_t mip_gnss_data_dgps_info_flags;
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DGPS_INFO_FLAGS_FLAGS 0x000FU
 
-/** Valid parts of a differential correction. */
+/** Validity flags for a differential correction. */
 typedef uint16_t mip_gnss_data_dgps_channel_flags;
 /** Bit 0. `satellite_id` is valid. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_SATELLITE_ID 0x0001U
@@ -276,7 +276,7 @@ typedef uint16_t mip_gnss_data_dgps_channel_flags;
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
 
-/** Valid clock parameters. */
+/** Validity flags for the clock parameters. */
 typedef uint16_t mip_gnss_data_clock_info_2_flags;
 /** Bit 0. `bias` is valid. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_BIAS 0x0001U
@@ -322,7 +322,7 @@ typedef uint8_t mip_gnss_data_sbas_status;
 /** Bit 3. The service is in test mode. */
 #define MIP_GNSS_DATA_SBAS_STATUS_TEST_MODE 0x08U
 
-/** Valid parts of the SBAS status. */
+/** Validity flags for the SBAS status. */
 typedef uint16_t mip_gnss_data_sbas_info_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_TOW 0x0001U
@@ -339,7 +339,7 @@ typedef uint16_t mip_gnss_data_sbas_info_flags;
 /** Bits 0 to 5. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SBAS_INFO_FLAGS_FLAGS 0x003FU
 
-/** Valid parts of an SBAS correction. */
+/** Validity flags for an SBAS correction. */
 typedef uint16_t mip_gnss_data_sbas_correction_flags;
 /** Bit 0. `udrei` is valid. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_UDREI 0x0001U
@@ -395,7 +395,7 @@ enum mip_gnss_data_spoofing_state MIP_ENUM_8 {
 /** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_spoofing_state_name(uint8_t value);
 
-/** Valid parts of the detection. */
+/** Validity flags for the detection. */
 typedef uint16_t mip_gnss_data_rf_error_detection_flags;
 /** Bit 0. `rf_band` is valid. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_FLAGS_RF_BAND 0x0001U
@@ -421,7 +421,7 @@ enum mip_gnss_data_heading_fix_type MIP_ENUM_8 {
 /** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_heading_fix_type_name(uint8_t value);
 
-/** Valid parts of the heading. */
+/** Validity flags for the heading. */
 typedef uint16_t mip_gnss_data_heading_flags;
 /** Bit 0. `heading` is valid. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_HEADING 0x0001U
@@ -432,7 +432,7 @@ typedef uint16_t mip_gnss_data_heading_flags;
 /** Bits 0 to 2. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_HEADING_FLAGS_FLAGS 0x0007U
 
-/** Valid parts of the satellite status. */
+/** Validity flags for the satellite status. */
 typedef uint16_t mip_gnss_data_satellite_status_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_TOW 0x0001U
@@ -451,7 +451,7 @@ typedef uint16_t mip_gnss_data_satellite_status_flags;
 /** Bits 0 to 6. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
 
-/** Quality of the tracking of a signal. */
+/** Tracking quality of a signal. */
 enum mip_gnss_data_signal_quality MIP_ENUM_8 {
     /** No signal. */
     MIP_GNSS_DATA_SIGNAL_QUALITY_NONE = 0,
@@ -461,7 +461,7 @@ enum mip_gnss_data_signal_quality MIP_ENUM_8 {
     MIP_GNSS_DATA_SIGNAL_QUALITY_ACQUIRED = 2,
     /** The signal is found but cannot be used. */
     MIP_GNSS_DATA_SIGNAL_QUALITY_UNUSABLE = 3,
-    /** Locked in time. */
+    /** Time-locked. */
     MIP_GNSS_DATA_SIGNAL_QUALITY_TIME_LOCKED = 4,
     /** The value `fully_locked`. */
     MIP_GNSS_DATA_SIGNAL_QUALITY_FULLY_LOCKED = 5
@@ -470,7 +470,7 @@ enum mip_gnss_data_signal_quality MIP_ENUM_8 {
 /** Returns the name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_data_signal_quality_name(uint8_t value);
 
-/** Valid parts of the observation. */
+/** Validity flags for the observation. */
 typedef uint16_t mip_gnss_data_raw_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_RAW_FLAGS_TOW 0x0001U
@@ -587,7 +587,7 @@ typedef uint16_t mip_gnss_data_rtk_corrections_status_flags;
 /** Bits 0 to 7. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
 
-/** Contents of an ephemeris of GPS, Galileo or BeiDou. */
+/** Contents of a GPS, Galileo or BeiDou ephemeris. */
 typedef uint16_t mip_gnss_data_ephemeris_flags;
 /** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_DATA_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
@@ -616,7 +616,7 @@ typedef uint16_t mip_gnss_data_glonass_ephemeris_flags;
 /** Bit 0. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
 
-/** Valid parts of the model. */
+/** Validity flags for the model. */
 typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_TOW 0x0001U
@@ -629,7 +629,7 @@ typedef uint16_t mip_gnss_data_gps_iono_correction_flags;
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
 
-/** Valid parts of the model. */
+/** Validity flags for the model. */
 typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_TOW 0x0001U
@@ -642,7 +642,7 @@ typedef uint16_t mip_gnss_data_galileo_iono_correction_flags;
 /** Bits 0 to 3. All values are valid. Overlaps other bits. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
 
-/** Valid parts of the model. */
+/** Validity flags for the model. */
 typedef uint16_t mip_gnss_data_beidou_iono_correction_flags;
 /** Bit 0. `tow` is valid. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_FLAGS_TOW 0x0001U
@@ -701,7 +701,7 @@ struct mip_gnss_data_llh_position {
      * MIP_GNSS_DATA_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in valid_flags is set.
      */
     float vertical_accuracy;
-    /** Valid parts of the position. */
+    /** Validity flags for the position. */
     mip_gnss_data_llh_position_flags valid_flags;
 };
 
@@ -750,7 +750,7 @@ struct mip_gnss_data_ecef_position {
      * MIP_GNSS_DATA_ECEF_POSITION_FLAGS_POSITION_ACCURACY in valid_flags is set.
      */
     float position_accuracy;
-    /** Valid parts of the position. */
+    /** Validity flags for the position. */
     mip_gnss_data_ecef_position_flags valid_flags;
 };
 
@@ -821,7 +821,7 @@ struct mip_gnss_data_ned_velocity {
      * MIP_GNSS_DATA_NED_VELOCITY_FLAGS_HEADING_ACCURACY in valid_flags is set.
      */
     float heading_accuracy;
-    /** Valid parts of the velocity. */
+    /** Validity flags for the velocity. */
     mip_gnss_data_ned_velocity_flags valid_flags;
 };
 
@@ -871,7 +871,7 @@ struct mip_gnss_data_ecef_velocity {
      * MIP_GNSS_DATA_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
      */
     float velocity_accuracy;
-    /** Valid parts of the velocity. */
+    /** Validity flags for the velocity. */
     mip_gnss_data_ecef_velocity_flags valid_flags;
 };
 
@@ -944,7 +944,7 @@ struct mip_gnss_data_dop {
      * valid_flags is set.
      */
     float edop;
-    /** Valid dilutions of precision. */
+    /** Validity flags for the dilutions of precision. */
     mip_gnss_data_dop_flags valid_flags;
 };
 
@@ -1018,7 +1018,7 @@ struct mip_gnss_data_utc_time {
      * MIP_GNSS_DATA_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
      */
     uint32_t msec;
-    /** Valid parts of the time. */
+    /** Validity flags for the time. */
     mip_gnss_data_utc_time_flags valid_flags;
 };
 
@@ -1066,7 +1066,7 @@ struct mip_gnss_data_gps_time {
      * is set.
      */
     uint16_t week_number;
-    /** Valid parts of the time. */
+    /** Validity flags for the time. */
     mip_gnss_data_gps_time_flags valid_flags;
 };
 
@@ -1121,7 +1121,7 @@ struct mip_gnss_data_clock_info {
      * MIP_GNSS_DATA_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in valid_flags is set.
      */
     double accuracy_estimate;
-    /** Valid clock parameters. */
+    /** Validity flags for the clock parameters. */
     mip_gnss_data_clock_info_flags valid_flags;
 };
 
@@ -1176,7 +1176,7 @@ struct mip_gnss_data_fix_info {
      * in valid_flags is set.
      */
     mip_gnss_data_fix_flags fix_flags;
-    /** Valid parts of the fix information. */
+    /** Validity flags for the fix information. */
     mip_gnss_data_fix_info_flags valid_flags;
 };
 
@@ -1245,7 +1245,7 @@ struct mip_gnss_data_sv_info {
      * State of the satellite. Valid if MIP_GNSS_DATA_SV_INFO_FLAGS_SV_FLAGS in valid_flags is set.
      */
     mip_gnss_data_sv_flags sv_flags;
-    /** Valid parts of the satellite info. */
+    /** Validity flags for the satellite info. */
     mip_gnss_data_sv_info_flags valid_flags;
 };
 
@@ -1299,7 +1299,7 @@ struct mip_gnss_data_hardware_status {
      * MIP_GNSS_DATA_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags is set.
      */
     uint8_t antenna_power;
-    /** Valid parts of the hardware status. */
+    /** Validity flags for the hardware status. */
     mip_gnss_data_hardware_status_flags valid_flags;
 };
 
@@ -1367,7 +1367,7 @@ struct mip_gnss_data_dgps_info {
      * MIP_GNSS_DATA_DGPS_INFO_FLAGS_NUM_CHANNELS in valid_flags is set.
      */
     uint16_t num_channels;
-    /** Valid parts of the state of the corrections. */
+    /** Validity flags for the state of the corrections. */
     mip_gnss_data_dgps_info_flags valid_flags;
 };
 
@@ -1399,7 +1399,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode(
 /**
  * DGPS info for one satellite: data 0x0E.
  *
- * Differential correction for one satellite, in the layout that the SDK has for DGPS info.
+ * Differential correction for one satellite, in the SDK's layout of DGPS info.
  *
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Distinguished from mip_gnss_data_dgps_info by
@@ -1407,8 +1407,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_dgps_info_encode(
  * Uncertain: Whether any device sends it. The values are those of mip_gnss_data_dgps_channel, but
  * the flags are those of mip_gnss_data_dgps_info, so a mistake in the SDK is likely.
  *
- * The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL have
- * mip_gnss_data_dgps_info.
+ * The sources contradict each other. The manual of the 3DM-GX5-35 and MSCL document
+ * mip_gnss_data_dgps_info instead.
  *
  * The flags of `base_station_id`, `base_station_status` and `num_channels` correspond to no value
  * in this layout.
@@ -1433,7 +1433,7 @@ struct mip_gnss_data_dgps_info_satellite {
      * mip_gnss_data_dgps_channel.
      */
     float range_rate_correction;
-    /** Valid parts of the state of the corrections. */
+    /** Validity flags for the state of the corrections. */
     mip_gnss_data_dgps_info_flags valid_flags;
 };
 
@@ -1499,7 +1499,7 @@ struct mip_gnss_data_dgps_channel {
      * MIP_GNSS_DATA_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION in valid_flags is set.
      */
     float range_rate_correction;
-    /** Valid parts of a differential correction. */
+    /** Validity flags for a differential correction. */
     mip_gnss_data_dgps_channel_flags valid_flags;
 };
 
@@ -1559,7 +1559,7 @@ struct mip_gnss_data_clock_info_2 {
      * MIP_GNSS_DATA_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in valid_flags is set.
      */
     double drift_accuracy_estimate;
-    /** Valid clock parameters. */
+    /** Validity flags for the clock parameters. */
     mip_gnss_data_clock_info_2_flags valid_flags;
 };
 
@@ -1669,7 +1669,7 @@ struct mip_gnss_data_sbas_info {
      * set.
      */
     mip_gnss_data_sbas_status sbas_status;
-    /** Valid parts of the SBAS status. */
+    /** Validity flags for the SBAS status. */
     mip_gnss_data_sbas_info_flags valid_flags;
 };
 
@@ -1740,7 +1740,7 @@ struct mip_gnss_data_sbas_correction {
      * MIP_GNSS_DATA_SBAS_CORRECTION_FLAGS_IONO_CORRECTION in valid_flags is set.
      */
     float iono_correction;
-    /** Valid parts of an SBAS correction. */
+    /** Validity flags for an SBAS correction. */
     mip_gnss_data_sbas_correction_flags valid_flags;
 };
 
@@ -1776,8 +1776,8 @@ MIP_CHECKED static inline mip_error mip_gnss_data_sbas_correction_encode(
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-INS and 3DM-GQ7-GNSS/INS.
  * Known only from the MicroStrain MIP SDK.
  *
- * Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware of that time sends 0
- * there and leaves its flag clear.
+ * Version 4.0.0 of the SDK reserves the two bytes of `frequency`. Firmware from that time sends 0
+ * there and does not set its flag.
  *
  * - mip-sdk-4: Rf Error Detection (0x81,0x14)
  */
@@ -1804,7 +1804,7 @@ struct mip_gnss_data_rf_error_detection {
     uint16_t frequency;
     /** Reserved. */
     uint8_t reserved[2];
-    /** Valid parts of the detection. */
+    /** Validity flags for the detection. */
     mip_gnss_data_rf_error_detection_flags valid_flags;
 };
 
@@ -1860,7 +1860,7 @@ struct mip_gnss_data_heading {
      * MIP_GNSS_DATA_HEADING_FLAGS_FIX_TYPE in valid_flags is set.
      */
     uint8_t fix_type;
-    /** Valid parts of the heading. */
+    /** Validity flags for the heading. */
     mip_gnss_data_heading_flags valid_flags;
 };
 
@@ -1940,7 +1940,7 @@ struct mip_gnss_data_satellite_status {
      * valid_flags is set.
      */
     mip_bool health;
-    /** Valid parts of the satellite status. */
+    /** Validity flags for the satellite status. */
     mip_gnss_data_satellite_status_flags valid_flags;
 };
 
@@ -2028,7 +2028,7 @@ struct mip_gnss_data_raw {
      */
     float signal_strength;
     /**
-     * Quality of the tracking of the signal. A value of enum mip_gnss_data_signal_quality. Valid if
+     * Tracking quality of the signal. A value of enum mip_gnss_data_signal_quality. Valid if
      * MIP_GNSS_DATA_RAW_FLAGS_QUALITY in valid_flags is set.
      */
     uint8_t quality;
@@ -2064,7 +2064,7 @@ struct mip_gnss_data_raw {
      * if MIP_GNSS_DATA_RAW_FLAGS_LOCK_TIME in valid_flags is set.
      */
     float lock_time;
-    /** Valid parts of the observation. */
+    /** Validity flags for the observation. */
     mip_gnss_data_raw_flags valid_flags;
 };
 
@@ -2504,7 +2504,7 @@ struct mip_gnss_data_glonass_ephemeris {
      */
     float accel[3];
     /**
-     * Health (Bn); not 0 if the satellite fails. Valid if
+     * Health (Bn); nonzero if the satellite is malfunctioning. Valid if
      * MIP_GNSS_DATA_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     uint8_t health;
@@ -2588,7 +2588,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
+ * It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections
  * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
@@ -2779,7 +2779,7 @@ MIP_CHECKED static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
  * Occurs in MIP_GNSS_DATA_SET, MIP_GNSS_1_SET, MIP_GNSS_2_SET, MIP_GNSS_CORRECTIONS_SET,
  * MIP_GNSS_EXTERNAL_SET and MIP_GNSS_EXTERNAL_2_SET. Supported by 3DM-CV7-GNSS/INS.
  *
- * The layout is that of the GPS ephemeris. No source states what the two inter-signal corrections
+ * It has the layout of the GPS ephemeris. No source states what the two inter-signal corrections
  * mean here.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
@@ -2994,7 +2994,7 @@ struct mip_gnss_data_gps_iono_correction {
      * valid_flags is set. Uncertain: The units.
      */
     double beta[4];
-    /** Valid parts of the model. */
+    /** Validity flags for the model. */
     mip_gnss_data_gps_iono_correction_flags valid_flags;
 };
 
@@ -3055,7 +3055,7 @@ struct mip_gnss_data_galileo_iono_correction {
      * Uncertain: Whether the bits count from 0 or from 1, and which region each represents.
      */
     uint8_t disturbance_flags;
-    /** Valid parts of the model. */
+    /** Validity flags for the model. */
     mip_gnss_data_galileo_iono_correction_flags valid_flags;
 };
 
@@ -3120,7 +3120,7 @@ struct mip_gnss_data_beidou_iono_correction {
      * The units.
      */
     double alpha_correction[9];
-    /** Valid parts of the model. */
+    /** Validity flags for the model. */
     mip_gnss_data_beidou_iono_correction_flags valid_flags;
 };
 

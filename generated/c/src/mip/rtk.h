@@ -3,7 +3,7 @@
  *
  * RTK commands (0x0F). Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
  * Uncertain: The SDK describes hardly any of this set; most descriptions are inferred from the
- * names. Uncertain: How the strings are padded or ended.
+ * names. Uncertain: How the strings are padded or terminated.
  *
  * Devices that only probably support a field are listed in mip/profiles.h, not here.
  */
@@ -89,10 +89,11 @@ MIP_API const char *mip_rtk_led_action_name(uint8_t value);
  *
  * Gets the state of the modem and of the corrections.
  *
- * No device is known for certain to support it. Answered by mip_rtk_get_status_flags_response.
- * Known only from the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Response: mip_rtk_get_status_flags_response. Known
+ * only from the MicroStrain MIP SDK.
  *
- * The word of the response has two forms, mip_rtk_status_flags and mip_rtk_status_flags_legacy.
+ * The status word in the response has two forms, mip_rtk_status_flags and
+ * mip_rtk_status_flags_legacy.
  *
  * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
@@ -126,8 +127,8 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_encode(
 /**
  * Get status flags response: response (0x0F,0x81).
  *
- * No device is known for certain to support it. Answers mip_rtk_get_status_flags. Known only from
- * the MicroStrain MIP SDK.
+ * No device is known for certain to support it. Response to mip_rtk_get_status_flags. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get status flags (0x0F,0x01)
  */
@@ -164,7 +165,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_status_flags_response_encode(
  *
  * Gets the identity of the modem.
  *
- * Answered by mip_rtk_get_imei_response. Not listed in any device profile. Known only from the
+ * Response: mip_rtk_get_imei_response. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get IMEI (0x0F,0x02)
@@ -199,7 +200,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk
 /**
  * Get IMEI response: response (0x0F,0x82).
  *
- * Answers mip_rtk_get_imei. Known only from the MicroStrain MIP SDK.
+ * Response to mip_rtk_get_imei. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get IMEI (0x0F,0x02)
  */
@@ -235,7 +236,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imei_response_encode(
  *
  * Gets the identity of the subscriber.
  *
- * Answered by mip_rtk_get_imsi_response. Not listed in any device profile. Known only from the
+ * Response: mip_rtk_get_imsi_response. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get IMSI (0x0F,0x03)
@@ -270,7 +271,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk
 /**
  * Get IMSI response: response (0x0F,0x83).
  *
- * Answers mip_rtk_get_imsi. Known only from the MicroStrain MIP SDK.
+ * Response to mip_rtk_get_imsi. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get IMSI (0x0F,0x03)
  */
@@ -306,7 +307,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_imsi_response_encode(
  *
  * Gets the number of the SIM card.
  *
- * Answered by mip_rtk_get_iccid_response. Not listed in any device profile. Known only from the
+ * Response: mip_rtk_get_iccid_response. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get ICCID (0x0F,0x04)
@@ -341,7 +342,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rt
 /**
  * Get ICCID response: response (0x0F,0x84).
  *
- * Answers mip_rtk_get_iccid. Known only from the MicroStrain MIP SDK.
+ * Response to mip_rtk_get_iccid. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get ICCID (0x0F,0x04)
  */
@@ -377,7 +378,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_iccid_response_encode(
  *
  * Gets the strength of the cellular signal.
  *
- * Answered by mip_rtk_get_rssi_response. Not listed in any device profile. Known only from the
+ * Response: mip_rtk_get_rssi_response. Not listed in any device profile. Known only from the
  * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get RSSI (0x0F,0x05)
@@ -412,7 +413,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk
 /**
  * Get RSSI response: response (0x0F,0x85).
  *
- * Answers mip_rtk_get_rssi. Known only from the MicroStrain MIP SDK. Uncertain: That `valid`
+ * Response to mip_rtk_get_rssi. Known only from the MicroStrain MIP SDK. Uncertain: That `valid`
  * applies to the other values is inferred.
  *
  * - mip-sdk-4: Get RSSI (0x0F,0x05)
@@ -451,11 +452,10 @@ MIP_CHECKED static inline mip_error mip_rtk_get_rssi_response_encode(
 /**
  * Connected device type: command (0x0F,0x06).
  *
- * Sets the device that the modem serves.
+ * Sets the type of device that the modem is connected to.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_rtk_connected_device_type_response. Not listed in any device profile. Known only from the
- * MicroStrain MIP SDK.
+ * Functions: write, read, save, load and default. Response: mip_rtk_connected_device_type_response.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Connected device type (0x0F,0x06)
  */
@@ -468,8 +468,8 @@ struct mip_rtk_connected_device_type {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Device that the modem is connected to. A value of enum mip_rtk_connected_device. Required for
-     * write.
+     * Type of device that the modem is connected to. A value of enum mip_rtk_connected_device.
+     * Required for write.
      */
     uint8_t device_type;
 };
@@ -500,8 +500,8 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - device_type: Device that the modem is connected to. A value of enum mip_rtk_connected_device.
- *   Required for write.
+ * - device_type: Type of device that the modem is connected to. A value of enum
+ *   mip_rtk_connected_device. Required for write.
  */
 static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_type_write(
     struct mip_rtk_connected_device_type *command, enum mip_rtk_connected_device device_type) {
@@ -546,12 +546,12 @@ mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *comm
 /**
  * Connected device type response: response (0x0F,0x86).
  *
- * Answers mip_rtk_connected_device_type. Known only from the MicroStrain MIP SDK.
+ * Response to mip_rtk_connected_device_type. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Connected device type (0x0F,0x06)
  */
 struct mip_rtk_connected_device_type_response {
-    /** Device that the modem is connected to. A value of enum mip_rtk_connected_device. */
+    /** Type of device that the modem is connected to. A value of enum mip_rtk_connected_device. */
     uint8_t device_type;
 };
 
@@ -583,7 +583,7 @@ MIP_CHECKED static inline mip_error mip_rtk_connected_device_type_response_encod
  *
  * Reads the code that activates the modem for its service.
  *
- * No device is known for certain to support it. Also called `get_act_code`. Answered by
+ * No device is known for certain to support it. Also called `get_act_code`. Response:
  * mip_rtk_get_activation_code_response. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -618,7 +618,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_encode(
 /**
  * Get activation code response: response (0x0F,0x87).
  *
- * No device is known for certain to support it. Also called `get_act_code_response`. Answers
+ * No device is known for certain to support it. Also called `get_act_code_response`. Response to
  * mip_rtk_get_activation_code. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
@@ -656,7 +656,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_activation_code_response_encode(
  *
  * Gets the firmware version of the cellular modem.
  *
- * Answered by mip_rtk_get_modem_firmware_version_response. Not listed in any device profile. Known
+ * Response: mip_rtk_get_modem_firmware_version_response. Not listed in any device profile. Known
  * only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get modem firmware version (0x0F,0x08)
@@ -692,7 +692,7 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_encode(
 /**
  * Get modem firmware version response: response (0x0F,0x88).
  *
- * Answers mip_rtk_get_modem_firmware_version. Known only from the MicroStrain MIP SDK.
+ * Response to mip_rtk_get_modem_firmware_version. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Get modem firmware version (0x0F,0x08)
  */
@@ -729,10 +729,10 @@ MIP_CHECKED static inline mip_error mip_rtk_get_modem_firmware_version_response_
  *
  * Queries a correction server about the connection, which also keeps it open.
  *
- * Answered by mip_rtk_service_status_response. Sent by the device; the host replies. Not listed in
+ * Response: mip_rtk_service_status_response. Sent by the device; the host replies. Not listed in
  * any device profile. Known only from the MicroStrain MIP SDK.
  *
- * The modem sends it as a host would, and the server replies as a device would.
+ * The modem acts as the host and the server as the device.
  *
  * - mip-sdk-4: Service status (0x0F,0x0A)
  */
@@ -770,7 +770,7 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_encode(
  *
  * Connection status according to the server.
  *
- * Answers mip_rtk_service_status. Known only from the MicroStrain MIP SDK. Uncertain: What the
+ * Response to mip_rtk_service_status. Known only from the MicroStrain MIP SDK. Uncertain: What the
  * counters count.
  *
  * - mip-sdk-4: Service status (0x0F,0x0A)
@@ -778,9 +778,9 @@ MIP_CHECKED static inline mip_error mip_rtk_service_status_encode(
 struct mip_rtk_service_status_response {
     /** State of the service. */
     mip_rtk_service_flags flags;
-    /** Bytes of corrections that the service has sent. Unit: byte. */
+    /** Number of correction bytes that the service has sent. Unit: byte. */
     uint32_t received_bytes;
-    /** Bytes of the last transfer. Unit: byte. */
+    /** Number of bytes in the last transfer. Unit: byte. */
     uint32_t last_bytes;
     /** Time of the last transfer. Uncertain: The unit and the epoch. */
     uint64_t last_bytes_time;
@@ -869,7 +869,7 @@ static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
  *
  * For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
- * Only in calibration mode or production test mode; otherwise it is rejected.
+ * Accepted in calibration mode and production test mode only.
  *
  * - mip-sdk-4: LED control (0x0F,0x21)
  */

@@ -173,8 +173,8 @@ static inline mip_error mip_send_rtk_connected_device_type(
 /**
  * Connected device type: write. Apply the new setting. See mip_device_call.
  *
- * - device_type: Device that the modem is connected to. A value of enum mip_rtk_connected_device.
- *   Required for write.
+ * - device_type: Type of device that the modem is connected to. A value of enum
+ *   mip_rtk_connected_device. Required for write.
  */
 static inline struct mip_result mip_call_rtk_connected_device_type_write(
     struct mip_device *device, enum mip_rtk_connected_device device_type) {

@@ -300,7 +300,7 @@ MIP_CHECKED static inline mip_error mip_sensor_scaled_mag_encode(
 /**
  * Delta theta: data (0x80,0x07).
  *
- * Time integral of the angular rate over the period that the message format sets.
+ * Time integral of the angular rate over the period set by the message format.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
@@ -340,7 +340,7 @@ MIP_CHECKED static inline mip_error mip_sensor_delta_theta_encode(
 /**
  * Delta velocity: data (0x80,0x08).
  *
- * Time integral of the acceleration over the period that the message format sets.
+ * Time integral of the acceleration over the period set by the message format.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-15.
  *
@@ -472,7 +472,7 @@ MIP_CHECKED static inline mip_error mip_sensor_comp_quaternion_encode(
 /**
  * Complementary filter orientation update matrix: data (0x80,0x0B).
  *
- * Change of the attitude from the complementary filter as a matrix.
+ * Change in the complementary filter's attitude, as a matrix.
  *
  * Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
  * profile. Known only from the MIP SDK of 2014 and MicroStrain MIP SDK. Uncertain: The interval of
@@ -705,7 +705,7 @@ MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode(
  * only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
  * send it. The SDK of 2014 dates from the time of the 3DM-GX3 devices. Uncertain: The epoch.
  *
- * The sources contradict each other. MSCL and the SDK of 2014 have this layout, and agree.
+ * The sources contradict each other. MSCL and the SDK of 2014 agree on this layout.
  *
  * - mscl: 1PPS Timestamp (0x80,0x0F)
  * - mip-sdk-2014: 1PPS Timestamp (0x80,0x0F)
@@ -752,8 +752,8 @@ MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_with_flags_encode(
  *
  * Supported by 3DM-GX5-15.
  *
- * Without magnetic disturbance it equals the measured magnetic field, as long as that is in the
- * sensor frame, too, which a sensor-to-vehicle transformation changes.
+ * Without magnetic disturbance it equals the measured magnetic field, unless a sensor-to-vehicle
+ * transformation moves the latter out of the sensor frame.
  *
  * A lasting disturbance is not compensated.
  *
@@ -797,16 +797,16 @@ MIP_CHECKED static inline mip_error mip_sensor_north_vector_encode(
  *
  * Supported by 3DM-GX5-15 and 3DM-GX5-35.
  *
- * At rest it equals the measured acceleration, as long as that is in the sensor frame, too, which a
- * sensor-to-vehicle transformation changes.
+ * At rest it equals the measured acceleration, unless a sensor-to-vehicle transformation moves the
+ * latter out of the sensor frame.
  *
  * - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
  * - mip-sdk-4: Complementary filter stabilized up vector (0x80,0x11)
  */
 struct mip_sensor_up_vector {
     /**
-     * The inverse of the gravity vector, as the accelerometers measure it. Elements: x, y, z. Unit:
-     * g. Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame. The SDK has the
+     * Opposite of the gravity vector, as the accelerometers measure it. Elements: x, y, z. Unit: g.
+     * Frame: sensor. At rest and level: x 0, y 0, z -1. Uncertain: The frame. The SDK has the
      * vehicle frame, but the lists of what the sensor-to-vehicle transformation changes lack this
      * vector.
      */

@@ -25,13 +25,13 @@ extern "C" {
 /** Descriptor set of these fields. */
 #define MIP_SHARED_SET 0xFF
 
-/** Valid parts of the GPS time. */
+/** Validity flags for the GPS time. */
 typedef uint16_t mip_shared_gps_timestamp_flags;
 /** Bit 0. The whole seconds of the time of week have been set. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW 0x0001U
 /** Bit 1. The week number has been set. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER 0x0002U
-/** Bits 0 to 1. Both are set. Overlaps other bits. */
+/** Bits 0 to 1. The time of week and the week number have been set. Overlaps other bits. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TIME_VALID 0x0003U
 
 /** Validity of the external time. */
@@ -39,7 +39,7 @@ typedef uint16_t mip_shared_external_timestamp_flags;
 /** Bit 0. The time is valid. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_FLAGS_NANOSECONDS 0x0001U
 
-/** Validity of the difference of external time. */
+/** Validity of the external time difference. */
 typedef uint16_t mip_shared_external_time_delta_flags;
 /** Bit 0. The difference is valid. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_FLAGS_DT_NANOS 0x0001U
@@ -193,7 +193,7 @@ struct mip_shared_gps_timestamp {
      * valid_flags is set.
      */
     uint16_t week_number;
-    /** Valid parts of the timestamp. */
+    /** Validity flags for the timestamp. */
     mip_shared_gps_timestamp_flags valid_flags;
 };
 
@@ -352,8 +352,9 @@ MIP_CHECKED static inline mip_error mip_shared_reference_time_delta_encode(
  *
  * It becomes valid when the external clock is synchronized through the PPS.
  *
- * Its epoch is that of the time that you send with mip_base_gps_time_update. It is GPS time in most
- * systems, but may be another, such as Unix time. Use mip_shared_gps_timestamp for GPS time only.
+ * Its epoch is the epoch of the time sent with mip_base_gps_time_update: in most systems that of
+ * GPS time, but possibly another, such as the Unix epoch. Use mip_shared_gps_timestamp for GPS time
+ * only.
  *
  * With a receiver as the source of the PPS (mip_3dm_pps_source_control), it is GPS time, and valid
  * only while that receiver has a fix.

@@ -59,16 +59,16 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  *
  * Sets the protocols that a port receives and sends.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_system_interface_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Functions: write, read, save, load and default. Response: mip_system_interface_control_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions.
  *
  * The change takes effect before the ACK, which is sent on the main port. Bytes that arrive during
  * the change may be lost.
  *
- * The device rejects protocols that it or the port does not have, and more parsers than it has;
- * then nothing is changed.
+ * The device rejects protocols that it or the port does not support, and settings that need more
+ * parsers than it has. A rejected command changes nothing.
  *
  * Replies to an incoming protocol are sent on the same port, even if the protocol is not an
  * outgoing one.
@@ -91,9 +91,9 @@ struct mip_system_interface_control {
      * write and read accept `all`.
      */
     uint8_t port;
-    /** Protocols that it receives. Required for write. */
+    /** Protocols that the port receives. Required for write. */
     mip_system_comm_protocols protocols_incoming;
-    /** Protocols that it sends. Required for write. */
+    /** Protocols that the port sends. Required for write. */
     mip_system_comm_protocols protocols_outgoing;
 };
 
@@ -124,8 +124,8 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_encode(
  *
  * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
  *   Whether write and read accept `all`.
- * - protocols_incoming: Protocols that it receives. Required for write.
- * - protocols_outgoing: Protocols that it sends. Required for write.
+ * - protocols_incoming: Protocols that the port receives. Required for write.
+ * - protocols_outgoing: Protocols that the port sends. Required for write.
  */
 static inline struct mip_system_interface_control *mip_system_interface_control_write(
     struct mip_system_interface_control *command, enum mip_comm_interface port,
@@ -197,7 +197,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 /**
  * Interface control response: response (0x7F,0x82).
  *
- * Answers mip_system_interface_control. Supported by 3DM-CV7-GNSS/INS.
+ * Response to mip_system_interface_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - mip-sdk-4: Interface control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
@@ -208,9 +208,9 @@ struct mip_system_interface_control_response {
      * write and read accept `all`.
      */
     uint8_t port;
-    /** Protocols that it receives. */
+    /** Protocols that the port receives. */
     mip_system_comm_protocols protocols_incoming;
-    /** Protocols that it sends. */
+    /** Protocols that the port sends. */
     mip_system_comm_protocols protocols_outgoing;
 };
 
@@ -242,7 +242,7 @@ MIP_CHECKED static inline mip_error mip_system_interface_control_response_encode
  *
  * Switches the port between the device and one of its internal sensors.
  *
- * For advanced use. Functions: write, read, save, load and default. Answered by
+ * For advanced use. Functions: write, read, save, load and default. Response:
  * mip_system_comm_mode_response. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * The ACK is sent in the old mode, just before the switch.
@@ -339,7 +339,7 @@ mip_system_comm_mode_default(struct mip_system_comm_mode *command) {
 /**
  * Communication mode response: response (0x7F,0x90).
  *
- * Answers mip_system_comm_mode. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+ * Response to mip_system_comm_mode. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */

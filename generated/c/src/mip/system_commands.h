@@ -42,8 +42,8 @@ static inline mip_error mip_send_system_interface_control(
  *
  * - port: Port whose protocols are set or read. A value of enum mip_comm_interface. Uncertain:
  *   Whether write and read accept `all`.
- * - protocols_incoming: Protocols that it receives. Required for write.
- * - protocols_outgoing: Protocols that it sends. Required for write.
+ * - protocols_incoming: Protocols that the port receives. Required for write.
+ * - protocols_outgoing: Protocols that the port sends. Required for write.
  */
 static inline struct mip_result mip_call_system_interface_control_write(
     struct mip_device *device, enum mip_comm_interface port,

@@ -45,8 +45,8 @@ typedef uint8_t mip_system_data_gpio_pin_states;
  *
  * The field is long; stream it at a low rate or poll it.
  *
- * A fault is reported even if it has passed by the time of the next message, because its flag
- * remains until it is sent.
+ * A fault that has passed before the next message is still reported, because its flag stays set
+ * until it is sent.
  *
  * Each stream and each event action keeps its own copy of the flags.
  *

@@ -151,7 +151,7 @@ MIP_CHECKED static inline mip_error mip_measurements_numbers_encode(
 struct mip_measurements_strings {
     /** Padded with spaces. */
     char model[17];
-    /** Of the name. The number of elements of name. */
+    /** Of the name. Counts the elements of name. */
     uint8_t length;
     /** The name. */
     char name[237];
@@ -412,7 +412,7 @@ mip_measurements_own_encode(const struct mip_measurements_own *value, struct mip
  * - guide: Cloud
  */
 struct mip_measurements_cloud {
-    /** Number of points. The number of elements of points. */
+    /** Number of points. Counts the elements of points. */
     uint8_t num_points;
     /** The points. */
     struct mip_point points[61];

@@ -84,7 +84,7 @@ struct mip_tools_circle {
 struct mip_tools_path {
     /** Does it return to its start? */
     mip_bool closed;
-    /** Number of points. The number of elements of points. */
+    /** Number of points. Counts the elements of points. */
     uint8_t num_points;
     /** The points. */
     struct mip_point points[62];
@@ -193,7 +193,7 @@ MIP_CHECKED static inline mip_error mip_tools_ping_encode(const struct mip_tools
  *
  * Every function, and a prefix of parameters for each.
  *
- * Functions: write, read, save, load, default and apply. Answered by mip_tools_settings_response.
+ * Functions: write, read, save, load, default and apply. Response: mip_tools_settings_response.
  * Supported by Model A, Model B and Model C. On the Model B: write and read only. On the Model C:
  * write, read and save only.
  *
@@ -353,7 +353,7 @@ static inline struct mip_tools_settings *mip_tools_settings_apply(
 /**
  * Settings response: response (0x01,0x82).
  *
- * Answers mip_tools_settings. Supported by Model A, Model B and Model C.
+ * Response to mip_tools_settings. Supported by Model A, Model B and Model C.
  *
  * - guide: Settings
  * - leaflet: Settings
@@ -401,7 +401,7 @@ MIP_CHECKED static inline mip_error mip_tools_settings_response_encode(
  *
  * Two responses for one command.
  *
- * Functions: write, read and apply. Answered by mip_tools_set_time_fast_response or
+ * Functions: write, read and apply. Response: mip_tools_set_time_fast_response or
  * mip_tools_set_time_slow_response. Supported by Model A and Model C.
  *
  * Send it once a second.
@@ -491,7 +491,7 @@ mip_tools_set_time_apply(struct mip_tools_set_time *command, enum mip_mode part,
 /**
  * Set time response: response (0x01,0x83).
  *
- * Answers mip_tools_set_time. Sent if part is MIP_MODE_FAST. Supported by Model A and Model C.
+ * Response to mip_tools_set_time. Sent if part is MIP_MODE_FAST. Supported by Model A and Model C.
  *
  * - guide: Set time
  */
@@ -526,7 +526,7 @@ MIP_CHECKED static inline mip_error mip_tools_set_time_fast_response_encode(
 /**
  * Set time response: response (0x01,0x84).
  *
- * Answers mip_tools_set_time. Sent if part is MIP_MODE_SLOW. Supported by Model A and Model C.
+ * Response to mip_tools_set_time. Sent if part is MIP_MODE_SLOW. Supported by Model A and Model C.
  *
  * - guide: Set time
  */
@@ -563,7 +563,7 @@ MIP_CHECKED static inline mip_error mip_tools_set_time_slow_response_encode(
  *
  * Layouts of one response, told apart by constants and by size.
  *
- * For advanced use. Answered by mip_tools_status_paged, mip_tools_status_short,
+ * For advanced use. Response: mip_tools_status_paged, mip_tools_status_short,
  * mip_tools_status_long, mip_tools_status_old or mip_tools_full. The device may take 2.5 s to
  * reply. Supported by Model A, Model B and Model C.
  *
@@ -616,7 +616,7 @@ static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_st
  *
  * As long as the short layout. A further constant tells it from that one.
  *
- * Answers mip_tools_status. Sent if selector is 1. Supported by Model C.
+ * Response to mip_tools_status. Sent if selector is 1. Supported by Model C.
  *
  * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
@@ -660,7 +660,7 @@ MIP_CHECKED static inline mip_error mip_tools_status_paged_encode(
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers mip_tools_status. Sent if selector is 1. Supported by Model A and Model B.
+ * Response to mip_tools_status. Sent if selector is 1. Supported by Model A and Model B.
  *
  * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
@@ -704,8 +704,8 @@ MIP_CHECKED static inline mip_error mip_tools_status_short_encode(
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers mip_tools_status. Distinguished from mip_tools_status_old and mip_tools_full by the size
- * of its data. Sent if selector is 2. Supported by Model B.
+ * Response to mip_tools_status. Distinguished from mip_tools_status_old and mip_tools_full by the
+ * size of its data. Sent if selector is 2. Supported by Model B.
  *
  * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
@@ -753,8 +753,8 @@ MIP_CHECKED static inline mip_error mip_tools_status_long_encode(
  *
  * The long layout of old devices. Its size tells it from the others.
  *
- * Answers mip_tools_status. Distinguished from mip_tools_status_long and mip_tools_full by the size
- * of its data. Sent if selector is 2. Supported by Model A.
+ * Response to mip_tools_status. Distinguished from mip_tools_status_long and mip_tools_full by the
+ * size of its data. Sent if selector is 2. Supported by Model A.
  *
  * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
@@ -797,8 +797,8 @@ mip_tools_status_old_encode(const struct mip_tools_status_old *value, struct mip
  *
  * Full name: tools.status_full.
  *
- * Answers mip_tools_status. Distinguished from mip_tools_status_long and mip_tools_status_old by
- * the size of its data. Sent if selector is 2. Supported by Model C.
+ * Response to mip_tools_status. Distinguished from mip_tools_status_long and mip_tools_status_old
+ * by the size of its data. Sent if selector is 2. Supported by Model C.
  *
  * Parameters without a member, on the wire only:
  * - model: The model. Always 4711.
@@ -845,7 +845,7 @@ MIP_CHECKED static inline mip_error mip_tools_full_encode(const struct mip_tools
  *
  * Its response serves another command too.
  *
- * Functions: write, read, save, load and default. Answered by mip_tools_bias_vector. Changes
+ * Functions: write, read, save, load and default. Response: mip_tools_bias_vector. Changes
  * mip_measurements_accel and mip_measurements_gust. Probably changes MIP_MORE_SET. Supported by
  * Model A and Model C.
  *
@@ -930,7 +930,7 @@ static inline struct mip_tools_bias *mip_tools_bias_default(struct mip_tools_bia
 /**
  * Bias response: response (0x01,0x9B).
  *
- * Answers mip_tools_bias and mip_tools_capture_bias. Supported by Model A and Model C.
+ * Response to mip_tools_bias and mip_tools_capture_bias. Supported by Model A and Model C.
  *
  * - guide: Bias
  * - leaflet: Bias
@@ -967,7 +967,7 @@ MIP_CHECKED static inline mip_error mip_tools_bias_vector_encode(
  *
  * Measures the bias.
  *
- * Answered by mip_tools_bias_vector. Probably changes mip_measurements_accel. Supported by Model A
+ * Response: mip_tools_bias_vector. Probably changes mip_measurements_accel. Supported by Model A
  * and Model C. Deprecated on the Model C: use mip_tools_bias instead. On the Model C: firmware >=
  * 1.0, < 1.1.
  *
@@ -1024,7 +1024,7 @@ mip_tools_capture_bias_make(struct mip_tools_capture_bias *command, uint16_t tim
 struct mip_tools_formats {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of segments. The number of elements of segments. */
+    /** Number of segments. Counts the elements of segments. */
     uint8_t num_segments;
     /** Between a counter and its array. Deprecated. */
     uint8_t checkpoint;
@@ -1058,7 +1058,7 @@ MIP_CHECKED static inline mip_error mip_tools_formats_encode(const struct mip_to
  * Formats. Fills the structure and returns its address.
  *
  * - suppress_ack: Send no acknowledge.
- * - num_segments: Number of segments. The number of elements of segments.
+ * - num_segments: Number of segments. Counts the elements of segments.
  * - checkpoint: Between a counter and its array. Deprecated.
  * - segments: The segments.
  */
@@ -1091,7 +1091,7 @@ union mip_tools_choice_parameters {
  *
  * A tagged union with an empty variant, nested unions, arrays and strings in it.
  *
- * Functions: write and read. Answered by mip_tools_choice_response. Supported by Model A.
+ * Functions: write and read. Response: mip_tools_choice_response. Supported by Model A.
  *
  * - guide: Choice
  */
@@ -1184,7 +1184,7 @@ union mip_tools_choice_response_parameters {
 /**
  * Choice response: response (0x01,0x88).
  *
- * Answers mip_tools_choice. Supported by Model A.
+ * Response to mip_tools_choice. Supported by Model A.
  *
  * - guide: Choice
  */
@@ -1224,7 +1224,7 @@ MIP_CHECKED static inline mip_error mip_tools_choice_response_encode(
  *
  * Optional counted array; a read may carry a zero count.
  *
- * Functions: write, read and save. Answered by mip_tools_list_response. Supported by Model A and
+ * Functions: write, read and save. Response: mip_tools_list_response. Supported by Model A and
  * Model C.
  *
  * - guide: List
@@ -1237,7 +1237,7 @@ struct mip_tools_list {
     uint8_t present;
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** Number of items. The number of elements of items. Required for write. */
+    /** Number of items. Counts the elements of items. Required for write. */
     uint8_t count;
     /** The items. Required for write. */
     uint16_t items[125];
@@ -1268,7 +1268,7 @@ MIP_CHECKED static inline mip_error mip_tools_list_encode(const struct mip_tools
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - count: Number of items. The number of elements of items. Required for write.
+ * - count: Number of items. Counts the elements of items. Required for write.
  * - items: The items. Required for write.
  */
 static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list *command,
@@ -1298,12 +1298,12 @@ static inline struct mip_tools_list *mip_tools_list_save(struct mip_tools_list *
 /**
  * List response: response (0x01,0x89).
  *
- * Answers mip_tools_list. Supported by Model A and Model C.
+ * Response to mip_tools_list. Supported by Model A and Model C.
  *
  * - guide: List
  */
 struct mip_tools_list_response {
-    /** Number of items. The number of elements of items. */
+    /** Number of items. Counts the elements of items. */
     uint8_t count;
     /** The items. */
     uint16_t items[126];
@@ -1338,7 +1338,7 @@ MIP_CHECKED static inline mip_error mip_tools_list_response_encode(
  *
  * Full name: tools.inventory.
  *
- * Answered by mip_tools_stock_response. Supported by Model A and Model C.
+ * Response: mip_tools_stock_response. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
@@ -1374,7 +1374,7 @@ MIP_CHECKED static inline mip_error mip_tools_stock_encode(const struct mip_tool
  *
  * Full name: tools.inventory_response.
  *
- * Answers mip_tools_stock. Supported by Model A and Model C.
+ * Response to mip_tools_stock. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
@@ -1412,7 +1412,7 @@ MIP_CHECKED static inline mip_error mip_tools_stock_response_encode(
  *
  * The names of one number depend on another.
  *
- * Functions: write and read. Answered by mip_tools_pin_response. Supported by Model A and Model C.
+ * Functions: write and read. Response: mip_tools_pin_response. Supported by Model A and Model C.
  *
  * - guide: Pin
  */
@@ -1487,7 +1487,7 @@ static inline struct mip_tools_pin *mip_tools_pin_read(struct mip_tools_pin *com
 /**
  * Pin response: response (0x01,0x8B).
  *
- * Answers mip_tools_pin. Supported by Model A and Model C.
+ * Response to mip_tools_pin. Supported by Model A and Model C.
  *
  * - guide: Pin
  */
@@ -1528,7 +1528,7 @@ MIP_CHECKED static inline mip_error mip_tools_pin_response_encode(
  *
  * The device asks and a host answers.
  *
- * No device is known for certain to support it. Also called `keep_alive`. Answered by
+ * No device is known for certain to support it. Also called `keep_alive`. Response:
  * mip_tools_hello_response. Sent by the device; the host replies. Known only from the Kit of names.
  *
  * - sheet: Hello
@@ -1573,7 +1573,7 @@ MIP_CHECKED static inline mip_error mip_tools_hello_encode(const struct mip_tool
  * Hello response: response (0x01,0x8C).
  *
  * No device is known for certain to support it. Also called `keep_alive_response` and `welcome`.
- * Answers mip_tools_hello. Known only from the Kit of names. Uncertain: When it comes.
+ * Response to mip_tools_hello. Known only from the Kit of names. Uncertain: When it comes.
  *
  * - sheet: Hello
  */
@@ -1609,7 +1609,7 @@ MIP_CHECKED static inline mip_error mip_tools_hello_response_encode(
  *
  * A parameter outside of a structure says how its members are read.
  *
- * Answered by mip_tools_readings_response. Supported by Model A and Model C.
+ * Response: mip_tools_readings_response. Supported by Model A and Model C.
  *
  * - guide: Readings
  */
@@ -1655,14 +1655,14 @@ static inline struct mip_tools_readings *mip_tools_readings_make(struct mip_tool
 /**
  * Readings response: response (0x01,0x8D).
  *
- * Answers mip_tools_readings. Supported by Model A and Model C.
+ * Response to mip_tools_readings. Supported by Model A and Model C.
  *
  * - guide: Readings
  */
 struct mip_tools_readings_response {
     /** What was asked for. A value of enum mip_tools_drive. */
     uint8_t drive;
-    /** Number of readings. The number of elements of readings. */
+    /** Number of readings. Counts the elements of readings. */
     uint8_t count;
     /**
      * The readings. If drive is MIP_TOOLS_DRIVE_PULSE: kind has values of enum mip_tools_pulse.
@@ -1712,7 +1712,7 @@ struct mip_tools_poll {
     uint8_t descriptor_set;
     /** Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01. */
     uint8_t first;
-    /** Number of fields. The number of elements of descriptors. */
+    /** Number of fields. Counts the elements of descriptors. */
     uint8_t count;
     /** Field descriptors. Refers to fields of descriptor_set. */
     uint8_t descriptors[250];
@@ -1745,7 +1745,7 @@ MIP_CHECKED static inline mip_error mip_tools_poll_encode(const struct mip_tools
  *
  * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
  * - first: Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01.
- * - count: Number of fields. The number of elements of descriptors.
+ * - count: Number of fields. Counts the elements of descriptors.
  * - descriptors: Field descriptors. Refers to fields of descriptor_set.
  */
 static inline struct mip_tools_poll *mip_tools_poll_make(struct mip_tools_poll *command,

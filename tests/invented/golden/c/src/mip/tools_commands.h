@@ -544,7 +544,7 @@ static inline mip_error mip_send_tools_formats(struct mip_client *client,
  * Formats. See mip_device_call.
  *
  * - suppress_ack: Send no acknowledge.
- * - num_segments: Number of segments. The number of elements of segments.
+ * - num_segments: Number of segments. Counts the elements of segments.
  * - checkpoint: Between a counter and its array. Deprecated.
  * - segments: The segments.
  */
@@ -650,7 +650,7 @@ static inline mip_error mip_send_tools_list(struct mip_client *client, struct mi
 /**
  * List: write. Apply the new setting. See mip_device_call.
  *
- * - count: Number of items. The number of elements of items. Required for write.
+ * - count: Number of items. Counts the elements of items. Required for write.
  * - items: The items. Required for write.
  */
 MIP_INLINE struct mip_result mip_call_tools_list_write(struct mip_device *device, uint8_t count,
@@ -868,7 +868,7 @@ static inline mip_error mip_send_tools_poll(struct mip_client *client, struct mi
  *
  * - descriptor_set: Data descriptor set. Range: 0x80 to 0xFE.
  * - first: Field descriptor. Refers to fields of MIP_MEASUREMENTS_SET. Default: 0x01.
- * - count: Number of fields. The number of elements of descriptors.
+ * - count: Number of fields. Counts the elements of descriptors.
  * - descriptors: Field descriptors. Refers to fields of descriptor_set.
  */
 MIP_INLINE struct mip_result mip_call_tools_poll(struct mip_device *device, uint8_t descriptor_set,
