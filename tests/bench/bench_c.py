@@ -190,7 +190,7 @@ def sizes() -> list[Row]:
         ["state of the parser, in RAM", f"{ours / theirs:.2f}", f"{ours} B", f"{theirs} B"],
         [f"decode and encode all {len(codecs)} layouts, for each", f"{table / code:.2f}", f"{table:.1f} B",
          f"{code:.1f} B"],
-        ["of it for all together: the reader of the tables", "", f"{reader} B", ""],
+        ["of that, shared by all: the table reader", "", f"{reader} B", ""],
         ["names of one enumeration, the acknowledge codes", "", f"{names} B", ""],
         *([f"optional, all of {name}", "", f"{size / 1000:.0f} kB", ""] for name, size in optional),
     ]  # fmt: skip

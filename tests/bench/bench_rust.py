@@ -311,7 +311,7 @@ def report(readme: bool = False) -> str:
         return out + f"\nSizes need the target {EMBEDDED}, which is missing (rustup target add {EMBEDDED}).\n"
     out += f'\nFor {EMBEDDED}, `opt-level = "z"` and `lto = true`; above an empty program. `memcpy` and the\n'
     out += "like are those of Rust.\n\n"
-    return out + table(["Size", "Code and constants", "of it `memcpy` and the like"], small)
+    return out + table(["Size", "Code and constants", "of that, `memcpy` and the like"], small)
 
 
 def write_readme() -> None:
