@@ -13,10 +13,12 @@ import streams
 from bench_c import ARM, BUILD, HERE, OUTSIDE, SIZE, SOURCES, Row, instructions, library, measure, run
 from mipgen.resolve.load import load_model
 
+PORTABLE = "parse, in pieces of 4 KiB, portable checksum"
 #: Title, stream, our function, that of peer/speed.c.
 ROWS = (
     ("parse, in pieces of 4 KiB", "log", "ours_parse", "peer_parse"),
     ("the same, packets in random order", "shuffled", "ours_parse", "peer_parse"),
+    (PORTABLE, "log", "ours_parse", "peer_parse"),
     ("parse, in pieces of 64 bytes", "log", "ours_small", "peer_small"),
     ("the same, packets in random order", "shuffled", "ours_small", "peer_small"),
     ("parse, decode every known field", "log", "ours_table", "peer_all"),
@@ -24,6 +26,7 @@ ROWS = (
     ("the same, packets in random order", "shuffled", "ours_three", "peer_three"),
     ("skip NMEA sentences", "text", "ours_parse", "peer_parse"),
     ("skip random bytes", "noise", "ours_parse", "peer_parse"),
+    ("skip sync bytes without a packet", "syncs", "ours_parse", "peer_parse"),
 )
 PROGRAMS = (
     ("core", "parser, walk and builder"),
@@ -49,19 +52,21 @@ def speed(sdk: Path) -> list[Row]:
     model = load_model(bench_c.ROOT / "spec")
     packets = streams.log(model, SIZE)
     contents = {"log": packets, "shuffled": streams.shuffled(packets), "text": streams.text(SIZE)}
-    contents["noise"] = streams.noise(SIZE)
+    contents |= {"noise": streams.noise(SIZE), "syncs": streams.syncs(SIZE)}
     for name, content in contents.items():
         (BUILD / f"{name}.bin").write_bytes(content)
-    ours, theirs = BUILD / "speed", BUILD / "speed-peer"
+    ours, portable, theirs = BUILD / "speed", BUILD / "speed-portable", BUILD / "speed-peer"
     flags = ["-std=gnu11", "-O2", "-w", "-DNDEBUG", f"-I{HERE}"]
-    run("cc", *flags, f"-I{SOURCES}", HERE / "speed.c", HERE / "plain.c", *library(), "-o", ours)
+    for program, choice in ((ours, []), (portable, ["-DMIP_CHECKSUM=MIP_CHECKSUM_WORDS"])):
+        run("cc", *flags, *choice, f"-I{SOURCES}", HERE / "speed.c", HERE / "plain.c", *library(), "-o", program)
     run("cc", *flags, f"-I{sdk}/src/c", HERE / "peer/speed.c", *_sources(sdk, "mip", "mip/definitions", "microstrain"),
         "-o", theirs)  # fmt: skip
     rows = []
     for title, stream, own, peer in ROWS:
         path = BUILD / f"{stream}.bin"
-        times = measure(path, {own: ours, peer: theirs})
-        counts = [instructions(program, path, f) for program, f in ((ours, own), (theirs, peer))]
+        mine = portable if title == PORTABLE else ours
+        times = measure(path, {own: mine, peer: theirs})
+        counts = [instructions(program, path, f) for program, f in ((mine, own), (theirs, peer))]
         rows.append([
             title, f"{times[peer] / times[own]:.1f}", *(f"{c:.2f}" if c is not None else "?" for c in counts)
         ])  # fmt: skip

@@ -57,6 +57,11 @@ def noise(size: int) -> bytes:
     return Random(2).randbytes(size)
 
 
+def syncs(size: int) -> bytes:
+    """The worst noise: each sync announces a packet of 107 bytes, which only its checksum refutes."""
+    return b"ue" * (size // 2)
+
+
 def text(size: int) -> bytes:
     random, out = Random(3), bytearray()
     while len(out) < size:
