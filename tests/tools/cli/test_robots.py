@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import random
+import struct
+import subprocess
+import sys
 from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
@@ -20,8 +24,10 @@ from mip_tools.occurrence import of
 from mip_tools.ros import axes, standard
 from mip_tools.ros.types import Types
 from mip_tools.simulator import VirtualDevice
+from mipgen.lower import codec
 from program import DEVICE, log, mip
-from support import ROOT, heavy, later
+from random_values import drawn
+from support import PYTHONPATH, ROOT, SPECS, heavy, later, model, set_of
 from test_by_columns import damaged
 from test_doctor import sent, started
 
@@ -176,6 +182,49 @@ def test_messages_are_encoded_as_rosbags_does() -> None:
         for a, b in zip(found, wanted):  # a NaN that signals is quiet as a number of Python
             assert a == b or repr(types.store.deserialize_cdr(a, name)) == repr(types.store.deserialize_cdr(b, name))
     assert len(seen) > 100
+
+
+def flat(value: Any) -> list[str]:
+    """The numbers and texts of a value, in order; nothing for what is absent."""
+    if hasattr(value, "__msgtype__"):
+        value = {k: v for k, v in vars(value).items() if k not in ("header", "__msgtype__")}
+    if isinstance(value, dict):
+        value = list(value.values())
+    if isinstance(value, (list, tuple)) or getattr(value, "ndim", 0):
+        return [x for item in value for x in flat(item)]
+    if isinstance(value, str) and value.startswith("0x"):  # a drawn number, as bits
+        bits = bytes.fromhex(value[2:])
+        (value,) = struct.unpack(">f" if len(bits) == 4 else ">d", bits)
+    return [] if value is None else [value.rstrip("\0")] if isinstance(value, str) else [repr(float(value))]
+
+
+@heavy("rosbags")
+def test_messages_of_any_length(tmp_path: Path) -> None:
+    """Arrays, texts and parameters that may be absent: no data field of MIP has them, own ones may."""
+    from rosbags.rosbag2 import Reader
+
+    spec, folder = model("invented"), SPECS["invented"][1]
+    names = ("cloud", "growing", "strings")
+    fields = [f for f in spec.fields if f.family == "measurements" and f.name in names]
+    sent = [(f, values) for f in fields for values in drawn(f, 5)]
+    packets = [codec.build(spec, set_of(f, spec), [(f.descriptor, codec.encode(f, v))]) for f, v in sent]
+    (tmp_path / "log").write_bytes(b"".join(packets))
+    words = ["export", tmp_path / "log", "--format", "ros2", "-o", tmp_path / "bag", "--messages", folder / "ros2"]
+    words += ["--definitions", folder / "json/mip.json"]
+    done = subprocess.run(
+        [sys.executable, "-m", "mip_tools", *map(str, words)], capture_output=True, text=True,
+        env={**os.environ, "PYTHONPATH": PYTHONPATH},
+    )  # fmt: skip
+    assert (done.returncode, done.stdout + done.stderr) == (0, "")
+    store, found = Types(folder / "ros2").store, []
+    with Reader(tmp_path / "bag") as bag:
+        for connection, _, data in bag.messages():
+            found.append((connection.msgtype, flat(store.deserialize_cdr(data, connection.msgtype))))
+    assert len(names) == len(fields) and len({len(values) for _, values in found}) > 4
+    for (f, wanted), (kind, values) in zip(sent, found, strict=True):
+        assert kind == f"mip_msgs/msg/Measurements{f.name.capitalize()}"
+        stated = [wanted.get(p.name) for p in f.parameters if p.kind != "counter"]  # a sequence has its length
+        assert values == flat(stated)
 
 
 # --------------------------------------------------------------------------- axes
