@@ -1,15 +1,15 @@
-// A driver as for ArduPilot: no heap, no exceptions, and nothing waits. The scheduler calls
-// update() at some rate; bytes come from, and go to, the buffers of a UART.
+// A driver in the style of ArduPilot: no heap, no exceptions, no waiting. The scheduler
+// calls update() at some rate; bytes are read from and written to UART buffers.
 #include "mip/3dm_commands.hpp"
 #include "mip/filter_data.hpp"
 #include "mip/sensor.hpp"
 
-// What the board offers.
-std::size_t uart_read(std::uint8_t *bytes, std::size_t room); // what has come, at most this much
+// What the board provides.
+std::size_t uart_read(std::uint8_t *bytes, std::size_t room); // received bytes, at most this many
 bool uart_write(const std::uint8_t *bytes, std::size_t size); // false if there is no room
 std::uint32_t board_milliseconds();
 
-// What the autopilot wants to know.
+// The data that the autopilot needs.
 struct Attitude {
     float roll, pitch, yaw;
     bool valid;
@@ -17,7 +17,7 @@ struct Attitude {
 
 class Driver {
   public:
-    // Reads what has come. True if the attitude is new.
+    // Reads received bytes. Returns true if the attitude is new.
     bool update() {
         std::uint8_t bytes[128];
         const std::size_t size = uart_read(bytes, sizeof(bytes));
@@ -44,7 +44,7 @@ class Driver {
     }
 
   private:
-    // Both commands in one packet; until they are acknowledged they are sent again.
+    // Sends both commands in one packet, again and again until they are acknowledged.
     void ask() {
         const mip::descriptor_rate fields[] = {
             {mip::descriptor<mip::filter_data::euler_angles>, 5}};

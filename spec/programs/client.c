@@ -16,12 +16,12 @@ bool set_pps_source(struct mip_client *client, struct mip_parser *parser, enum m
     while (request.state == MIP_REQUEST_WAITING) {
         uint8_t chunk[64];
         const uint8_t *data = chunk;
-        size_t size = receive(chunk, sizeof(chunk)); /* 0 if there are none */
+        size_t size = receive(chunk, sizeof(chunk)); /* 0 if none arrived */
         struct mip_packet packet;
         while (mip_parser_next(parser, &data, &size, &packet) ||
                mip_client_poll(client, parser, milliseconds(), &packet)) {
-            mip_client_receive(client, &packet); /* data go wherever data go */
+            mip_client_receive(client, &packet); /* also handle the packet's data here */
         }
     }
-    return request.state == MIP_REQUEST_ACKNOWLEDGED; /* if it was refused, request.code says why */
+    return request.state == MIP_REQUEST_ACKNOWLEDGED; /* if refused, request.code is the reason */
 }

@@ -1,6 +1,6 @@
 use mip_protocol::{base, mip_3dm, Answer, Client, Parser, RequestError};
 
-/// Your serial port: sends bytes, and returns those received.
+/// Your serial port, which sends bytes and returns received ones.
 fn exchange(_sent: &[u8]) -> &'static [u8] {
     &[]
 }
@@ -16,11 +16,11 @@ fn main() -> Result<(), RequestError> {
             match event.answer(&ticket) {
                 Some(Answer::Acknowledged(response)) => println!("{:?}", response.source),
                 Some(other) => println!("{other:?}"), // refused, with the named code, or undecodable
-                None => {}                            // answers another command
+                None => {}                            // replies to another command
             }
         }
     }
-    // Before a command is given up, the parser gives up what it holds back: noise may hide an answer.
+    // Before a command times out, `poll` returns packets that noise has hidden.
     while let Some(packet) = client.poll(&mut parser, 1_000) {
         client.receive(&packet);
     }

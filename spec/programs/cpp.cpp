@@ -1,7 +1,7 @@
 #include "mip/3dm_commands.hpp"
 #include "mip/sensor.hpp"
 
-bool run(Port &port) { // a class of yours with read, write and now: see examples/node.cpp
+bool run(Port &port) { // your own class with read, write and now: see examples/node.cpp
     mip::device device(port);
     device.on<mip::sensor::scaled_accel>([](const auto &accel) { show(accel.scaled_accel); });
 
@@ -14,7 +14,7 @@ bool run(Port &port) { // a class of yours with read, write and now: see example
             return false;
         }
     }
-    while (device.poll()) { // until the port is gone
+    while (device.poll()) { // until the port is lost
     }
     return true;
 }

@@ -1,7 +1,7 @@
 #include "mip/filter_data.hpp"
 #include "mip/sensor.hpp"
 
-// All packets of a log in memory. For a stream that comes in pieces: mip::parser.
+// All packets of a log in memory. For a stream that arrives in pieces, use mip::parser.
 void read(mip::bytes log) {
     for (const mip::packet &packet : mip::packets(log)) {
         for (const mip::field &field : packet) {
@@ -12,7 +12,7 @@ void read(mip::bytes log) {
     }
 }
 
-// Each field goes to the function whose parameter names its type. The rest is ignored.
+// Each field is passed to the function with a parameter of its type. Other fields are ignored.
 void handle(const mip::packet &packet) {
     mip::dispatch(
         packet, [](const mip::sensor::scaled_accel &accel) { show(accel.scaled_accel); },

@@ -26,7 +26,7 @@ bool run(const struct mip_port *port) { /* with read, write and now */
         report(mip_outcome_name(result.outcome), mip_result_reason(result)); /* refused, ... */
         return false;
     }
-    while (mip_device_poll(&device)) { /* until the port is gone */
+    while (mip_device_poll(&device)) { /* until the port is lost */
     }
     return true;
 }

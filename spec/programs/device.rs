@@ -1,12 +1,12 @@
 use mip_protocol::device::{Device, DeviceError, Port};
 use mip_protocol::{base, mip_3dm, sensor::ScaledAccel};
 
-/// The port is for instance `StdPort::new(serial)`, with that of the crate `serialport`.
+/// The port is, for example, `StdPort::new(serial)` with a port of the crate `serialport`.
 fn run<P: Port>(port: P) -> Result<(), DeviceError<P::Error>> {
     let mut device = Device::new(port);
-    let info = device.request(&base::GetDeviceInfo::new())?; // its response, or why there is none
+    let info = device.request(&base::GetDeviceInfo::new())?; // its response, or an error
     println!("{}", info.device_info.model_name);
-    device.request(&mip_3dm::DataStreamControl::write(0x80, true))?; // it has none: ()
+    device.request(&mip_3dm::DataStreamControl::write(0x80, true))?; // no response: ()
 
     let (rate, pps) = device.send_all(mip_3dm::MIP_3DM_SET, |request| {
         let rate = request.add(&mip_3dm::GetBaseRate::new(0x80))?;
@@ -18,7 +18,7 @@ fn run<P: Port>(port: P) -> Result<(), DeviceError<P::Error>> {
         match packet.find::<ScaledAccel>() {
             Some(Ok(accel)) => println!("{:.4} g along x", accel.scaled_accel.x),
             Some(Err(broken)) => println!("{broken}"),
-            None => {} // the packet has other fields
+            None => {} // the packet contains other fields
         }
     }
     Ok(()) // no data for a second

@@ -1,9 +1,9 @@
-//! A microcontroller that sets up a sensor and takes its data, byte by byte, without an operating
-//! system, memory allocation or any other crate.
+//! Sets up a sensor and receives its data on a microcontroller, byte
+//! by byte, without an operating system, memory allocation or any other crate.
 //!
 //!     cargo build --release --example firmware --target thumbv7em-none-eabi
 //!
-//! On a computer it is a program that reads from standard input and writes to standard output.
+//! On a computer, the program reads from standard input and writes to standard output.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
@@ -12,14 +12,14 @@ use mip_protocol::sensor::{self, ScaledAccel, ScaledGyro};
 use mip_protocol::shared::GpsTimestamp;
 use mip_protocol::{Answer, Client, Parser, RawField};
 
-/// What the program needs of its machine.
+/// What the program needs from its hardware.
 trait Board {
-    /// A received byte; `None` if there is none yet.
+    /// Returns a received byte; `None` if there is none yet.
     fn receive(&mut self) -> Option<u8>;
     fn send(&mut self, bytes: &[u8]);
     fn milliseconds(&mut self) -> u32;
     fn show(&mut self, what: u32, value: f32);
-    /// Is it to go on?
+    /// Should the program continue?
     fn running(&self) -> bool;
 }
 
@@ -44,7 +44,7 @@ fn run(board: &mut impl Board) {
                 }
             }
         }
-        // Commands time out, after what is held back.
+        // Commands time out after the bytes held back have been searched.
         while let Some(packet) = client.poll(&mut parser, board.milliseconds()) {
             for field in client.receive(&packet).others().map_while(Result::ok) {
                 take(board, &field);
@@ -82,7 +82,7 @@ fn take(board: &mut impl Board, field: &RawField<'_>) {
 mod board {
     use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-    /// In place of the registers of a machine.
+    /// Stands in for the registers of a microcontroller.
     static REGISTERS: [AtomicU32; 4] = [const { AtomicU32::new(0) }; 4];
 
     struct Machine;

@@ -37,7 +37,7 @@ int main(int argc, char **argv) {
     show("format", device.call(mip::mip_3dm::write_message_format{mip::sensor_set, fields}));
     show("stream", device.call(mip::mip_3dm::write_data_stream_control{mip::sensor_set, true}));
     show("resume", device.call(mip::base::resume{}));
-    while (device.poll()) { // until the port is gone
+    while (device.poll()) { // until the port is lost
     }
     mip_line_close(&line);
     return 0;

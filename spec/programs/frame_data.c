@@ -47,7 +47,7 @@ int main(int argc, char **argv) {
         fprintf(stderr, "%s %s\n", mip_outcome_name(result.outcome), mip_result_reason(result));
         return 1;
     }
-    while (mip_device_poll(&device)) { /* until the port is gone */
+    while (mip_device_poll(&device)) { /* until the port is lost */
     }
     mip_line_close(&line);
     return 0;

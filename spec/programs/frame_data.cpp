@@ -41,7 +41,7 @@ int main(int argc, char **argv) {
         std::cerr << result << '\n';
         return 1;
     }
-    while (device.poll()) { // until the port is gone
+    while (device.poll()) { // until the port is lost
     }
     mip_line_close(&line);
     return 0;

@@ -1,4 +1,4 @@
-//! Turns a log of accelerations and angular rates into a table, with the time that the log has.
+//! Converts the accelerations and angular rates in a log to a table, with the log's timestamps.
 //!
 //!     cargo run --example log_to_csv --features std -- log.bin > log.csv
 
@@ -9,7 +9,7 @@ use std::io::{stdout, BufWriter, Write};
 use mip_protocol::types::{SensorGpsTimestampFlags, Vector3f};
 use mip_protocol::{dispatch, sensor, shared, PacketReader};
 
-/// What a packet says, as far as it has it.
+/// The values of a packet, as far as present.
 #[derive(Default)]
 struct Row {
     tow_s: Option<f64>,
@@ -27,14 +27,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         "tow_s,since_start_s,accel_x_g,accel_y_g,accel_z_g,gyro_x_rad_s,gyro_y_rad_s,gyro_z_rad_s"
     )?;
     while let Some(packet) = packets.next_packet()? {
-        // What is not in the packet leaves its columns empty; what is broken is an error.
+        // Columns of absent fields stay empty; a malformed field is an error.
         let mut row = Row::default();
         for field in packet.fields() {
             dispatch!(field?, {
                 shared::GpsTimestamp(time) => {
                     row.tow_s = Some(time.tow).filter(|_| time.valid_flags.tow());
                 },
-                // That of older devices. The 5-series has one flag for time and week.
+                // The timestamp of older devices. The 5-series has one flag for time and week.
                 sensor::GpsTimestamp(time) => {
                     let valid = SensorGpsTimestampFlags::TOW_VALID
                         | SensorGpsTimestampFlags::TIME_INITIALIZED;

@@ -12,4 +12,4 @@ print(position)
 print(position.is_valid("latitude"), position.is_valid("msl_height"))
 print(position.to_dict())
 
-print(registry.by_name("temperature_abs").NAME)  # a name of the vendor
+print(registry.by_name("temperature_abs").NAME)  # a vendor's name

@@ -1,10 +1,10 @@
 #include "mip/filter.h"
 
-/* All but the last parameter of a command whose parameters may be left out, from the end on. */
+/* Sends all optional parameters of a command except the last one. */
 mip_error limit_error(struct mip_builder *packet) {
     struct mip_filter_accel_magnitude_adaptive command;
     mip_filter_accel_magnitude_adaptive_write(&command, MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED);
-    /* present is 0 now: only what write requires would be sent. */
+    /* present is 0 here, so only the parameters that write requires would be sent. */
     command.frequency = 10;
     command.low_limit = -1;
     command.high_limit = 1;
@@ -14,7 +14,7 @@ mip_error limit_error(struct mip_builder *packet) {
     return mip_filter_accel_magnitude_adaptive_encode(&command, packet);
 }
 
-/* The limit that a device has told; 0 if it has not. */
+/* Returns the limit that the device reports; 0 if it reports none. */
 float limit_of(const struct mip_filter_accel_magnitude_adaptive *command) {
     return command->present >= MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_HIGH_LIMIT ? command->high_limit : 0;
 }

@@ -7,7 +7,7 @@ const items = [{ descriptor: ScaledAccel.DESCRIPTOR, decimation: 10 }];
 const command = MessageFormat.write({ descriptorSet: ScaledAccel.SET, descriptors: items });
 console.log(toHex(command.packet().bytes, " "));
 
-// Data, among anything else and in pieces of any size.
+// Data, mixed with anything else, in pieces of any size.
 const parser = new Parser();
 parser.feed(new TextEncoder().encode("$GPGGA noise\r\n"));
 for (const packet of parser.feed(fromHex("75 65 80 0e 0e 04 3e 7a 63 a0 bb 8e 3b 29 7f e5 bf 7f 84 ee"))) {

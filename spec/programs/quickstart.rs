@@ -10,7 +10,7 @@ fn main() -> Result<(), mip_protocol::EncodeError> {
     parser.feed(received).for_each(|packet| match packet.find::<ScaledAccel>() {
         Some(Ok(accel)) => println!("{:.4} g along x", accel.scaled_accel.x),
         Some(Err(broken)) => println!("{broken}"),
-        None => {} // the packet has other fields
+        None => {} // the packet contains other fields
     });
     Ok(())
 }

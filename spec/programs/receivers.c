@@ -1,7 +1,7 @@
 #include "mip/device.h"
 #include "mip/gnss_data.h"
 
-/* Both receivers: the field says which one it comes from. */
+/* For both receivers: the field contains the receiver's set. */
 static void on_position(void *user, const struct mip_field *field, uint32_t arrived) {
     struct mip_gnss_data_llh_position position;
     (void)user;
@@ -12,19 +12,19 @@ static void on_position(void *user, const struct mip_field *field, uint32_t arri
     }
 }
 
-/* The first entry of a field is used: the external receiver is ignored. */
+/* Only the first matching entry is used, so the external receiver is ignored. */
 const struct mip_handler receivers[] = {
     {&mip_gnss_data_llh_position_codec, MIP_GNSS_EXTERNAL_SET, NULL, NULL},
     {&mip_gnss_data_llh_position_codec, MIP_ANY_SET, on_position, NULL},
 };
 
-/* The same without a device. */
+/* Does the same without a device. */
 bool is_position_of_a_receiver(const struct mip_field *field) {
     switch (mip_field_key(field)) {
     case MIP_GNSS_DATA_LLH_POSITION(MIP_GNSS_1_SET):
     case MIP_GNSS_DATA_LLH_POSITION(MIP_GNSS_2_SET):
         return true;
-    default: /* in another of its sets? */
+    default: /* in another set? */
         return mip_field_is(field, &mip_gnss_data_llh_position_codec);
     }
 }

@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let filter = mip_3dm::LowPassFilter::write(sensor::SENSOR_SET, accel, true, true, CUTOFF);
     device.request(&filter)?;
 
-    // 3. What is to be sent, and how often. Several commands may share a packet.
+    // 3. The data to send, and its rates. Several commands may share a packet.
     let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SENSOR_SET))?.rate;
     let decimation = (base_rate / RATE).max(1);
     let fields = [shared::GpsTimestamp::DESCRIPTOR, accel, sensor::ScaledGyro::DESCRIPTOR];
@@ -35,20 +35,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     device.answer(&format).into_result()?;
     device.answer(&stream).into_result()?;
 
-    // 4. Is it so?
+    // 4. Check the settings.
     let filter = device.request(&mip_3dm::LowPassFilter::read(sensor::SENSOR_SET, accel))?;
     let format = device.request(&mip_3dm::MessageFormat::read(sensor::SENSOR_SET))?;
 
-    // 5. Save, so that it is the same after the next start.
+    // 5. Save, so that the settings survive a power cycle.
     device.request(&mip_3dm::LowPassFilter::save(sensor::SENSOR_SET, accel))?;
     device.request(&mip_3dm::MessageFormat::save(sensor::SENSOR_SET))?;
     device.request(&mip_3dm::DataStreamControl::save(sensor::SENSOR_SET))?;
 
-    // 6. Resume: data come.
+    // 6. Resume: the device sends data.
     device.request(&base::Resume::new())?;
     let packet = device.next_packet(2000)?.ok_or("no data")?;
 
-    // It is shown last: a reader that has gone, as with `setup PORT | head`, stops nothing before.
+    // Printed last, so that a closed pipe, as in `setup PORT | head`, interrupts no earlier step.
     let mut out = stdout().lock();
     writeln!(out, "low-pass filter at {} Hz", filter.frequency)?;
     for field in format.descriptors.iter() {

@@ -1,34 +1,34 @@
 /* A microcontroller reads accelerations from a device at a UART, without an operating system.
  *
- * An interrupt puts each byte that comes into a ring; the main loop takes them out. */
+ * An interrupt stores each received byte in a ring buffer; the main loop reads them. */
 #include "mip/3dm_commands.h"
 #include "mip/base_commands.h"
 #include "mip/sensor_inline.h"
 
-/* ------------------------------------------------------------------------ what the board offers */
+/* ------------------------------------------------------------------------ provided by the board */
 
-/* The data register of the UART: the byte received, and one to send, once there is room. */
+/* The data register of the UART: the received byte, or the byte to send, when there is room. */
 uint8_t uart_receive(void);
 void uart_send(uint8_t byte);
-/* Milliseconds since the start, counted by the interrupt of a timer. */
+/* Milliseconds since the start, counted by a timer interrupt. */
 uint32_t board_time(void);
-/* Sleeps until an interrupt, of the UART or the timer, has happened. */
+/* Sleeps until the next interrupt from the UART or the timer. */
 void board_sleep(void);
-/* What the application does with an acceleration, in g. */
+/* The application's handler for an acceleration, in g. */
 void application_take(const float accel[3]);
 
 /* ------------------------------------------------------------------------ the port */
 
-/* Indices of one byte wrap around as the ring does, and no machine reads half of one. */
+/* One-byte indices wrap around like the ring, and are read atomically. */
 static volatile uint8_t ring[256];
 static volatile uint8_t ring_end, ring_start;
 
-/* To be called when a byte has been received. */
+/* Call this when a byte has been received. */
 void uart_interrupt(void);
 void uart_interrupt(void) {
     const uint8_t byte = uart_receive();
     const uint8_t next = (uint8_t)(ring_end + 1);
-    if (next != ring_start) { /* if it is full, the byte is lost, and the checksum tells */
+    if (next != ring_start) { /* otherwise the byte is lost, which the checksum detects */
         ring[ring_end] = byte;
         ring_end = next;
     }
@@ -37,13 +37,13 @@ void uart_interrupt(void) {
 static bool port_read(void *user, uint8_t *bytes, size_t size, size_t *count) {
     (void)user;
     if (ring_start == ring_end) {
-        board_sleep(); /* a byte that comes right now waits for the timer, a millisecond */
+        board_sleep(); /* a byte that arrives right now waits for the timer, 1 ms */
     }
     while (*count < size && ring_start != ring_end) {
         bytes[(*count)++] = ring[ring_start];
         ring_start = (uint8_t)(ring_start + 1);
     }
-    return true; /* a UART is never gone */
+    return true; /* a UART is never lost */
 }
 
 static bool port_write(void *user, const uint8_t *bytes, size_t size) {
@@ -63,7 +63,7 @@ static const struct mip_port port = {port_read, port_write, port_now, NULL};
 
 /* ------------------------------------------------------------------------ the device */
 
-static uint32_t last; /* when data came */
+static uint32_t last; /* when data last arrived */
 
 static void on_accel(void *user, const struct mip_field *field, uint32_t arrived) {
     struct mip_sensor_scaled_accel accel;
@@ -93,12 +93,12 @@ int main(void) {
     mip_device_init(&device, &port, MIP_ARRAY(handlers));
     for (;;) {
         while (!configure(&device)) {
-            /* It is still starting, or nothing is connected. */
+            /* The device is still starting, or nothing is connected. */
         }
         last = board_time();
-        while (board_time() - last < 1000) { /* else it has been restarted */
+        while (board_time() - last < 1000) { /* otherwise the device has restarted */
             mip_device_poll(&device);
-            /* Here the program does whatever else it has to do. */
+            /* The program does its other work here. */
         }
     }
 }

@@ -1,4 +1,4 @@
-/* Reads a log: positions of the filter as CSV, and how many fields of each kind there are. */
+/* Reads a log: prints filter positions as CSV, and the number of fields of each kind. */
 #include "mip/filter_data.h"
 #include "mip/print.h"
 #include "mip/registry.h"
@@ -13,14 +13,14 @@ static void put(void *file, const char *text, size_t size) {
 }
 
 static void handle(const struct mip_packet *packet) {
-    const struct mip_print print = {put, stderr, NULL}; /* NULL: of any device */
+    const struct mip_print print = {put, stderr, NULL}; /* NULL: for any device */
     struct mip_walk walk = mip_walk_packet(packet);
     struct mip_field field;
     while (mip_walk_next(&walk, &field)) {
         const uint16_t key = mip_field_key(&field);
         struct mip_filter_data_timestamp stamp;
         struct mip_filter_data_llh_position place;
-        if (counts[key]++ == 0) { /* the first one of each kind, with names and units */
+        if (counts[key]++ == 0) { /* prints the first one of each kind, with names and units */
             mip_print_field(&print, &field);
         }
         if (mip_filter_data_timestamp_decode(&stamp, &field) == MIP_OK) {
@@ -49,7 +49,7 @@ int main(int argc, char **argv) {
             handle(&packet);
         }
     }
-    while (mip_parser_flush(&parser, &packet)) { /* what an incomplete packet has held back */
+    while (mip_parser_flush(&parser, &packet)) { /* packets within an incomplete one */
         handle(&packet);
     }
     fclose(file);

@@ -1,4 +1,4 @@
-// Reads a log: positions of the filter as CSV, and how many fields of each kind there are.
+// Reads a log: prints filter positions as CSV, and the number of fields of each kind.
 #include "mip/mip.hpp"
 #include "mip/ostream.hpp"
 #include "mip/registry.h"

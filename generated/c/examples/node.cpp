@@ -1,4 +1,4 @@
-// A node as for ROS: reads a device at a TCP port, and publishes what it sends as messages.
+// A node in the style of ROS: reads a device at a TCP port, and publishes its data as messages.
 #include "mip/3dm_commands.hpp"
 #include "mip/base_commands.hpp"
 #include "mip/sensor.hpp"
@@ -14,8 +14,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-// A connection, closed at the end of its scope. The three functions below its constructor are what
-// a device needs.
+// A connection, closed at the end of its scope. The three
+// functions below the constructor are those that a device needs.
 class Connection {
   public:
     Connection(const char *host, const char *port) {
@@ -49,7 +49,7 @@ class Connection {
         }
         const ssize_t got = recv(socket_, room.data(), room.size(), 0);
         if (got <= 0) {
-            return std::nullopt; // the connection is gone
+            return std::nullopt; // the connection is lost
         }
         return static_cast<std::size_t>(got);
     }
@@ -69,7 +69,7 @@ class Connection {
     int socket_ = -1;
 };
 
-// As sensor_msgs::msg::Imu, in SI units.
+// Like sensor_msgs::msg::Imu, in SI units.
 struct Imu {
     std::uint32_t stamp = 0;
     double acceleration[3] = {};
@@ -85,7 +85,7 @@ class ImuNode {
                 imu_.angular_velocity[i] = double(gyro.scaled_gyro[i]);
             }
         });
-        // The last field of each packet, so that the message is complete.
+        // This is the last field of each packet, so the message is complete.
         device_.on<mip::sensor::scaled_accel>(
             [this](const auto &accel, const mip::field &, std::uint32_t arrived) {
                 for (int i = 0; i < 3; i++) {

@@ -44,9 +44,9 @@ int main(int argc, char **argv) {
     printf("%s\n", info.device_info.model_name);
     result = mip_device_stream(&device, MIP_SENSOR_SET, MIP_ARRAY(rates));
     if (!mip_succeeded(result)) {
-        return failed("stream", result); /* rates[0].nearest says which rate the device has */
+        return failed("stream", result); /* rates[0].nearest is the nearest supported rate */
     }
-    while (mip_device_poll(&device)) { /* until the port is gone */
+    while (mip_device_poll(&device)) { /* until the port is lost */
     }
     mip_line_close(&line);
     return 0;

@@ -1,4 +1,4 @@
-//! Writes the fields of a log as JSON, one packet in a line.
+//! Writes the fields of a log as JSON, one packet per line.
 //!
 //!     cargo run --example json --features std,serde -- log.bin
 
@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(lines.flush()?)
 }
 
-/// Text and not a `serde_json::Value`, whose floats are all of 64 bits: 0.1 has 17 digits there.
+/// Text, not a `serde_json::Value`: its floats have 64 bits, so that 0.1 would get 17 digits.
 fn text(field: Result<RawField<'_>, FieldLengthError>) -> serde_json::Result<String> {
     let field = match field {
         Ok(field) => field,

@@ -1,7 +1,7 @@
 //! A codec for `tokio_util::codec::Framed`, for instance over the port of `tokio-serial`:
-//! `Framed::new(port, Mip::default())` is a stream of packets, and a sink for those to send.
+//! `Framed::new(port, Mip::default())` is a stream of packets, and a sink for packets to send.
 //!
-//! Here it decodes what comes from standard input:
+//! This program decodes the packets from standard input:
 //!
 //!     cargo run --example tokio_codec --features std < log.bin
 
@@ -28,7 +28,7 @@ impl Decoder for Mip {
         Ok(packet)
     }
 
-    /// At the end, a packet that is not complete is given up, and what is in it found.
+    /// At the end, discards an incomplete packet, and finds the packets within it.
     fn decode_eof(&mut self, bytes: &mut BytesMut) -> io::Result<Option<PacketBuf>> {
         match self.decode(bytes)? {
             Some(packet) => Ok(Some(packet)),

@@ -1,4 +1,4 @@
-//! The memory of the microcontroller, for the linker.
+//! Describes the memory of the microcontroller for the linker.
 
 use std::{env, fs, path::Path};
 

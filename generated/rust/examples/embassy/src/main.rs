@@ -1,9 +1,9 @@
-//! A task of embassy that sets up a sensor and takes its data.
+//! An embassy task that sets up a sensor and receives its data.
 //!
 //!     cargo build --release --target thumbv7em-none-eabi
 //!
-//! In place of `Uart` and `Clock`, use those of the HAL of your microcontroller, for example
-//! `embassy_stm32::usart::BufferedUart`, and its feature for a time driver.
+//! Replace `Uart` and `Clock` with those of your microcontroller's HAL,
+//! for example `embassy_stm32::usart::BufferedUart`, and enable its time driver feature.
 
 #![no_std]
 #![no_main]
@@ -22,7 +22,7 @@ use mip_protocol::{base, mip_3dm, sensor, Field};
 #[embassy_executor::main]
 async fn main(_spawner: Spawner) {
     loop {
-        let _lost = measure(Uart).await; // begin again
+        let _lost = measure(Uart).await; // start again
         Timer::after_secs(1).await;
     }
 }
@@ -50,7 +50,7 @@ async fn measure(
     Ok(()) // no data for a second
 }
 
-/// In place of the registers of a microcontroller.
+/// Stands in for the registers of a microcontroller.
 static RECEIVED: AtomicU32 = AtomicU32::new(u32::MAX);
 static SENT: AtomicU32 = AtomicU32::new(0);
 static TICKS: AtomicU32 = AtomicU32::new(0);
@@ -94,7 +94,7 @@ impl embassy_time_driver::Driver for Clock {
         TICKS.load(Relaxed).into()
     }
 
-    /// One without interrupts: it asks again at once.
+    /// Without interrupts: polls again at once.
     fn schedule_wake(&self, _at: u64, waker: &Waker) {
         waker.wake_by_ref();
     }
