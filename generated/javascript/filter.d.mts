@@ -1885,7 +1885,7 @@ export declare class GravityNoise<R extends Response | undefined = undefined | G
 /**
  * Pressure altitude noise (0x0D,0x29).
  *
- * Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
+ * Sets the standard deviation of the pressure altitude noise that the filter assumes.
  *
  * Functions: `write`, `read`, `save`, `load` and `default`. Response: `PressureAltitudeNoiseResponse`. Probably changes
  * `filter_data.LlhPosition` and `filter_data.LlhPositionUncertainty`. Supported by 3DM-GX5-45. Known only from the

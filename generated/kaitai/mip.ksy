@@ -6133,7 +6133,7 @@ types:
         doc: "Standard deviation per axis. Unit: g. Range: greater than 0."
   filter_pressure_altitude_noise:
     -orig-id: filter.pressure_altitude_noise
-    doc: Pressure altitude noise. Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
+    doc: Pressure altitude noise. Sets the standard deviation of the pressure altitude noise that the filter assumes.
     seq:
       - id: function_value
         -orig-id: function
@@ -9894,7 +9894,7 @@ types:
         doc: "Base periods since the device started, modulo 2^32. Unit: 1."
   shared_delta_ticks:
     -orig-id: shared.delta_ticks
-    doc: Delta ticks. Base periods that have passed from the previous field of this kind to this one.
+    doc: Delta ticks. Number of base periods between the previous field of this kind and this one.
     seq:
       - id: ticks
         type: u4

@@ -2239,7 +2239,7 @@ field({ descriptor = 0x28, name = "filter.gravity_noise", role = "command", titl
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Standard deviation per axis. Unit: g. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     } }, { { set = 0x0D, name = "filter.gravity_noise", title = "Gravity noise" }, })
 field({ descriptor = 0x29, name = "filter.pressure_altitude_noise", role = "command", title = "Pressure altitude noise",
-    doc = "Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.", least = 1,
+    doc = "Sets the standard deviation of the pressure altitude noise that the filter assumes.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
@@ -4300,7 +4300,7 @@ field({ descriptor = 0xD1, name = "shared.ticks", role = "data", title = "Ticks"
       { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Base periods since the device started, modulo 2^32. Unit: 1." },
     } }, { { set = 0xFF, name = "shared.ticks", title = "Ticks" }, })
 field({ descriptor = 0xD2, name = "shared.delta_ticks", role = "data", title = "Delta ticks",
-    doc = "Base periods that have passed from the previous field of this kind to this one.", least = 4,
+    doc = "Number of base periods between the previous field of this kind and this one.", least = 4,
     always = 1,
     rows = {
       { kind = "scalar", name = "ticks", type = "u32", size = 4, doc = "Base periods since the previous field of this kind. Unit: 1." },

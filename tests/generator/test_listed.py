@@ -151,7 +151,7 @@ def test_a_rate_that_is_not_known_contradicts_none(tmp_path: Path) -> None:
         ("base_rates: {measurements: 50}\n", "2:14: error: 'measurements' is already given at {own}:7:28; "),
         (
             f"ports: [{PORT.replace('[MIP]', '[MIP, NMEA]')}]\n",
-            "2:9: error: the port 'Main' differs from the one at {own}:8:9; correct one",
+            "2:9: error: the port 'Main' differs from its definition at {own}:8:9; make them equal",
         ),
     ],
 )

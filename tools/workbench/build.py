@@ -129,7 +129,7 @@ def _known(text: str, place: int) -> bool:
 
 
 def _pairs(names: str, form: str) -> list[str]:
-    """Each of `a, b as c` in a form with the exported and the local name."""
+    """Formats each name in a list such as `a, b as c`: `{0}` is the name before `as`, `{1}` the one after it."""
     found = (name.strip().partition(" as ") for name in names.split(",") if name.strip())
     return [form.format(there, here or there) for there, _, here in found]
 

@@ -25,7 +25,7 @@ CL5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
@@ -76,7 +76,7 @@ CL5_15 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15.",
+            "Supported by nearly identical devices, 3DM-GX5-15.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 0A 0B 11 37 38 39 3E 40 50 51 64"),
@@ -133,7 +133,7 @@ CL5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 0A 0B 11 37 38 39 3A 3B 3E 40 50 51 64"),
@@ -194,7 +194,7 @@ CV5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
@@ -265,7 +265,7 @@ CV5_15 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15.",
+            "Supported by nearly identical devices, 3DM-GX5-15.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 11 37 38 3E 40 50 51 64"),
@@ -336,7 +336,7 @@ CV5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 11 37 38 3A 3B 3E 40 50 51 64"),
@@ -395,7 +395,7 @@ CV5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-45.",
+            "Supported by nearly identical devices, 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex(
@@ -413,7 +413,7 @@ CV5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+            "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
             {
                 0x82: bytes.fromhex(
                     "01 02 03 06 07 08 09 0A 0B 0C 0D 0F 10 11 12 13 15 1C 20 21 25 26 28 29"
@@ -1312,7 +1312,7 @@ CX5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.",
             {0x0C: bytes.fromhex("37 38 39 3E 40 50 51 64"), 0x80: bytes.fromhex("07 08 12")},
         ),
     ),
@@ -1378,7 +1378,7 @@ CX5_15 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15.",
+            "Supported by nearly identical devices, 3DM-GX5-15.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 11 37 38 3E 40 50 51 64"),
@@ -1449,7 +1449,7 @@ CX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 11 37 38 3A 3B 3E 40 50 51 64"),
@@ -1492,7 +1492,7 @@ No manual is known. This profile is incomplete: No manual is known.
 CX5_35 = Device(
     id="3dm-cx5-35",
     title="3DM-CX5-35",
-    description="Attitude and heading reference with GNSS.",
+    description="Attitude and heading reference system (AHRS) with GNSS.",
     model_number=6272,
     evidence=(
         Evidence(
@@ -1508,7 +1508,7 @@ CX5_35 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-35.",
+            "Supported by nearly identical devices, 3DM-GX5-35.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 02 07 09 11 21 22 23 24 37 38 39 3A 3B 3E 40 50 51 64"),
@@ -1534,8 +1534,8 @@ CX5_35 = Device(
     also=("3DM-CX5-GNSS/AHRS",),
     generation=5,
 )
-"""Attitude and heading reference with GNSS. Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model
-number 6272. No manual is known. This profile is incomplete: No manual is known.
+"""Attitude and heading reference system (AHRS) with GNSS. Also called 3DM-CX5-GNSS/AHRS. Generation
+5. Model number 6272. No manual is known. This profile is incomplete: No manual is known.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1591,7 +1591,7 @@ CX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-45.",
+            "Supported by nearly identical devices, 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 02 03 11 21 22 23 24 37 38 3A 3B 3E 40 50 51 64"),
@@ -1607,7 +1607,7 @@ CX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+            "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
             {0x82: bytes.fromhex("06 07 08 09 0A 0B 0C 0D 0F 12 13 15 1C 20 21 25 26 28 29")},
         ),
     ),
@@ -2029,7 +2029,7 @@ GQ4_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-RQ1-45-LT and 3DM-GX4-45.",
+            "Supported by nearly identical devices, 3DM-RQ1-45-LT and 3DM-GX4-45.",
             {
                 0x0D: bytes.fromhex(
                     "01 02 03 10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 42 43 44 45 46"
@@ -2655,7 +2655,7 @@ GX3_15 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX3-35.",
+            "Supported by nearly identical devices, 3DM-GX3-35.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06"),
                 0x0C: bytes.fromhex("01 06 08 11 36 61 64"),
@@ -2703,7 +2703,7 @@ GX3_25 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX3-35.",
+            "Supported by nearly identical devices, 3DM-GX3-35.",
             {
                 0x01: bytes.fromhex("01 02 03 04 05 06"),
                 0x0C: bytes.fromhex("01 06 08 11 36 64"),
@@ -2821,7 +2821,7 @@ GX3_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX3-35.",
+            "Supported by nearly identical devices, 3DM-GX3-35.",
             {0x01: bytes.fromhex("06"), 0x0C: bytes.fromhex("01 02 35 36 64")},
         ),
     ),
@@ -2869,7 +2869,7 @@ GX4_15 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX4-25.",
+            "Supported by nearly identical devices, 3DM-GX4-25.",
             {
                 0x01: bytes.fromhex("06 7E"),
                 0x0C: bytes.fromhex("30 3E 40 50"),
@@ -2944,7 +2944,7 @@ GX4_25 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-25.",
+            "Supported by nearly identical devices, 3DM-GX5-25.",
             {
                 0x01: bytes.fromhex("7E"),
                 0x0C: bytes.fromhex("30 3E 50"),
@@ -3015,7 +3015,7 @@ GX4_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-25.",
+            "Supported by nearly identical devices, 3DM-GX5-25.",
             {
                 0x01: bytes.fromhex("06 7E"),
                 0x0C: bytes.fromhex("30 3E 40 50"),
@@ -3107,7 +3107,7 @@ GX5_10 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 11 37 38 39 3E 40 50 51 64"),
@@ -3300,7 +3300,7 @@ GX5_25 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 72 7E"),
                 0x0C: bytes.fromhex("01 03 40 50"),
@@ -3366,7 +3366,7 @@ No manual is known. This profile is incomplete: Its manual (8500-0065) is not kn
 GX5_35 = Device(
     id="3dm-gx5-35",
     title="3DM-GX5-35",
-    description="Attitude and heading reference with GNSS.",
+    description="Attitude and heading reference system (AHRS) with GNSS.",
     model_number=6252,
     evidence=(
         Evidence(
@@ -3390,7 +3390,7 @@ GX5_35 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45.",
             {
                 0x01: bytes.fromhex("05 7E"),
                 0x0C: bytes.fromhex("02 38 3A 3E 40 50"),
@@ -3432,10 +3432,10 @@ GX5_35 = Device(
     generation=5,
     manual="3dm-gx5-35",
 )
-"""Attitude and heading reference with GNSS. Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model
-number 6252. Manual: LORD 3DM-GX5-35 DCP Manual, revision unknown, known from some pages. This
-profile is incomplete: Only some pages of the manual are known, so it has more commands and data.
-Uncertain: The base rates are those that the manual states for all 3DM-GX5.
+"""Attitude and heading reference system (AHRS) with GNSS. Also called 3DM-GX5-GNSS/AHRS. Generation
+5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP Manual, revision unknown, known from some pages.
+This profile is incomplete: Only some pages of the manual are known, so it has more commands and
+data. Uncertain: The base rates are those that the manual states for all 3DM-GX5.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -3518,7 +3518,7 @@ GX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-35.",
+            "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-35.",
             {
                 0x01: bytes.fromhex("05 72"),
                 0x0C: bytes.fromhex("01 21 22 23 24 50"),
@@ -3529,7 +3529,7 @@ GX5_45 = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
+            "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT.",
             {0x82: bytes.fromhex("06 07 08 09 0A 0B 0C 0D 0F 12 13 15 1C 20 21 25 26 28 29")},
         ),
         Evidence(
@@ -3747,7 +3747,7 @@ RQ1_45_ST = Device(
         Evidence(
             Support.PROBABLE,
             "sister",
-            "Supported by a nearly identical device, 3DM-RQ1-45-LT.",
+            "Supported by nearly identical devices, 3DM-RQ1-45-LT.",
             {
                 0x0D: bytes.fromhex(
                     "10 11 12 13 14 15 16 17 18 19 1A 1B 1C 1D 1E 1F 20 21 22 23 42 43 44 45 46"

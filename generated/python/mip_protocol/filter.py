@@ -3655,7 +3655,7 @@ class GravityNoise(Command[R]):
 class PressureAltitudeNoise(Command[R]):
     """Pressure altitude noise (0x0D,0x29).
 
-    Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
+    Sets the standard deviation of the pressure altitude noise that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Response:
     `PressureAltitudeNoiseResponse`. Probably changes `filter_data.LlhPosition` and

@@ -19,7 +19,7 @@ pub struct Bits {
 
 /// The storage of a bitfield.
 pub(crate) trait Storage: Copy {
-    /// Returns the bits `first` to `last`, in place.
+    /// Returns the bits `first` to `last`, not shifted; the others are 0.
     fn part(self, first: u16, last: u16) -> Self;
     /// Returns the bits `first` to `last` as a number.
     fn get(self, first: u16, last: u16) -> u64;
@@ -278,7 +278,7 @@ impl<const N: usize> Storage for [u8; N] {
 
 /// The operations of a bitfield that its iterators need.
 pub trait BitSet: Copy {
-    /// Returns the bits `first` to `last`, in place.
+    /// Returns the bits `first` to `last`, not shifted; the others are 0.
     #[must_use]
     fn part(self, first: u16, last: u16) -> Self;
     /// Returns the bits that are set here and not in `other`.

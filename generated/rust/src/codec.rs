@@ -179,7 +179,8 @@ impl<'a> Reader<'a> {
         self.group(required, Self::read)
     }
 
-    /// Reads a group of values that are present or absent together, if it is required or complete.
+    /// Reads a group of values that are all present or all absent. An optional group that is
+    /// incomplete counts as absent.
     ///
     /// After an absent group, all groups that may be absent are absent.
     #[inline]

@@ -68,7 +68,7 @@ pub use standard::StdPort;
 
 /// The connection to a device, and a clock.
 pub trait Port {
-    /// The error of the port.
+    /// The port's error type.
     type Error;
 
     /// Reads received bytes into the front of the buffer, and returns their number. It may wait for

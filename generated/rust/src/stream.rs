@@ -65,9 +65,9 @@ impl<R: Read> PacketReader<R> {
     /// Returns the next packet, or `None` if the source has no more bytes: at the end of a file, or
     /// after the time-out of some ports.
     ///
-    /// An incomplete packet is kept then, and also after an error; call this again when there may
-    /// be more. If its data already contains a whole packet when the source has no more bytes, it
-    /// was noise: the inner packet is returned.
+    /// In this case and after an error, an incomplete packet is kept; call this again when there may
+    /// be more bytes. One exception: if the source has no more bytes and a whole packet is inside the
+    /// incomplete one, the outer header was noise, and the inner packet is returned.
     ///
     /// # Errors
     ///

@@ -1,7 +1,7 @@
 """Remembers the output of each input, so that a run without changes is fast.
 
-It compares contents: a key of the whole input, and digests of the output. If one byte of either
-differs, everything is made again.
+It compares contents: a hash of the whole input, and digests of the output. If one byte of either
+differs, everything is generated again.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ _KINDS = {
     "example": "Used by the vendor's example for this model",
     "software": "Used by programs for this model",
     "family": "Supported by devices of the same generation",
-    "sister": "Supported by a nearly identical device",
+    "sister": "Supported by nearly identical devices",
     "refused": "Rejected by the device",
 }
 

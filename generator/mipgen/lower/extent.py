@@ -120,5 +120,5 @@ def most(parameters: Iterable[m.Parameter]) -> int:
 
 
 def element(p: m.Parameter) -> int:
-    """Returns the size of one item of an array or a text in bytes."""
+    """Returns the size in bytes of one item of an array or string."""
     return size(p.item)[1]

@@ -108,7 +108,9 @@ def _joined_ports(base: Node, more: Node, problems: Problems) -> Node:
             new.append(port)
         elif earlier.plain() != port.plain():
             name = port["name"].value
-            problems.add(port.position, f"the port '{name}' differs from the one at {earlier.position}; correct one")
+            problems.add(
+                port.position, f"the port '{name}' differs from its definition at {earlier.position}; make them equal"
+            )
     return replace(base, value=[*base.value, *new])
 
 

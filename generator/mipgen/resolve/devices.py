@@ -226,7 +226,7 @@ class _Device:
         kind, of = node["kind"].value, list(node.get("of") or ())
         if of and kind not in ("family", "sister"):
             self.problems.add(
-                node.keys["of"], f"'{kind}' is about the device itself; remove 'of', or write family or sister"
+                node.keys["of"], f"'{kind}' is about the device itself; remove 'of', or use kind 'family' or 'sister'"
             )
         known = self.types.vocabulary.devices
         for name in of:

@@ -290,7 +290,7 @@ class Layout:
         return Record(parameters, extent.fewest(parameters[:first]), extent.most(parameters))
 
     def typical(self, node: Node, p: m.Parameter) -> m.Parameter:
-        """Adds the typical value of a parameter, in the form of the codec."""
+        """Returns the parameter with its typical value, in the codec's canonical form."""
         meaning.check_shown(node, p, self.problem)
         if "typical" not in node:
             return p

@@ -116,7 +116,7 @@ class Messages:
         return there
 
     def _of_piece(self, part: Log, piece: Piece, first: int) -> Iterator[Message]:
-        """Yields the messages of a piece, whose first packet has this number."""
+        """Yields the messages of a piece whose first packet has the number `first`."""
 
         def made(number: int, descriptor: int, runs: list[walk.Run]) -> tuple[Array, Array, list[Message]]:
             packet, offset, rows = self._rows(part, piece, number, descriptor, runs)

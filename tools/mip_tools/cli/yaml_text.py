@@ -192,7 +192,7 @@ def parsed(text: str, path: Path) -> Any:
 
 
 def word(text: str) -> str:
-    """Writes a text in YAML: plain if possible, else in quotes.
+    """Formats a string as a YAML scalar: plain if possible, otherwise quoted.
 
     >>> word("3DM-GQ7-GNSS/INS"), word("12"), word("a: b"), word("1.0.07"), word("-x"), word("no")
     ('3DM-GQ7-GNSS/INS', '"12"', '"a: b"', '1.0.07', '"-x"', '"no"')

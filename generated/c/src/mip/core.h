@@ -73,13 +73,13 @@ MIP_API const char *mip_error_name(mip_error error);
 /* These follow the name of an enumeration. In C++, they set its width on the wire, so that it can
  * also hold unnamed values; in C, the compiler chooses the width. */
 
-/** An enumeration of 8 bits. */
+/** An 8-bit enumeration. */
 #define MIP_ENUM_8 MIP_IN_CPP( : uint8_t)
-/** An enumeration of 16 bits. */
+/** A 16-bit enumeration. */
 #define MIP_ENUM_16 MIP_IN_CPP( : uint16_t)
-/** An enumeration of 32 bits. */
+/** A 32-bit enumeration. */
 #define MIP_ENUM_32 MIP_IN_CPP( : uint32_t)
-/** An enumeration of 64 bits. */
+/** A 64-bit enumeration. */
 #define MIP_ENUM_64 MIP_IN_CPP( : uint64_t)
 
 /** A Boolean: zero is false, anything else is true. Bytes other than 0 and 1 are preserved. */
@@ -544,42 +544,42 @@ static inline bool mip_has(uint64_t flags, uint64_t bits) {
     return (flags & bits) == bits;
 }
 
-/** Sets bits of a bitfield of 8 bits. */
+/** Sets bits in an 8-bit bitfield. */
 static inline void mip_set_8(uint8_t *flags, uint8_t bits) {
     *flags = (uint8_t)(*flags | bits);
 }
 
-/** Clears bits of a bitfield of 8 bits. */
+/** Clears bits in an 8-bit bitfield. */
 static inline void mip_clear_8(uint8_t *flags, uint8_t bits) {
     *flags = (uint8_t)(*flags & ~(uint32_t)bits);
 }
 
-/** Sets bits of a bitfield of 16 bits. */
+/** Sets bits in a 16-bit bitfield. */
 static inline void mip_set_16(uint16_t *flags, uint16_t bits) {
     *flags = (uint16_t)(*flags | bits);
 }
 
-/** Clears bits of a bitfield of 16 bits. */
+/** Clears bits in a 16-bit bitfield. */
 static inline void mip_clear_16(uint16_t *flags, uint16_t bits) {
     *flags = (uint16_t)(*flags & ~(uint32_t)bits);
 }
 
-/** Sets bits of a bitfield of 32 bits. */
+/** Sets bits in a 32-bit bitfield. */
 static inline void mip_set_32(uint32_t *flags, uint32_t bits) {
     *flags = (uint32_t)(*flags | bits);
 }
 
-/** Clears bits of a bitfield of 32 bits. */
+/** Clears bits in a 32-bit bitfield. */
 static inline void mip_clear_32(uint32_t *flags, uint32_t bits) {
     *flags = (uint32_t)(*flags & ~bits);
 }
 
-/** Sets bits of a bitfield of 64 bits. */
+/** Sets bits in a 64-bit bitfield. */
 static inline void mip_set_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags | bits);
 }
 
-/** Clears bits of a bitfield of 64 bits. */
+/** Clears bits in a 64-bit bitfield. */
 static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags & ~bits);
 }

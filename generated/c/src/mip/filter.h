@@ -3431,7 +3431,7 @@ MIP_CHECKED static inline mip_error mip_filter_gravity_noise_response_encode(
 /**
  * Pressure altitude noise: command (0x0D,0x29).
  *
- * Sets the standard deviation of the noise of the pressure altitude model that the filter assumes.
+ * Sets the standard deviation of the pressure altitude noise that the filter assumes.
  *
  * Functions: write, read, save, load and default. Response:
  * mip_filter_pressure_altitude_noise_response. Probably changes mip_filter_data_llh_position and

@@ -16,7 +16,7 @@ static const char *const cl5_10_incomplete[] = {
 static const struct mip_profile_evidence cl5_10_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10."},
 };
 
 static const struct mip_profile_field cl5_10_fields[] = {
@@ -93,7 +93,7 @@ static const char *const cl5_15_incomplete[] = {
 static const struct mip_profile_evidence cl5_15_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15."},
 };
 
 static const struct mip_profile_field cl5_15_fields[] = {
@@ -196,7 +196,7 @@ static const char *const cl5_25_incomplete[] = {
 static const struct mip_profile_evidence cl5_25_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45."},
 };
 
 static const struct mip_profile_field cl5_25_fields[] = {
@@ -307,7 +307,7 @@ static const char *const cv5_10_incomplete[] = {
 static const struct mip_profile_evidence cv5_10_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10."},
     {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 145)."},
 };
 
@@ -393,7 +393,7 @@ static const struct mip_profile_evidence cv5_15_evidence[] = {
      "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15."},
 };
 
 static const struct mip_profile_field cv5_15_fields[] = {
@@ -500,7 +500,7 @@ static const struct mip_profile_evidence cv5_25_evidence[] = {
      "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45."},
 };
 
 static const struct mip_profile_field cv5_25_fields[] = {
@@ -607,8 +607,8 @@ static const char *const cv5_45_incomplete[] = {
 static const struct mip_profile_evidence cv5_45_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-45."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
 };
 
 static const struct mip_profile_field cv5_45_fields[] = {
@@ -1826,7 +1826,7 @@ static const struct mip_profile_evidence cx5_10_evidence[] = {
     {MIP_SUPPORT_YES, "Documented (3DM-CX5-10 Data Communications Protocol Manual: Contents)."},
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10."},
 };
 
 static const struct mip_profile_field cx5_10_fields[] = {
@@ -1907,7 +1907,7 @@ static const struct mip_profile_evidence cx5_15_evidence[] = {
      "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15."},
 };
 
 static const struct mip_profile_field cx5_15_fields[] = {
@@ -2014,7 +2014,7 @@ static const struct mip_profile_evidence cx5_25_evidence[] = {
      "Used by the vendor's example for this model (MicroStrain MIP SDK: Examples)."},
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45."},
 };
 
 static const struct mip_profile_field cx5_25_fields[] = {
@@ -2125,7 +2125,7 @@ static const char *const cx5_35_incomplete[] = {
 static const struct mip_profile_evidence cx5_35_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-35."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-35."},
 };
 
 static const struct mip_profile_field cx5_35_fields[] = {
@@ -2176,7 +2176,7 @@ const struct mip_profile mip_profile_cx5_35 = {
     "3dm-cx5-35",
     "3DM-CX5-35",
     "",
-    "Attitude and heading reference with GNSS.",
+    "Attitude and heading reference system (AHRS) with GNSS.",
     6272, /* model number */
     5,    /* generation */
     1,    /* other names */
@@ -2224,8 +2224,8 @@ static const struct mip_profile_evidence cx5_45_evidence[] = {
      "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-45."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
 };
 
 static const struct mip_profile_field cx5_45_fields[] = {
@@ -2850,7 +2850,7 @@ static const char *const gq4_45_incomplete[] = {
 
 static const struct mip_profile_evidence gq4_45_evidence[] = {
     {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-RQ1-45-LT and 3DM-GX4-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-RQ1-45-LT and 3DM-GX4-45."},
 };
 
 static const struct mip_profile_field gq4_45_fields[] = {
@@ -3635,7 +3635,7 @@ static const char *const gx3_15_incomplete[] = {
 static const struct mip_profile_evidence gx3_15_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
      "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX3-35."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX3-35."},
 };
 
 static const struct mip_profile_field gx3_15_fields[] = {
@@ -3697,7 +3697,7 @@ static const struct mip_profile_evidence gx3_25_evidence[] = {
      "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
     {MIP_SUPPORT_PROBABLE,
      "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX3-35."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX3-35."},
     {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 347)."},
     {MIP_SUPPORT_NO,
      "Rejected by the device (firmware 2.0.06; ROS driver of the vendor: Issue 213)."},
@@ -3849,7 +3849,7 @@ static const struct mip_profile_evidence gx3_45_evidence[] = {
                            "Examples, one for each model)."},
     {MIP_SUPPORT_PROBABLE,
      "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX3-35."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX3-35."},
 };
 
 static const struct mip_profile_field gx3_45_fields[] = {
@@ -3925,7 +3925,7 @@ static const struct mip_profile_evidence gx4_15_evidence[] = {
                            "Examples, one for each model)."},
     {MIP_SUPPORT_PROBABLE,
      "Used by programs for this model (MicroStrain Communication Library: MIP node features)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX4-25."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX4-25."},
 };
 
 static const struct mip_profile_field gx4_15_fields[] = {
@@ -4025,7 +4025,7 @@ static const struct mip_profile_evidence gx4_25_evidence[] = {
                            "Examples, one for each model)."},
     {MIP_SUPPORT_PROBABLE,
      "Used by programs for this model (Public programs of users: Driver imu_3dm_gx4)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-25."},
     {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 30)."},
 };
 
@@ -4139,7 +4139,7 @@ static const char *const gx4_45_incomplete[] = {
 static const struct mip_profile_evidence gx4_45_evidence[] = {
     {MIP_SUPPORT_PROBABLE, "Used by the vendor's example for this model (MIP SDK of 2014: "
                            "Examples, one for each model)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-25."},
 };
 
 static const struct mip_profile_field gx4_45_fields[] = {
@@ -4310,7 +4310,7 @@ static const char *const gx5_10_incomplete[] = {
 static const struct mip_profile_evidence gx5_10_evidence[] = {
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10."},
 };
 
 static const struct mip_profile_field gx5_10_fields[] = {
@@ -4550,7 +4550,7 @@ static const struct mip_profile_evidence gx5_25_evidence[] = {
      "Used by programs for this model (ROS driver microstrain_mips: Conditions by model)."},
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45."},
     {MIP_SUPPORT_NO, "Rejected by the device (ROS driver of the vendor: Issue 238)."},
     {MIP_SUPPORT_NO,
      "Rejected by the device (firmware 1.1.76; ROS driver of the vendor: Issue 368)."},
@@ -4679,7 +4679,7 @@ static const struct mip_profile_evidence gx5_35_evidence[] = {
     {MIP_SUPPORT_YES, "Documented."},
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45."},
 };
 
 static const struct mip_profile_field gx5_35_fields[] = {
@@ -4746,7 +4746,7 @@ const struct mip_profile mip_profile_gx5_35 = {
     "3dm-gx5-35",
     "3DM-GX5-35",
     "3dm-gx5-35",
-    "Attitude and heading reference with GNSS.",
+    "Attitude and heading reference system (AHRS) with GNSS.",
     6252, /* model number */
     5,    /* generation */
     1,    /* other names */
@@ -4799,8 +4799,8 @@ static const struct mip_profile_evidence gx5_45_evidence[] = {
      "Used by programs for this model (ArduPilot: AP_ExternalAHRS_MicroStrain5)."},
     {MIP_SUPPORT_PROBABLE,
      "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-35."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-35."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT."},
     {MIP_SUPPORT_NO, "Rejected by the device (MicroStrain Communication Library: Issue 43)."},
 };
 
@@ -5144,7 +5144,7 @@ static const char *const rq1_45_st_incomplete[] = {
 
 static const struct mip_profile_evidence rq1_45_st_evidence[] = {
     {MIP_SUPPORT_YES, "Documented."},
-    {MIP_SUPPORT_PROBABLE, "Supported by a nearly identical device, 3DM-RQ1-45-LT."},
+    {MIP_SUPPORT_PROBABLE, "Supported by nearly identical devices, 3DM-RQ1-45-LT."},
 };
 
 static const struct mip_profile_field rq1_45_st_fields[] = {

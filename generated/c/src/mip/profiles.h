@@ -180,7 +180,7 @@ extern MIP_API const struct mip_profile mip_profile_cx5_15;
 extern MIP_API const struct mip_profile mip_profile_cx5_25;
 
 /**
- * 3DM-CX5-35: Attitude and heading reference with GNSS.
+ * 3DM-CX5-35: Attitude and heading reference system (AHRS) with GNSS.
  *
  * Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual is known. This profile
  * is incomplete: No manual is known.
@@ -436,7 +436,7 @@ extern MIP_API const struct mip_profile mip_profile_gx5_15;
 extern MIP_API const struct mip_profile mip_profile_gx5_25;
 
 /**
- * 3DM-GX5-35: Attitude and heading reference with GNSS.
+ * 3DM-GX5-35: Attitude and heading reference system (AHRS) with GNSS.
  *
  * Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP
  * Manual, revision unknown, known from some pages. This profile is incomplete: Only some pages of

@@ -125,7 +125,7 @@ MIP_CHECKED static inline mip_error mip_shared_ticks_encode(const struct mip_sha
 /**
  * Delta ticks: data (0xFF,0xD2).
  *
- * Base periods that have passed from the previous field of this kind to this one.
+ * Number of base periods between the previous field of this kind and this one.
  *
  * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether
  * each set and each event instance counts separately, as with mip_shared_delta_time.

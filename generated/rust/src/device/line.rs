@@ -46,7 +46,7 @@ enum Way {
 
 impl<const N: usize, const Q: usize> Device<Line, N, Q> {
     /// Opens the port again after a call has failed with [`DeviceError::Port`], trying every 100 ms
-    /// for up to this time. Data that waits to be read is kept.
+    /// for up to `within`. Data that has not been read yet is kept.
     ///
     /// The command that was waiting remains unanswered. The device may have restarted; then it
     /// sends nothing until you call `stream` again.
@@ -84,7 +84,7 @@ impl Line {
         })
     }
 
-    /// Opens a lost port again, at its last baud rate, trying every 100 ms for up to this time.
+    /// Opens a lost port again, at its last baud rate, trying every 100 ms for up to `within`.
     /// [`Device::reopen`] calls this.
     ///
     /// # Errors

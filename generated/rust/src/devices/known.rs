@@ -59,7 +59,7 @@ const CL5_10_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CL5_10_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10." };
 
 /// 3DM-CL5-10
 ///
@@ -158,7 +158,7 @@ const CL5_15_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CL5_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15." };
 
 /// 3DM-CL5-15
 ///
@@ -327,7 +327,7 @@ const CL5_25_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CL5_25_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-CL5-25
 ///
@@ -508,7 +508,7 @@ const CV5_10_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_10_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10." };
 #[rustfmt::skip]
 const CV5_10_3: &Evidence =
     &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 145)." };
@@ -617,7 +617,7 @@ const CV5_15_3: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_15_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15." };
 
 /// 3DM-CV5-15
 ///
@@ -792,7 +792,7 @@ const CV5_25_3: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_25_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-CV5-25
 ///
@@ -973,10 +973,10 @@ const CV5_45_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CV5_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-45." };
 #[rustfmt::skip]
 const CV5_45_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
 
 /// 3DM-CV5-45
 ///
@@ -2857,7 +2857,7 @@ const CX5_10_2: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_10_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10." };
 
 /// 3DM-CX5-10
 ///
@@ -2964,7 +2964,7 @@ const CX5_15_3: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_15_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15." };
 
 /// 3DM-CX5-15
 ///
@@ -3139,7 +3139,7 @@ const CX5_25_3: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_25_4: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-CX5-25
 ///
@@ -3320,11 +3320,11 @@ const CX5_35_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_35_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-35." };
 
 /// 3DM-CX5-35
 ///
-/// Attitude and heading reference with GNSS.
+/// Attitude and heading reference system (AHRS) with GNSS.
 ///
 /// Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual is known. This profile
 /// is incomplete: No manual is known.
@@ -3340,7 +3340,7 @@ const CX5_35_2: &Evidence =
 pub static CX5_35: Profile = Profile {
     id: "3dm-cx5-35",
     title: "3DM-CX5-35",
-    description: "Attitude and heading reference with GNSS.",
+    description: "Attitude and heading reference system (AHRS) with GNSS.",
     also: &["3DM-CX5-GNSS/AHRS"],
     model_number: Some(6272),
     generation: Some(5),
@@ -3455,10 +3455,10 @@ const CX5_45_5: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const CX5_45_6: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-45." };
 #[rustfmt::skip]
 const CX5_45_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
 
 /// 3DM-CX5-45
 ///
@@ -4533,7 +4533,7 @@ const GQ4_45_1: &Evidence =
     &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const GQ4_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-RQ1-45-LT and 3DM-GX4-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-RQ1-45-LT and 3DM-GX4-45." };
 
 /// 3DM-GQ4-45
 ///
@@ -5916,7 +5916,7 @@ const GX3_15_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GX3_15_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX3-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX3-35." };
 
 /// 3DM-GX3-15
 ///
@@ -5996,7 +5996,7 @@ const GX3_25_2: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by programs for this model (MIP SDK of 2014: Examples, one for each model)." };
 #[rustfmt::skip]
 const GX3_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX3-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX3-35." };
 #[rustfmt::skip]
 const GX3_25_4: &Evidence =
     &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 347)." };
@@ -6202,7 +6202,7 @@ const GX3_45_2: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GX3_45_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX3-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX3-35." };
 
 /// 3DM-GX3-45
 ///
@@ -6336,7 +6336,7 @@ const GX4_15_2: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by programs for this model (MicroStrain Communication Library: MIP node features)." };
 #[rustfmt::skip]
 const GX4_15_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX4-25." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX4-25." };
 
 /// 3DM-GX4-15
 ///
@@ -6505,7 +6505,7 @@ const GX4_25_2: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by programs for this model (Public programs of users: Driver imu_3dm_gx4)." };
 #[rustfmt::skip]
 const GX4_25_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-25." };
 #[rustfmt::skip]
 const GX4_25_4: &Evidence =
     &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 30)." };
@@ -6695,7 +6695,7 @@ const GX4_45_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Used by the vendor's example for this model (MIP SDK of 2014: Examples, one for each model)." };
 #[rustfmt::skip]
 const GX4_45_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-25." };
 
 /// 3DM-GX4-45
 ///
@@ -6963,7 +6963,7 @@ const GX5_10_1: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_10_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-CX5-10." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-CX5-10." };
 
 /// 3DM-GX5-10
 ///
@@ -7384,7 +7384,7 @@ const GX5_25_6: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_25_7: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45." };
 #[rustfmt::skip]
 const GX5_25_8: &Evidence =
     &Evidence { answer: Support::No, why: "Rejected by the device (ROS driver of the vendor: Issue 238)." };
@@ -7593,11 +7593,11 @@ const GX5_35_2: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_35_3: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-45." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-45." };
 
 /// 3DM-GX5-35
 ///
-/// Attitude and heading reference with GNSS.
+/// Attitude and heading reference system (AHRS) with GNSS.
 ///
 /// Also called 3DM-GX5-GNSS/AHRS. Generation 5. Model number 6252. Manual: LORD 3DM-GX5-35 DCP
 /// Manual, revision unknown, known from some pages. This profile is incomplete: Only some pages of
@@ -7624,7 +7624,7 @@ const GX5_35_3: &Evidence =
 pub static GX5_35: Profile = Profile {
     id: "3dm-gx5-35",
     title: "3DM-GX5-35",
-    description: "Attitude and heading reference with GNSS.",
+    description: "Attitude and heading reference system (AHRS) with GNSS.",
     also: &["3DM-GX5-GNSS/AHRS"],
     model_number: Some(6252),
     generation: Some(5),
@@ -7802,10 +7802,10 @@ const GX5_45_8: &Evidence =
     &Evidence { answer: Support::Probable, why: "Supported by devices of the same generation (MicroStrain MIP SDK: Examples)." };
 #[rustfmt::skip]
 const GX5_45_9: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-15 and 3DM-GX5-35." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-15 and 3DM-GX5-35." };
 #[rustfmt::skip]
 const GX5_45_10: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-GX5-25 and 3DM-RQ1-45-LT." };
 #[rustfmt::skip]
 const GX5_45_11: &Evidence =
     &Evidence { answer: Support::No, why: "Rejected by the device (MicroStrain Communication Library: Issue 43)." };
@@ -8347,7 +8347,7 @@ const RQ1_45_ST_1: &Evidence =
     &Evidence { answer: Support::Yes, why: "Documented." };
 #[rustfmt::skip]
 const RQ1_45_ST_2: &Evidence =
-    &Evidence { answer: Support::Probable, why: "Supported by a nearly identical device, 3DM-RQ1-45-LT." };
+    &Evidence { answer: Support::Probable, why: "Supported by nearly identical devices, 3DM-RQ1-45-LT." };
 
 /// 3DM-RQ1-45-ST
 ///

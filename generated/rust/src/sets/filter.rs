@@ -2101,8 +2101,7 @@ command! {
 record! {
     /// Pressure altitude noise (0x0D,0x29).
     ///
-    /// Sets the standard deviation of the noise of the pressure altitude model that the filter
-    /// assumes.
+    /// Sets the standard deviation of the pressure altitude noise that the filter assumes.
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and

@@ -122,7 +122,7 @@ field! {
 record! {
     /// Delta ticks (0xFF,0xD2).
     ///
-    /// Base periods that have passed from the previous field of this kind to this one.
+    /// Number of base periods between the previous field of this kind and this one.
     ///
     /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
     /// Whether each set and each event instance counts separately, as with [`DeltaTime`].

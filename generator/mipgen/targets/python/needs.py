@@ -41,7 +41,7 @@ def left_out(model: m.Model) -> frozenset[str]:
 
 
 def runtime(files: Mapping[str, bytes], model: m.Model) -> dict[str, bytes]:
-    """Returns the runtime's files for a package, all of them unchanged if the specification contains all facts."""
+    """Returns the runtime's files without what needs facts that the specification lacks."""
     without, known = left_out(model), _known(model)
     if not without:
         return dict(files)
