@@ -96,9 +96,9 @@ test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, o
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
-nightly: tools-all tools-cross tools-fuzz tools-miri tools-semver tools-workflows $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=600
+nightly: tools-all tools-cross tools-fuzz tools-miri tools-semver tools-workflows $(VENV)/all.stamp ## all tests, random ones with a seed of their own and many more rounds, and fuzzing: make nightly SEED=2 TIME=300
 	@NIGHTLY=1 $(PYTEST) $(TESTS)
-	@$(MAKE) --no-print-directory fuzz TIME=$(or $(TIME),600)
+	@$(MAKE) --no-print-directory fuzz TIME=$(or $(TIME),300)
 	@$(MAKE) --no-print-directory prove
 
 .PHONY: test-cross

@@ -538,7 +538,7 @@ export declare class ImuSignalConditioningResponse extends Response {
  */
 export declare class UartBaudRateResponse extends Response {
     constructor(values: Values<UartBaudRateResponse>);
-    /** Baud rate that the port supports. Unit: Bd. */
+    /** New baud rate; the port must support it. Unit: Bd. */
     baud: number;
 }
 
@@ -3173,7 +3173,7 @@ export declare class UartBaudRate<R extends Response | undefined = undefined | U
     /** Operation on the setting. */
     function: FunctionSelector;
     /**
-     * Baud rate that the port supports. Unit: Bd. Required for `write`.
+     * New baud rate; the port must support it. Unit: Bd. Required for `write`.
      *
      * - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
      */

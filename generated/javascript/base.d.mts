@@ -367,7 +367,7 @@ export declare class CommSpeed<R extends Response | undefined = undefined | Comm
      * - On the 3DM-RTK: the values are unknown.
      */
     port?: number;
-    /** Baud rate that the port supports. Unit: Bd. Required for `write`. */
+    /** New baud rate; the port must support it. Unit: Bd. Required for `write`. */
     baud?: number;
     /** Apply the new setting. */
     static write(values: { port: number; baud: number }): CommSpeed<undefined>;

@@ -223,7 +223,7 @@ export type Gx5StatusFlags = Flavor<number, "filter_data.gx5_status_flags">;
 export declare const Gx5StatusFlags: Bitfield<Gx5StatusFlags> & {
     /** No inertial data. Bit 0. Concerns `sensor.ScaledAccel` and `sensor.ScaledGyro`. */
     readonly RUN_IMU_UNAVAILABLE: Gx5StatusFlags;
-    /** No GNSS data, on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`. */
+    /** No GNSS data; only on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`. */
     readonly RUN_GPS_UNAVAILABLE: Gx5StatusFlags;
     /** A matrix in the computation is singular. Bit 3. Concerns `filter.Reset`. */
     readonly RUN_MATRIX_SINGULARITY: Gx5StatusFlags;

@@ -2972,7 +2972,7 @@ types:
         type: b1
       - id: run_gps_unavailable
         type: b1
-        doc: No GNSS data, on models with GNSS.
+        doc: No GNSS data; only on models with GNSS.
       - id: run_imu_unavailable
         type: b1
         doc: No inertial data.
@@ -3405,7 +3405,7 @@ types:
       - id: baud
         type: u4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Baud rate that the port supports. Unit: Bd."
+        doc: "New baud rate; the port must support it. Unit: Bd."
   base_gps_time_update:
     -orig-id: base.gps_time_update
     doc: GPS time update. Sets the week number or the time of week of the external (GPS) time.
@@ -4208,7 +4208,7 @@ types:
       - id: baud
         type: u4
         if: function_value == function_selector::write or _io.size >= 5
-        doc: "Baud rate that the port supports. Unit: Bd."
+        doc: "New baud rate; the port must support it. Unit: Bd."
   mip_3dm_gpio_config:
     -orig-id: 3dm.gpio_config
     doc: GPIO Configuration. Sets the use of a GPIO pin.
@@ -4542,7 +4542,7 @@ types:
     seq:
       - id: baud
         type: u4
-        doc: "Baud rate that the port supports. Unit: Bd."
+        doc: "New baud rate; the port must support it. Unit: Bd."
   mip_3dm_data_stream_format_response:
     -orig-id: 3dm.data_stream_format_response
     doc: "Data stream format response. "

@@ -677,7 +677,7 @@ E["filter_data.gx5_dynamics_mode"] = { [1] = "portable", [2] = "automotive", [3]
 E["filter_data.cv7_dynamics_mode"] = { [1] = "default", }
 F["filter_data.gx5_status_flags"] = {
   { name = "run_imu_unavailable", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "No inertial data." },
-  { name = "run_gps_unavailable", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "No GNSS data, on models with GNSS." },
+  { name = "run_gps_unavailable", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "No GNSS data; only on models with GNSS." },
   { name = "run_matrix_singularity", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "A matrix in the computation is singular." },
   { name = "run_position_covariance_warning", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "A position covariance is above its normal limit." },
   { name = "run_velocity_covariance_warning", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "A velocity covariance is above its normal limit." },
@@ -908,7 +908,7 @@ field({ descriptor = 0x09, name = "base.comm_speed", role = "command", title = "
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, doc = "Port id of the device; 0 means all ports, and is for save, load and default only. On the 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CX7-AHRS, 3DM-CX7-AR, 3DM-GV7-AHRS and 3DM-GV7-AR: values of comm_interface; only main, uart_1 and usb_1. On the 3DM-CV7-GNSS/INS: values of comm_interface. On the 3DM-CV7-INS and 3DM-CX7-INS: values of comm_interface; only main, uart_1, uart_2, uart_3 and usb_1. On the 3DM-GQ7-GNSS/INS: 1 is the main port, 2 the auxiliary one. On the 3DM-GV7-INS: values of comm_interface; only main, uart_1, uart_2 and usb_1. On the 3DM-RTK: the values are unknown.", readings = { {device = "3dm-cv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cv7-ar", enum = E["comm_interface"] }, {device = "3dm-cv7-gnss-ins", enum = E["comm_interface"] }, {device = "3dm-cv7-ins", enum = E["comm_interface"] }, {device = "3dm-cx7-ahrs", enum = E["comm_interface"] }, {device = "3dm-cx7-ar", enum = E["comm_interface"] }, {device = "3dm-cx7-ins", enum = E["comm_interface"] }, {device = "3dm-gv7-ahrs", enum = E["comm_interface"] }, {device = "3dm-gv7-ar", enum = E["comm_interface"] }, {device = "3dm-gv7-ins", enum = E["comm_interface"] }, } }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate that the port supports. Unit: Bd." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd." }, } },
     } }, { { set = 0x01, name = "base.comm_speed", title = "Comm port speed" }, })
 field({ descriptor = 0x72, name = "base.gps_time_update", role = "command", title = "GPS time update",
     doc = "Sets the week number or the time of week of the external (GPS) time.", least = 1,
@@ -1297,7 +1297,7 @@ field({ descriptor = 0x40, name = "3dm.uart_baud_rate", role = "command", title 
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "Operation on the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate that the port supports. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200." }, } },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate", title = "UART Baud Rate" }, })
 field({ descriptor = 0x41, name = "3dm.gpio_config", role = "command", title = "GPIO Configuration",
     doc = "Sets the use of a GPIO pin.", least = 1,
@@ -1459,7 +1459,7 @@ field({ descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "respons
     doc = "", least = 4,
     always = 1,
     rows = {
-      { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate that the port supports. Unit: Bd." },
+      { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "New baud rate; the port must support it. Unit: Bd." },
     } }, { { set = 0x0C, name = "3dm.uart_baud_rate_response", title = "UART Baud Rate response" }, })
 field({ descriptor = 0x88, name = "3dm.data_stream_format_response", role = "response", title = "Data stream format response",
     doc = "", least = 2,

@@ -1,7 +1,8 @@
 // A device at a port: commands, and data as it arrives.
 //
-// A port, which `open` returns, is an object with `bytes()`, an async iterator of Uint8Arrays that ends when the port is
-// lost, `write(bytes)` and `close()`, which may return promises. `tcp`, `serial` and `websocket` make ports.
+// The callback `open` returns a port, an object with three methods: `bytes()` returns an async iterator of Uint8Arrays
+// that ends when the port is lost; `write(bytes)` and `close()` may return promises. `tcp`, `serial` and `websocket`
+// make ports.
 
 import { AckCode, FunctionSelector } from "../protocol.mjs";
 import { session } from "../session.mjs";

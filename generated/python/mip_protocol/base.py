@@ -591,7 +591,7 @@ class CommSpeed(Command[R]):
     - On the 3DM-RTK: the values are unknown.
     """
     baud: int | None
-    """Baud rate that the port supports. Unit: Bd. Required for `write`."""
+    """New baud rate; the port must support it. Unit: Bd. Required for `write`."""
 
     def __init__(
         self, function: FunctionSelector, port: int | None = None, baud: int | None = None

@@ -3560,8 +3560,8 @@ GX5_45 = Device(
             (),
         ),
         "functions": Note(
-            "Functions that the specification does not define",
-            "According to the manual, a read of `3dm.device_settings` returns the settings of all commands.",
+            "Read of all settings",
+            "According to the manual, `3dm.device_settings` can also be read, which returns the settings of all commands. The response is not documented, so the read is not defined here.",
             (),
         ),
         "device_status": Note(

@@ -229,7 +229,7 @@ class Gx5StatusFlags(IntFlag):
     RUN_IMU_UNAVAILABLE = 1 << 0
     """No inertial data. Bit 0. Concerns `sensor.ScaledAccel` and `sensor.ScaledGyro`."""
     RUN_GPS_UNAVAILABLE = 1 << 1
-    """No GNSS data, on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`."""
+    """No GNSS data; only on models with GNSS. Bit 1. Concerns `LlhPosition` and `NedVelocity`."""
     RUN_MATRIX_SINGULARITY = 1 << 3
     """A matrix in the computation is singular. Bit 3. Concerns `filter.Reset`."""
     RUN_POSITION_COVARIANCE_WARNING = 1 << 4

@@ -772,7 +772,7 @@ class UartBaudRateResponse(Response):
     _LAYOUT = (("baud", "I", None),)
 
     baud: int
-    """Baud rate that the port supports. Unit: Bd."""
+    """New baud rate; the port must support it. Unit: Bd."""
 
     def __init__(self, baud: int) -> None:
         self.baud = baud
@@ -6955,7 +6955,7 @@ class UartBaudRate(Command[R]):
     function: FunctionSelector
     """Operation on the setting."""
     baud: int | None
-    """Baud rate that the port supports. Unit: Bd. Required for `write`.
+    """New baud rate; the port must support it. Unit: Bd. Required for `write`.
 
     - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
     """

@@ -1,5 +1,5 @@
-//! Values in human-readable formats such as JSON: names of values and bits, and NaN with its bits.
-//! Other formats contain the numbers.
+//! Values in human-readable formats such as JSON: enumerations and flags by name, and a NaN with its
+//! bit pattern. Other formats contain the numbers.
 
 #![allow(dead_code)] // few parts of the specification use all of it
 
@@ -34,7 +34,7 @@ pub(crate) fn deserialize<'de, T: Readable, D: Deserializer<'de>>(
     T::read(deserializer)
 }
 
-/// A part of a value, for which `serde`'s traits are implemented.
+/// Wraps a part of a value, to implement `serde`'s traits through `Readable`.
 struct Part<T>(T);
 
 impl<T: Readable> Serialize for Part<&T> {

@@ -25,5 +25,5 @@ def differences(e: m.Example) -> list[str]:
 def _where(printed: tuple[int | None, ...], right: bytes) -> str:
     for i, (a, b) in enumerate(zip(printed, right, strict=False)):
         if a is not None and a != b:
-            return f"byte {i} is {a:02X}, should be {b:02X}"
+            return f"byte at offset {i} is {a:02X}, should be {b:02X}"
     return f"has {len(printed)} bytes, should have {len(right)}"

@@ -46,7 +46,7 @@ class Extent:
 
     @property
     def filling(self) -> bool:
-        """True if its length depends on the end of the field instead of a counter."""
+        """True if it contains an array that ends with the field, without a counter."""
         return any(t.counter == m.REST for t in self.terms)
 
     @property

@@ -394,7 +394,7 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
         if other.element is not m.SCALARS["bool"] or other.length is not None:
             problem(
                 node.position,
-                f"'{flags}' is not a bool, so it cannot mark '{p.name}' as valid; use a bool, or a bit: a.b",
+                f"'{flags}' is not a bool, so it cannot mark '{p.name}' as valid; use a bool, or a bit: flags.valid",
             )
         return
     known = bits(other)

@@ -395,7 +395,7 @@ class _Places:
         return occurrences
 
     def sources(self, node: Node, field: Node, s: m.Set | None = None) -> tuple[m.Source, ...]:
-        """Returns the sources of a field, or of its facts in one set."""
+        """Returns the sources that a field cites, or that it cites for one of its sets."""
         heading = _heading(field, (s or self.sets[0]).number)
         return sources(node, self.types.vocabulary, self.problems, heading=heading)
 

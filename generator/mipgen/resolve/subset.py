@@ -214,7 +214,7 @@ def _device(d: m.Device, sets: dict[str, m.Set], fields: dict[str, m.Field]) -> 
 
 
 def _narrowed(f: m.Field, devices: set[str], names: Container[str]) -> m.Field:
-    """Returns the field without the differences on other devices, and without omitted responses."""
+    """Returns the field with only the variants, devices and responses of the subset."""
     parameters = tuple(
         replace(p, variants=tuple(v for v in p.variants if not v.by_device or v.key in devices)) for p in f.parameters
     )

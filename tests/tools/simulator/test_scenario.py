@@ -73,7 +73,7 @@ def test_a_file_of_events_only(tmp_path: Path) -> None:
 MISTAKES = [
     ("devices: [{device: 3dm-cv7-gnss-ins, port: []}]", "1:38: a device has no 'port'; did you mean 'ports'?", True),
     ("devices: [{ports: ['tcp:0']}]", "1:11: 'device' is missing; `mip simulate --list` names the devices", True),
-    ("devices: []", "1:10: 'devices' needs a list with an item", True),
+    ("devices: []", "1:10: 'devices' must be a list with at least one item", True),
     ("devices: [{device: 3dm-cv7}]", "1:20: device '3dm-cv7' is unknown; do you mean 3dm-cv7-", False),
     ("devices: [{device: 3dm-gx5-15, ports: ['tcp:']}]", "1:40: '' is not a TCP port", True),
     ("devices: [{device: 3dm-gx5-15, ports: [ftp:0]}]", "1:40: 'ftp:0' cannot be read; write NAME=pty:PATH, ", True),

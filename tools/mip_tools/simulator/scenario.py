@@ -75,7 +75,7 @@ class _Reader(YamlReader):
         if node is None:
             return ()
         if kind_of(node) != "sequence" or not node.value:
-            self.wrong(Wrong(node, f"'{what}' needs a list with an item"))
+            self.wrong(Wrong(node, f"'{what}' must be a list with at least one item"))
             return ()
         return list(node.value)
 

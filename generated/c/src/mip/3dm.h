@@ -5582,7 +5582,7 @@ struct mip_3dm_uart_baud_rate {
     /** Operation on the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * Baud rate that the port supports. Unit: Bd. Required for write. On the 3DM-GX5-15 and
+     * New baud rate; the port must support it. Unit: Bd. Required for write. On the 3DM-GX5-15 and
      * 3DM-GX5-45: default 115200.
      */
     uint32_t baud;
@@ -5613,8 +5613,8 @@ MIP_CHECKED static inline mip_error mip_3dm_uart_baud_rate_encode(
 /**
  * Apply the new setting. Fills the structure and returns its address.
  *
- * - baud: Baud rate that the port supports. Unit: Bd. Required for write. On the 3DM-GX5-15 and
- *   3DM-GX5-45: default 115200.
+ * - baud: New baud rate; the port must support it. Unit: Bd. Required for write. On the 3DM-GX5-15
+ *   and 3DM-GX5-45: default 115200.
  */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
@@ -5666,7 +5666,7 @@ mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate_response {
-    /** Baud rate that the port supports. Unit: Bd. */
+    /** New baud rate; the port must support it. Unit: Bd. */
     uint32_t baud;
 };
 

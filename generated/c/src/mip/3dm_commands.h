@@ -2969,8 +2969,8 @@ static inline mip_error mip_send_3dm_uart_baud_rate(
 /**
  * UART Baud Rate: write. Apply the new setting. See mip_device_call.
  *
- * - baud: Baud rate that the port supports. Unit: Bd. Required for write. On the 3DM-GX5-15 and
- *   3DM-GX5-45: default 115200.
+ * - baud: New baud rate; the port must support it. Unit: Bd. Required for write. On the 3DM-GX5-15
+ *   and 3DM-GX5-45: default 115200.
  */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_device *device,
                                                                   uint32_t baud) {

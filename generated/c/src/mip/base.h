@@ -644,7 +644,7 @@ struct mip_base_comm_speed {
      * 3DM-RTK: the values are unknown.
      */
     uint8_t port;
-    /** Baud rate that the port supports. Unit: Bd. Required for write. */
+    /** New baud rate; the port must support it. Unit: Bd. Required for write. */
     uint32_t baud;
 };
 
@@ -683,7 +683,7 @@ mip_base_comm_speed_encode(const struct mip_base_comm_speed *value, struct mip_b
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
  *   3DM-RTK: the values are unknown.
- * - baud: Baud rate that the port supports. Unit: Bd. Required for write.
+ * - baud: New baud rate; the port must support it. Unit: Bd. Required for write.
  */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uint32_t baud) {

@@ -233,7 +233,7 @@ static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
  *   the 3DM-GV7-INS: values of enum mip_comm_interface; only MIP_COMM_INTERFACE_MAIN,
  *   MIP_COMM_INTERFACE_UART_1, MIP_COMM_INTERFACE_UART_2 and MIP_COMM_INTERFACE_USB_1. On the
  *   3DM-RTK: the values are unknown.
- * - baud: Baud rate that the port supports. Unit: Bd. Required for write.
+ * - baud: New baud rate; the port must support it. Unit: Bd. Required for write.
  */
 static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device *device,
                                                                uint8_t port, uint32_t baud) {

@@ -243,7 +243,7 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 /** Bit 0. No inertial data. Concerns mip_sensor_scaled_accel and mip_sensor_scaled_gyro. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_IMU_UNAVAILABLE 0x0001U
 /**
- * Bit 1. No GNSS data, on models with GNSS. Concerns mip_filter_data_llh_position and
+ * Bit 1. No GNSS data; only on models with GNSS. Concerns mip_filter_data_llh_position and
  * mip_filter_data_ned_velocity.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GPS_UNAVAILABLE 0x0002U

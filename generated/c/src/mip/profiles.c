@@ -4898,9 +4898,9 @@ static const struct mip_profile_note gx5_45_notes[] = {
      "The command with the descriptor 0x20 of the set `3dm` accepts RTCM 2.3; its layout is not "
      "known. The receiver uses the messages 1, 2, 3 and 9.",
      NULL, 0, 0},
-    {"functions", "Functions that the specification does not define",
-     "According to the manual, a read of `3dm.device_settings` returns the settings of all "
-     "commands.",
+    {"functions", "Read of all settings",
+     "According to the manual, `3dm.device_settings` can also be read, which returns the settings "
+     "of all commands. The response is not documented, so the read is not defined here.",
      NULL, 0, 0},
     {"device_status", "Device status",
      "According to MSCL, it replies with `3dm.device_status_basic_response` and "

@@ -7834,10 +7834,11 @@ const GX5_45_11: &Evidence =
 /// The command with the descriptor 0x20 of the set `3dm` accepts RTCM 2.3; its layout is not known.
 /// The receiver uses the messages 1, 2, 3 and 9.
 ///
-/// # Functions that the specification does not define
+/// # Read of all settings
 ///
-/// According to the manual, a read of [`mip_3dm::DeviceSettings`](crate::mip_3dm::DeviceSettings)
-/// returns the settings of all commands.
+/// According to the manual, [`mip_3dm::DeviceSettings`](crate::mip_3dm::DeviceSettings) can also be
+/// read, which returns the settings of all commands. The response is not documented, so the read is
+/// not defined here.
 ///
 /// # Device status
 ///

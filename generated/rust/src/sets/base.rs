@@ -396,7 +396,7 @@ record! {
         /// [`types::CommInterface::UART_2`] and [`types::CommInterface::USB_1`]. On the
         /// [3DM-RTK](crate::devices::RTK): the values are unknown.
         pub port: Option<u8>,
-        /// Baud rate that the port supports.
+        /// New baud rate; the port must support it.
         ///
         /// Unit: Bd. Required for [write](types::FunctionSelector::WRITE).
         pub baud: Option<u32>,

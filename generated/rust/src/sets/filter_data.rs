@@ -256,7 +256,8 @@ bitfield! {
         /// and [`sensor::ScaledGyro`](crate::sensor::ScaledGyro).
         RUN_IMU_UNAVAILABLE: bool = 0,
             run_imu_unavailable, set_run_imu_unavailable, with_run_imu_unavailable;
-        /// No GNSS data, on models with GNSS. Bit 1. Concerns [`LlhPosition`] and [`NedVelocity`].
+        /// No GNSS data; only on models with GNSS. Bit 1. Concerns [`LlhPosition`] and
+        /// [`NedVelocity`].
         RUN_GPS_UNAVAILABLE: bool = 1,
             run_gps_unavailable, set_run_gps_unavailable, with_run_gps_unavailable;
         /// A matrix in the computation is singular. Bit 3. Concerns

@@ -3268,7 +3268,7 @@ record! {
     pub struct UartBaudRate {
         /// Operation on the setting.
         pub function: types::FunctionSelector,
-        /// Baud rate that the port supports.
+        /// New baud rate; the port must support it.
         ///
         /// Unit: Bd. Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45): default
@@ -4654,7 +4654,7 @@ record! {
     /// (0x0C,0x40).
     #[derive(Copy, Default, Eq, Hash)]
     pub struct UartBaudRateResponse {
-        /// Baud rate that the port supports.
+        /// New baud rate; the port must support it.
         ///
         /// Unit: Bd.
         pub baud: u32,

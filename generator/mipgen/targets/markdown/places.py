@@ -87,7 +87,7 @@ def examples_page(x: m.Example, model: m.Model) -> str:
 
 
 def errata_page(e: m.Erratum) -> str:
-    """Returns the page of a manual's errata with one severity."""
+    """Returns the page of an erratum: one for each manual and severity."""
     return f"docs/errata/{e.manual}/{e.severity}.md"
 
 

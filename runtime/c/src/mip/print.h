@@ -39,7 +39,7 @@ struct mip_print {
     const char *device;
 };
 
-/** A text in a buffer of fixed size: see mip_print_to_text. */
+/** Text in a buffer of fixed size: see mip_print_to_text. */
 struct mip_text {
     /** The text so far. It ends with a NUL, unless there is no room at all. */
     char *buffer;
