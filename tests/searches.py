@@ -335,6 +335,6 @@ QUESTIONS = {
     "GX5-25 data": ("devices/3dm-gx5-25.html", "Fields probably supported"),
     "matlab": ("guides/troubleshooting.html", "readtable"),
     "delta theta 1 Hz": ("guides/troubleshooting.html", "integrals over the period of the message"),
-    "no filter data": ("guides/troubleshooting.html", "states what it waits for"),
+    "no filter data": ("guides/troubleshooting.html", "shows what it is waiting for"),
     "no data after power up": ("guides/troubleshooting.html", "Message format and stream were not saved"),
 }

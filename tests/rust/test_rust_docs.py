@@ -173,7 +173,7 @@ def test_every_fact_is_told_where_it_belongs(spec: str) -> None:
         ("sets/tools", "Default: [`types::Mode::FAST`].", "Default: [`types::Mode::SLOW`]."),
         ("sets/tools", "is [`types::Mode::FAST`]: unit s", "is [`types::Mode::SLOW`]: unit s"),
         ("sets/tools", "[read](types::FunctionSelector::READ) and", "[write](types::FunctionSelector::WRITE) and"),
-        ("sets/tools", "The number of elements of [`segments`]", "The number of elements of [`items`]"),
+        ("sets/tools", "Counts the elements of [`segments`]", "Counts the elements of [`items`]"),
         ("sets/tools", "Always 4711.", "Always 4712."),
         ("sets/tools", "Supported by [Model A]", "Supported by [Model B]"),
         ("sets/tools", "The device may take 2.5 s", "The device may take 3 s"),
