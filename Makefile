@@ -87,8 +87,8 @@ PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dis
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only: make test SEED=2
 	@$(PYTEST) -m "not (heavy or cross or nightly)" $(TESTS)
 
-# Each run has a quarter of the longest tests, another one after each commit; `make nightly` has all. make test-all TURN=2
-test-all test-cross: TURN ?= $(shell git rev-list --count HEAD 2>/dev/null || echo 0)
+# Each run has a quarter of the longest tests, which the commit draws (of a shallow clone, too); `make nightly` has all.
+test-all test-cross: TURN ?= $(shell printf %d 0x$$(git rev-parse --short=6 HEAD 2>/dev/null || echo 0))
 
 .PHONY: test-all
 test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, or need other compilers, browsers and Pythons
