@@ -130,7 +130,7 @@ export declare const AidingMeasurementIndicator: Bitfield<AidingMeasurementIndic
     readonly RESIDUAL_HIGH_WARNING: AidingMeasurementIndicator;
     /** The time of the measurement is doubtful. Bit 3. */
     readonly SAMPLE_TIME_WARNING: AidingMeasurementIndicator;
-    /** The configuration of the measurement is wrong. Bit 4. */
+    /** The measurement is configured incorrectly. Bit 4. */
     readonly CONFIG_ERROR: AidingMeasurementIndicator;
     /** There are more measurements than the filter can process. Bit 5. */
     readonly MAX_MEASUREMENTS_EXCEEDED: AidingMeasurementIndicator;

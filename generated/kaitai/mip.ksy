@@ -2889,7 +2889,7 @@ types:
         doc: There are more measurements than the filter can process.
       - id: config_error
         type: b1
-        doc: The configuration of the measurement is wrong.
+        doc: The measurement is configured incorrectly.
       - id: sample_time_warning
         type: b1
         doc: The time of the measurement is doubtful.

@@ -662,7 +662,7 @@ F["filter_data.aiding_measurement_indicator"] = {
   { name = "used", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "The filter used the measurement." },
   { name = "residual_high_warning", at = 0, size = 1, mask = 4, shift = 2, width = 1, doc = "The measurement disagrees with the estimate." },
   { name = "sample_time_warning", at = 0, size = 1, mask = 8, shift = 3, width = 1, doc = "The time of the measurement is doubtful." },
-  { name = "config_error", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "The configuration of the measurement is wrong." },
+  { name = "config_error", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "The measurement is configured incorrectly." },
   { name = "max_measurements_exceeded", at = 0, size = 1, mask = 32, shift = 5, width = 1, doc = "There are more measurements than the filter can process." },
 }
 E["filter_data.dual_antenna_fix_type"] = { [0] = "fix_none", [1] = "fix_da_float", [2] = "fix_da_fixed", }

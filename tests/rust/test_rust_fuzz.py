@@ -33,8 +33,7 @@ SPECS = {
 def test_replay(name: str) -> None:
     inputs = [data for data in [*fuzz.begin(name), *fuzz.known(name)] if data]
     folder = project(SPECS[name], "fuzz", fuzz.binary("replay"))
-    file = WORK / f"{name}.hex"
-    file.write_text("".join(f"{data.hex()}\n" for data in inputs))
+    file = fuzz.hexadecimal(WORK / f"{name}.hex", inputs)
     count = rounds(20_000, 2_000_000)
     arguments = ("run", "--offline", "--quiet", "--", fuzz.TARGETS[name].source, str(file), str(count))
     out = passes(folder, *arguments)

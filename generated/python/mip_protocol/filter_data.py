@@ -137,7 +137,7 @@ class AidingMeasurementIndicator(IntFlag):
     SAMPLE_TIME_WARNING = 1 << 3
     """The time of the measurement is doubtful. Bit 3."""
     CONFIG_ERROR = 1 << 4
-    """The configuration of the measurement is wrong. Bit 4."""
+    """The measurement is configured incorrectly. Bit 4."""
     MAX_MEASUREMENTS_EXCEEDED = 1 << 5
     """There are more measurements than the filter can process. Bit 5."""
 

@@ -9,7 +9,13 @@ fn bytes(line: &str) -> Vec<u8> {
     digits.chunks(2).map(|pair| pair[0] << 4 | pair[1]).collect()
 }
 
+/// Whether this program was compiled with overflow checks, without which it would find less.
+fn checks_overflow() -> bool {
+    std::panic::catch_unwind(|| std::hint::black_box(u8::MAX) + std::hint::black_box(1)).is_err()
+}
+
 fn main() {
+    assert!(checks_overflow(), "compile it with -Cdebug-assertions");
     let arguments: Vec<String> = std::env::args().collect();
     let [_, name, file, count, seed @ ..] = &arguments[..] else { panic!("{arguments:?}") };
     let count: u64 = count.parse().unwrap();

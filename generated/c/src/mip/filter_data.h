@@ -143,7 +143,7 @@ typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_RESIDUAL_HIGH_WARNING 0x04U
 /** Bit 3. The time of the measurement is doubtful. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING 0x08U
-/** Bit 4. The configuration of the measurement is wrong. */
+/** Bit 4. The measurement is configured incorrectly. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR 0x10U
 /** Bit 5. There are more measurements than the filter can process. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U

@@ -158,7 +158,7 @@ bitfield! {
         /// The time of the measurement is doubtful. Bit 3.
         SAMPLE_TIME_WARNING: bool = 3,
             sample_time_warning, set_sample_time_warning, with_sample_time_warning;
-        /// The configuration of the measurement is wrong. Bit 4.
+        /// The measurement is configured incorrectly. Bit 4.
         CONFIG_ERROR: bool = 4,
             config_error, set_config_error, with_config_error;
         /// There are more measurements than the filter can process. Bit 5.
