@@ -32,15 +32,14 @@ pub(crate) const HOST: bool = cfg!(target_pointer_width = "64");
 #[inline]
 pub fn checksum(bytes: &[u8]) -> [u8; 2] {
     if HOST {
-        if let Some(sums) = words(bytes) {
-            return sums;
-        }
+        quick(bytes)
+    } else {
+        small(bytes)
     }
-    small(bytes)
 }
 
 /// Computes a checksum byte by byte, with little code.
-#[inline(never)] // most packets are summed by `words`, where this code would only take space
+#[inline(never)] // most packets are summed by `blocks`, and this code would only take space there
 fn small(bytes: &[u8]) -> [u8; 2] {
     sums([0, 0], bytes)
 }
@@ -59,7 +58,7 @@ fn sums([mut a, mut b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
 /// registers.
 #[inline]
 fn quads([a, b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
-    // Two lanes of 16 bits; otherwise as in `words`.
+    // Two lanes of 16 bits, of which only the low eight matter.
     const LANES: u32 = 0x00FF_00FF;
     let (mut even, mut odd, mut before) = (0_u32, 0_u32, 0_u32);
     let quads = bytes.chunks_exact(4);
@@ -80,49 +79,74 @@ fn quads([a, b]: [u8; 2], bytes: &[u8]) -> [u8; 2] {
     sums([a.wrapping_add(first as u8), b], rest)
 }
 
-/// Computes a checksum sixteen bytes at a time, which is fast. Returns `None` if there are too few
-/// bytes, or so many that lanes overflow.
-#[inline]
-fn words(bytes: &[u8]) -> Option<[u8; 2]> {
-    // Four lanes of 16 bits, of which only the low eight matter.
-    const LANES: u64 = 0x00FF_00FF_00FF_00FF;
-    const SUM: u64 = 0x0001_0001_0001_0001;
-    let size = Some(bytes.len()).filter(|size| *size <= MAX_PACKET)?;
-    let word = |at: usize| {
-        let bytes = bytes.get(at..at.wrapping_add(8))?;
-        Some(u64::from_le_bytes(bytes.try_into().ok()?))
-    };
-    let halves = |word: u64| (word & LANES, word >> 8 & LANES);
-    // The first word is padded with zeros in front, which change nothing.
-    let first = word(0)? << (size.wrapping_mul(8).wrapping_neg() % 64);
-    // Sums of bytes by their position in a word, and the sum of these sums before each word.
-    let ((mut even, mut odd), mut before) = (halves(first), 0_u64);
-    let mut at = (size.wrapping_sub(1) % 8).wrapping_add(1);
-    while let Some(pair) = bytes.get(at..at.wrapping_add(16)) {
-        let pair = u128::from_le_bytes(pair.try_into().ok()?);
-        let ((even_1, odd_1), (even_2, odd_2)) = (halves(pair as u64), halves((pair >> 64) as u64));
-        let twice = even.wrapping_add(odd).wrapping_mul(2);
-        before = before.wrapping_add(twice).wrapping_add(even_1).wrapping_add(odd_1) & LANES;
-        even = even.wrapping_add(even_1).wrapping_add(even_2);
-        odd = odd.wrapping_add(odd_1).wrapping_add(odd_2);
+/// Bytes that are summed at once. Compilers use vector instructions for them.
+type Block = [u8; 16];
+
+/// The weights of a block's bytes in the second sum: 16 to 1, plus 256, which changes none of its
+/// low eight bits. Compilers turn powers of two into shifts, and then use no vector instructions.
+const WEIGHTS: [u16; 16] =
+    [272, 271, 270, 269, 268, 267, 266, 265, 264, 263, 262, 261, 260, 259, 258, 257];
+
+/// At `rest`, a block that keeps the last `rest` bytes of another.
+#[rustfmt::skip]
+const MASKS: [u8; 32] = [
+    0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255,
+];
+
+/// Returns the sixteen bytes at an offset.
+#[inline(always)]
+fn block(bytes: &[u8], at: usize) -> Option<Block> {
+    bytes.get(at..at.wrapping_add(16))?.try_into().ok()
+}
+
+/// Adds two blocks byte by byte.
+#[inline(always)]
+fn add(mut to: Block, from: Block) -> Block {
+    to.iter_mut().zip(&from).for_each(|(to, from)| *to = to.wrapping_add(*from));
+    to
+}
+
+/// Adds the bytes of a block.
+#[inline(always)]
+fn total(block: Block) -> u32 {
+    block.iter().map(|byte| u32::from(*byte)).sum()
+}
+
+/// Computes a checksum, quickly.
+#[inline(never)] // elsewhere, the code around it decides whether there are vector instructions
+fn quick(bytes: &[u8]) -> [u8; 2] {
+    blocks(bytes).unwrap_or_else(|| small(bytes))
+}
+
+/// Computes a checksum sixteen bytes at a time. Returns `None` if there are fewer.
+#[inline(always)]
+fn blocks(bytes: &[u8]) -> Option<[u8; 2]> {
+    let mut last = block(bytes, bytes.len().wrapping_sub(16))?;
+    // Sums of bytes by their position in a block, and the sum of these sums before each block.
+    // Only the low eight bits of every sum matter.
+    let (mut done, mut before) = ([0; 16], [0; 16]);
+    let mut at = 0;
+    while let Some(block) = block(bytes, at) {
+        before = add(before, done);
+        done = add(done, block);
         at = at.wrapping_add(16);
     }
-    if at < size {
-        let (even_1, odd_1) = halves(word(size.wrapping_sub(8))?);
-        before = before.wrapping_add(even).wrapping_add(odd) & LANES;
-        (even, odd) = (even.wrapping_add(even_1), odd.wrapping_add(odd_1));
-    }
-    let (even, odd) = (even & LANES, odd & LANES);
-    // The highest lane of a product is the sum of all lanes times their weights: 8, 6, 4 and 2 for
-    // even bytes, and one less for odd ones.
-    let both = even.wrapping_add(odd);
-    let a = both.wrapping_mul(SUM);
-    let b = before
-        .wrapping_mul(8)
-        .wrapping_add(even)
-        .wrapping_mul(SUM)
-        .wrapping_add(both.wrapping_mul(0x0007_0005_0003_0001));
-    Some([(a >> 48) as u8, (b >> 48) as u8])
+    // The bytes after the blocks are the last ones of the last sixteen.
+    let rest = bytes.len() % 16;
+    last.iter_mut().zip(&block(&MASKS, rest)?).for_each(|(byte, mask)| *byte &= *mask);
+    let sums = add(done, last);
+    // The weighted sum is first: in another order, compilers mix the sums, which is slower.
+    let within = weighted(sums);
+    let after = total(done).wrapping_mul(rest as u32).wrapping_add(total(before).wrapping_mul(16));
+    Some([total(sums) as u8, within.wrapping_add(after as u8)])
+}
+
+/// Adds the bytes of a block, with their weights.
+#[inline(always)]
+fn weighted(block: Block) -> u8 {
+    let products = block.iter().zip(&WEIGHTS).map(|(a, b)| u16::from(*a).wrapping_mul(*b));
+    products.fold(0, u16::wrapping_add) as u8
 }
 
 /// Why bytes are not a packet.

@@ -152,9 +152,9 @@ impl Parser {
     /// ```
     #[inline]
     pub fn next<'p, 'i: 'p>(&'p mut self, chunk: &mut &'i [u8]) -> Option<Packet<'p>> {
-        let input = *chunk;
         // The usual cases first: nothing is held back, and a packet is next, or its first part.
         if HOST && self.is_empty() {
+            let input = *chunk;
             match judge(input) {
                 Candidate::Whole(size) => {
                     let (packet, rest) = input.split_at(size.min(input.len()));
@@ -168,7 +168,14 @@ impl Parser {
                 }
                 Candidate::Bad => {}
             }
-        } else if HOST && self.missing > 0 {
+        }
+        self.resume(chunk)
+    }
+
+    /// Continues with what is held back, or after noise.
+    fn resume<'p, 'i: 'p>(&'p mut self, chunk: &mut &'i [u8]) -> Option<Packet<'p>> {
+        let input = *chunk;
+        if HOST && self.missing > 0 {
             // The next part of a candidate, or the rest of it.
             if input.len() < self.missing.into() {
                 self.extend(input);
