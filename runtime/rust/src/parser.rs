@@ -150,11 +150,11 @@ impl Parser {
     /// let second = parser.next(&mut chunk);
     /// println!("{first:?} {second:?}");
     /// ```
-    #[inline]
+    #[inline(always)] // a loop has it once
     pub fn next<'p, 'i: 'p>(&'p mut self, chunk: &mut &'i [u8]) -> Option<Packet<'p>> {
         // The usual cases first: nothing is held back, and a packet is next, or its first part.
+        let input = *chunk;
         if HOST && self.is_empty() {
-            let input = *chunk;
             match judge(input) {
                 Candidate::Whole(size) => {
                     let (packet, rest) = input.split_at(size.min(input.len()));
@@ -168,14 +168,7 @@ impl Parser {
                 }
                 Candidate::Bad => {}
             }
-        }
-        self.resume(chunk)
-    }
-
-    /// Continues with what is held back, or after noise.
-    fn resume<'p, 'i: 'p>(&'p mut self, chunk: &mut &'i [u8]) -> Option<Packet<'p>> {
-        let input = *chunk;
-        if HOST && self.missing > 0 {
+        } else if HOST && self.missing > 0 {
             // The next part of a candidate, or the rest of it.
             if input.len() < self.missing.into() {
                 self.extend(input);
@@ -190,6 +183,12 @@ impl Parser {
                 return Some(Packet::trusted(packet));
             }
         }
+        self.search(chunk)
+    }
+
+    /// Like `next`, in all cases.
+    fn search<'p, 'i: 'p>(&'p mut self, chunk: &mut &'i [u8]) -> Option<Packet<'p>> {
+        let input = *chunk;
         let (size, left) = self.step(input);
         let (searched, rest) = input.split_at(input.len().saturating_sub(left));
         *chunk = rest;
