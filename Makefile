@@ -83,12 +83,12 @@ audit: $(VENV)/generator.stamp ## compare the specification with its sources: ma
 # Tests start many programs in Python: what is compiled is kept, even where Python is told to keep nothing.
 PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
+# Each run has a sixth of the longest tests, which the commit draws (of a shallow clone, too). `make test TURN=` has all.
+test test-all test-cross: TURN ?= $(shell printf %d 0x$$(git rev-parse --short=6 HEAD 2>/dev/null || echo 0))
+
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only: make test SEED=2
-	@$(PYTEST) -m "not (heavy or cross or nightly)" $(TESTS)
-
-# Each run has a quarter of the longest tests, which the commit draws (of a shallow clone, too); `make nightly` has all.
-test-all test-cross: TURN ?= $(shell printf %d 0x$$(git rev-parse --short=6 HEAD 2>/dev/null || echo 0))
+	@TURN=$(TURN) $(PYTEST) -m "not (heavy or cross or nightly)" $(TESTS)
 
 .PHONY: test-all
 test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, or need other compilers, browsers and Pythons

@@ -25,7 +25,7 @@ gc.disable()
 # A test that fails shows its values; printing a whole model would take half a minute.
 m.Model.__repr__ = m.Device.__repr__ = lambda self: f"<{type(self).__name__}>"  # type: ignore[method-assign]
 
-#: Which of the longest tests `make test-all` and `make test-cross` run; without it, all.
+#: Which of the longest tests `make test`, `make test-all` and `make test-cross` run; without it, all.
 TURN = os.environ.get("TURN")
 
 #: The targets of make that run the tests that were left out, and what those need, as `support.heavy` names it.

@@ -1,4 +1,5 @@
-"""The longest tests take turns: `make test-all` and `make test-cross` run a quarter of those that turns.txt names."""
+"""The longest tests take turns: each run of `make test`, `make test-all` and `make test-cross` has a sixth of those that
+turns.txt names."""
 
 from __future__ import annotations
 
@@ -8,26 +9,34 @@ from pathlib import Path
 import pytest
 
 LONG = Path(__file__).with_suffix(".txt")
-TURNS = 4
+TURNS = 6
 
 
-def lines() -> list[str]:
-    """Returns the test files and test functions that turns.txt names, the longest first."""
-    return [line for line in LONG.read_text("ascii").splitlines() if not line.startswith("#")]
+def sections() -> dict[str, list[str]]:
+    """Returns the test files and test functions that turns.txt names for each target of make, the longest first."""
+    found: dict[str, list[str]] = {}
+    for line in LONG.read_text("ascii").splitlines():
+        if line.startswith("["):
+            named = found[line.strip("[]")] = []
+        elif not line.startswith("#"):
+            named.append(line)
+    return found
 
 
 def waiting(items: Iterable[pytest.Item], turn: int) -> list[pytest.Item]:
     """Returns the tests whose turn is another one. A file is one unit, because its tests share what takes long; of a
     test function, each set of parameters is a unit."""
-    units: dict[str, dict[str, list[pytest.Item]]] = {line: {} for line in lines()}
+    units: dict[tuple[str, str], dict[str, list[pytest.Item]]] = {
+        (target, line): {} for target, lines in sections().items() for line in lines
+    }
     for item in items:
-        if item.get_closest_marker("heavy") is None and item.get_closest_marker("cross") is None:
-            continue
+        light = item.get_closest_marker("heavy") is None and item.get_closest_marker("cross") is None
+        target = "test" if light else "test-all"
         test = item.nodeid.partition("[")[0]
         file = test.partition("::")[0]
-        if test in units:
-            units[test][item.nodeid] = [item]
-        elif file in units:
-            units[file].setdefault(file, []).append(item)
+        if (target, test) in units:
+            units[target, test][item.nodeid] = [item]
+        elif (target, file) in units:
+            units[target, file].setdefault(file, []).append(item)
     one_by_one = [unit for line in units.values() for unit in line.values()]
     return [item for i, unit in enumerate(one_by_one) if i % TURNS != turn % TURNS for item in unit]
