@@ -1,4 +1,4 @@
-"""The longest tests take turns: each run of `make test`, `make test-all` and `make test-cross` has a sixth of those that
+"""The longest tests take turns: a run of `make test`, `make test-all` or `make test-cross` has a sixth of those that
 turns.txt names."""
 
 from __future__ import annotations

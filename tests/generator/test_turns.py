@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from itertools import chain
 from typing import Any
 
 import pytest
@@ -20,7 +21,7 @@ class Item:
 
 
 def test_what_is_named_exists() -> None:
-    for line in sum(turns.sections().values(), []):
+    for line in chain(*turns.sections().values()):
         file, _, test = line.partition("::")
         text = (ROOT / file).read_text("utf-8")
         assert not test or re.search(rf"^def {test}\(", text, re.MULTILINE), line
