@@ -293,6 +293,16 @@ def test_decimals_of_numbers_of_four_bytes() -> None:
     assert text.shortest(numbers[:0]).tolist() == []
 
 
+def test_decimals_of_binary_fractions_are_computed_together(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Digits that end in a five are half-way between shorter ones, as those of many converters and of halves."""
+    numbers = np.arange(-50_000, 50_000, dtype=np.float32) / 64
+    right = [shortest(x) for x in numbers.tolist()]
+    alone: list[float] = []
+    monkeypatch.setattr(text, "shortest_text", lambda x: alone.append(x) or shortest(x))
+    assert list(map(repr, text.shortest(numbers).tolist())) == right
+    assert len(alone) < 100
+
+
 @pytest.mark.parametrize("most", [3, 10**9, 2**52, 8 * 10**18])
 @pytest.mark.parametrize("cut", [1, 7, 10_000])
 def test_intervals_of_arrays(most: int, cut: int) -> None:

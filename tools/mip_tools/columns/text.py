@@ -137,7 +137,8 @@ def shortest(numbers: Array) -> Array:
     """Returns the shortest decimal numbers that equal these four-byte floats, as doubles.
 
     The result equals that of `text.shortest` of the package. With 6 to 9 digits, they are whole numbers
-    below 2**53 that are divided by an exact power of ten: so they are the nearest double.
+    below 2**53 that are divided by an exact power of ten: so they are the nearest double. The product of
+    a float, of 24 bits, and of at most 10**12, is exact, too; so it is rounded in the right direction.
     """
     with np.errstate(invalid="ignore"):  # signalling NaNs are invalid operands
         doubles = numbers.astype(np.float64)
@@ -156,7 +157,7 @@ def shortest(numbers: Array) -> Array:
         exact = doubles[left]
         moved = np.where(small, exact / power, exact * power)
         whole = np.rint(moved)
-        hard[left[np.abs(np.abs(moved - whole) - 0.5) < 1e-3]] = True  # either could be nearer
+        hard[left[(power > 1e12) & (np.abs(np.abs(moved - whole) - 0.5) < 1e-3)]] = True  # either could be nearer
         near = np.where(small, whole * power, whole / power)
         same = near.astype(np.float32) == numbers[left]
         if digits == 9:
