@@ -137,27 +137,29 @@ def shortest(numbers: Array) -> Array:
     """Returns the shortest decimal numbers that equal these four-byte floats, as doubles.
 
     The result equals that of `text.shortest` of the package. With 6 to 9 digits, they are whole numbers
-    below 2**53 that are divided by an exact power of ten: so they are the nearest double. The product of
-    a float, of 24 bits, and of at most 10**12, is exact, too; so it is rounded in the right direction.
+    below 2**53, multiplied or divided by an exact power of ten, at most 10**22: so they are the nearest
+    double. The product of a float, of 24 bits, and of at most 10**12 is exact, too, and the quotient of one
+    and of at most 10**3 is never near to a half without being one: so they are rounded correctly.
     """
     with np.errstate(invalid="ignore"):  # signalling NaNs are invalid operands
         doubles = numbers.astype(np.float64)
     size = np.abs(doubles)
-    left = np.flatnonzero((size >= 1e-5) & (size < 1e9))
+    left = np.flatnonzero((size >= 1e-13) & (size < 1e21))
     hard = np.isfinite(doubles) & (size > 0)
     hard[left] = False
     exponent = np.floor(np.log10(size[left])).astype(np.intp)
-    exponent -= size[left] < _POWERS[exponent + 6]  # the logarithm is rounded
-    exponent += size[left] >= _POWERS[exponent + 7]
+    exponent -= size[left] < _power(exponent)  # the logarithm is rounded
+    exponent += size[left] >= _power(exponent + 1)
     for digits in (6, 7, 8, 9):
         if not len(left):
             break
-        power = _POWERS[np.abs(digits - 1 - exponent) + 6]
+        power = _power(np.abs(digits - 1 - exponent))
         small = exponent > digits - 1
         exact = doubles[left]
         moved = np.where(small, exact / power, exact * power)
         whole = np.rint(moved)
-        hard[left[(power > 1e12) & (np.abs(np.abs(moved - whole) - 0.5) < 1e-3)]] = True  # either could be nearer
+        close = np.abs(np.abs(moved - whole) - 0.5) < 1e-3  # either could be nearer
+        hard[left[close & (power > np.where(small, 1e3, 1e12))]] = True
         near = np.where(small, whole * power, whole / power)
         same = near.astype(np.float32) == numbers[left]
         if digits == 9:
@@ -171,4 +173,10 @@ def shortest(numbers: Array) -> Array:
     return doubles
 
 
-_POWERS = 10.0 ** np.arange(-6, 20)
+_LEAST = 15
+_POWERS: Array = np.array([float(f"1e{n}") for n in range(-_LEAST, 24)])
+
+
+def _power(exponent: Array) -> Array:
+    """Returns powers of ten; those from 1 to 10**22 are exact."""
+    return np.take(_POWERS, exponent + _LEAST)
