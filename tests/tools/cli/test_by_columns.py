@@ -294,7 +294,7 @@ def test_decimals_of_numbers_of_four_bytes() -> None:
 
 
 def test_decimals_of_binary_fractions_are_computed_together(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Digits that end in a five are half-way between shorter ones, as those of many converters and of halves."""
+    """Their digits end in a five, half-way between two shorter numbers; a converter's counts give many of them."""
     numbers = np.arange(-50_000, 50_000, dtype=np.float32) / 64
     right = [shortest(x) for x in numbers.tolist()]
     alone: list[float] = []
