@@ -83,7 +83,7 @@ audit: $(VENV)/generator.stamp ## compare the specification with its sources: ma
 # Tests start many programs in Python: what is compiled is kept, even where Python is told to keep nothing.
 PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
-# Each run has a sixth of the longest tests, which the commit draws (of a shallow clone, too). `make test TURN=` has all.
+# Each run has a part of the longest tests, which the commit draws (of a shallow clone, too). `make test TURN=` has all.
 test test-all test-cross: TURN ?= $(shell printf %d 0x$$(git rev-parse --short=6 HEAD 2>/dev/null || echo 0))
 
 .PHONY: test

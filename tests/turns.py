@@ -1,4 +1,4 @@
-"""The longest tests take turns: a run of `make test`, `make test-all` or `make test-cross` has a sixth of those that
+"""The longest tests take turns: a run of `make test`, `make test-all` or `make test-cross` has some of those that
 turns.txt names."""
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 LONG = Path(__file__).with_suffix(".txt")
+#: The number of runs that have each of them once.
 TURNS = 6
 
 

@@ -13,7 +13,7 @@ import streams
 from bench_c import ARM, BUILD, HERE, OUTSIDE, SIZE, SOURCES, Row, instructions, library, measure, run
 from mipgen.resolve.load import load_model
 
-#: The title of the row that our library runs without SSE2.
+#: The title of the row for which our library is compiled without SSE2.
 PORTABLE = "parse, in pieces of 4 KiB, portable checksum"
 #: Title, stream, our function, that of peer/speed.c.
 ROWS = (

@@ -27,9 +27,9 @@ def add(target: str, count: int) -> None:
     revision = git.stdout.strip() or "unknown"
     with locked(BUILD / "fuzz/counts"):  # of runs at the same time
         known = {line[:2]: line for line in lines()}
-        before = known.get((target, revision), ("", "", "", 0))[3]
+        before = known.pop((target, revision), ("", "", "", 0))[3]
         known[target, revision] = (target, revision, datetime.date.today().isoformat(), before + count)
-        rows = sorted(known.values(), key=lambda line: (line[0], line[2], line[1]))
+        rows = sorted(known.values(), key=lambda line: line[0])  # the lines of a target stay in the order of its runs
         head = COUNTS.read_text("ascii").splitlines()[0]
         COUNTS.write_text("\n".join([head, *(" ".join(map(str, row)) for row in rows), ""]), "ascii")
         PAGE.write_text(page(PAGE.read_text("utf-8")), "utf-8")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import datetime
 import random
+import re
 import sys
 from itertools import islice
 from pathlib import Path
@@ -101,6 +103,21 @@ def test_inputs_become_requests() -> None:
 def test_the_table_is_that_of_the_counts() -> None:
     page = counts.PAGE.read_text("utf-8")
     assert counts.page(page) == page
+
+
+def test_the_table_shows_the_revision_of_the_last_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of two runs on one day, too, whatever their revisions are."""
+    page = tmp_path / "page"
+    page.write_text(f"{counts.BEGIN}{counts.END}")
+    monkeypatch.setattr(counts, "PAGE", page)
+    monkeypatch.setattr(counts, "COUNTS", tmp_path / "counts.txt")
+    today = datetime.date.today().isoformat()
+    for earlier in ("00000000", "zzzzzzzz"):
+        counts.COUNTS.write_text(f"# head\nparser {earlier} {today} 5\n")
+        counts.add("parser", 2)
+        counts.add("parser", 3)
+        shown = re.search(r"^\| `parser` \| 10 \| \S+ \| (\w+) \|$", page.read_text(), re.MULTILINE)
+        assert shown is not None and shown[1] != earlier
 
 
 def test_a_fresh_clone_has_the_invented_library_when_it_is_fuzzed(

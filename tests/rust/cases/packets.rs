@@ -81,7 +81,7 @@ fn the_checksum_of_any_number_of_any_bytes_is_that_of_the_protocol() {
 
 #[test]
 fn the_checksum_is_right_after_each_field() {
-    let step = if cfg!(miri) { 40 } else { 1 };
+    let step = if cfg!(miri) { 40 } else { 1 }; // as above
     for (size, byte) in (0..=253).step_by(step).flat_map(|size| [(size, 0xFF), (size, 0x9E)]) {
         for set in [1, 0x7F, 0x80, 0xFE] {
             let mut packet = PacketBuilder::new(set);

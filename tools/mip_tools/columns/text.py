@@ -138,8 +138,9 @@ def shortest(numbers: Array) -> Array:
 
     The result equals that of `text.shortest` of the package. With 6 to 9 digits, they are whole numbers
     below 2**53, multiplied or divided by an exact power of ten, at most 10**22: so they are the nearest
-    double. The product of a float, of 24 bits, and of at most 10**12 is exact, too, and the quotient of one
-    and of at most 10**3 is never near to a half without being one: so they are rounded correctly.
+    double. To find these digits, a number is scaled by a power of ten and rounded. A float has 24 bits, so
+    its product with at most 10**12 is exact, and its quotient by at most 10**3 is either exactly between two
+    whole numbers or far from it. With a larger power, numbers that are almost between are formatted alone.
     """
     with np.errstate(invalid="ignore"):  # signalling NaNs are invalid operands
         doubles = numbers.astype(np.float64)
@@ -158,7 +159,7 @@ def shortest(numbers: Array) -> Array:
         exact = doubles[left]
         moved = np.where(small, exact / power, exact * power)
         whole = np.rint(moved)
-        close = np.abs(np.abs(moved - whole) - 0.5) < 1e-3  # either could be nearer
+        close = np.abs(np.abs(moved - whole) - 0.5) < 1e-3  # to the middle: either could be nearer
         hard[left[close & (power > np.where(small, 1e3, 1e12))]] = True
         near = np.where(small, whole * power, whole / power)
         same = near.astype(np.float32) == numbers[left]
@@ -174,7 +175,7 @@ def shortest(numbers: Array) -> Array:
 
 
 _LEAST = 15
-_POWERS: Array = np.array([float(f"1e{n}") for n in range(-_LEAST, 24)])
+_POWERS: Array = np.array([float(f"1e{n}") for n in range(-_LEAST, 23)])
 
 
 def _power(exponent: Array) -> Array:

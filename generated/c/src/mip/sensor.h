@@ -705,7 +705,7 @@ MIP_CHECKED static inline mip_error mip_sensor_pps_timestamp_encode(
  * only from the MIP SDK of 2014 and MicroStrain Communication Library. Uncertain: Which devices
  * send it. The SDK of 2014 dates from the time of the 3DM-GX3 devices. Uncertain: The epoch.
  *
- * Sources disagree on the layout; MSCL and the SDK of 2014 have this one.
+ * The sources disagree on the layout; this one is from MSCL and the SDK of 2014.
  *
  * - mscl: 1PPS Timestamp (0x80,0x0F)
  * - mip-sdk-2014: 1PPS Timestamp (0x80,0x0F)

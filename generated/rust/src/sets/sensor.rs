@@ -677,7 +677,7 @@ record! {
     /// Uncertain: Which devices send it. The SDK of 2014 dates from the time of the 3DM-GX3
     /// devices. Uncertain: The epoch.
     ///
-    /// - Sources disagree on the layout; MSCL and the SDK of 2014 have this one.
+    /// - The sources disagree on the layout; this one is from MSCL and the SDK of 2014.
     ///
     /// Source: mscl: 1PPS Timestamp (0x80,0x0F); mip-sdk-2014: 1PPS Timestamp (0x80,0x0F).
     #[derive(Copy, Default, Eq, Hash)]
