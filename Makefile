@@ -83,16 +83,13 @@ audit: $(VENV)/generator.stamp ## compare the specification with its sources: ma
 # Tests start many programs in Python: what is compiled is kept, even where Python is told to keep nothing.
 PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
-# Each run has a part of the longest tests, which the commit draws (of a shallow clone, too). `make test TURN=` has all.
-test test-all test-cross: TURN ?= $(shell printf %d 0x$$(git rev-parse --short=6 HEAD 2>/dev/null || echo 0))
-
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only: make test SEED=2
-	@TURN=$(TURN) $(PYTEST) -m "not (heavy or cross or nightly)" $(TESTS)
+	@$(PYTEST) -m "not (heavy or cross or nightly)" $(TESTS)
 
 .PHONY: test-all
 test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, or need other compilers, browsers and Pythons
-	@TURN=$(TURN) $(PYTEST) -m "heavy and not nightly" $(TESTS)
+	@$(PYTEST) -m "heavy and not nightly" $(TESTS)
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
@@ -103,7 +100,7 @@ nightly: tools-all tools-cross tools-fuzz tools-miri tools-semver tools-workflow
 
 .PHONY: test-cross
 test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in emulators: big-endian, strict alignment, 32 bits, Cortex-M, AVR
-	@TURN=$(TURN) $(PYTEST) -m "cross and not nightly" tests/cross
+	@$(PYTEST) -m "cross and not nightly" tests/cross
 
 # Of the generator, what runs in its process; and every printed packet in Python.
 SLOW := cli discovery install mutations output slices targets

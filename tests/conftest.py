@@ -10,7 +10,6 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pytest
-import turns
 from mipgen import model as m
 from support import BUILD, NIGHTLY, SEED, generate_invented
 
@@ -24,9 +23,6 @@ gc.disable()
 
 # A test that fails shows its values; printing a whole model would take half a minute.
 m.Model.__repr__ = m.Device.__repr__ = lambda self: f"<{type(self).__name__}>"  # type: ignore[method-assign]
-
-#: Which of the longest tests `make test`, `make test-all` and `make test-cross` run; without it, all.
-TURN = os.environ.get("TURN")
 
 #: The targets of make that run the tests that were left out, and what those need, as `support.heavy` names it.
 left_out: set[tuple[str, str]] = set()
@@ -52,9 +48,6 @@ def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Tests that use cargo, which has one target folder, wait for it in one process and not in all; they take longest,
     so they begin first. Tests that need random values of all fields run in the process where these have been drawn."""
-    if TURN:
-        for item in turns.waiting(items, int(TURN)):
-            item.add_marker(pytest.mark.nightly("long tests whose turn is in another run"))
     for item in items:
         spec = getattr(item, "callspec", None) and item.callspec.params.get("spec")
         if item.path.name == "test_c_print.py":
@@ -98,11 +91,8 @@ def pytest_unconfigure(config: pytest.Config) -> None:
     counts = ", ".join(f"{name} {count}" for name, count in sorted(run.items()))
     if not NIGHTLY:
         left_out.add(("nightly", "more rounds of random tests, and other seeds"))
-    turn = f", turn {TURN}" if TURN else ""
     rest = [
         f"left out, for `make {target}`: {', '.join(sorted(what for of, what in left_out if of == target))}"
         for target in sorted({target for target, _ in left_out})
     ]
-    reporter.write_line(
-        f"tests run: {counts or 'none'}; seed {SEED}{turn}; {'; '.join(rest) or 'nothing was left out'}"
-    )
+    reporter.write_line(f"tests run: {counts or 'none'}; seed {SEED}; {'; '.join(rest) or 'nothing was left out'}")
