@@ -75,6 +75,15 @@ generate: $(VENV)/generator.stamp ## check the specification and write generated
 golden: $(VENV)/generator.stamp ## write the snapshot of the invented specification, tests/invented/golden
 	@PYTHONPATH=generator $(RUN) tests/golden.py
 
+# The commit's generator runs in a copy of that commit; both outputs have the same place within their folder.
+.PHONY: golden-diff
+golden-diff: $(VENV)/generator.stamp ## show what changed in that output since a commit: make golden-diff SINCE=HEAD~3
+	@rm -rf $(BUILD)/golden && mkdir -p $(BUILD)/golden/commit
+	@git archive $(or $(SINCE),HEAD) | tar -x -C $(BUILD)/golden/commit
+	@cd $(BUILD)/golden/commit && PYTHONPATH=generator $(abspath $(RUN)) -m mipgen generate --spec tests/invented/spec --out ../invented >/dev/null
+	@$(MIPGEN) generate --spec tests/invented/spec --out $(BUILD)/invented >/dev/null
+	@git --no-pager diff --no-index --stat -p $(BUILD)/golden/invented $(BUILD)/invented || true
+
 .PHONY: audit
 audit: $(VENV)/generator.stamp ## compare the specification with its sources: make audit MANUALS="ID=FILE ID=FILE" SDK=FOLDER
 	@$(MIPGEN) audit --spec $(SPEC) $(addprefix --manual ,$(MANUALS)) $(addprefix --sdk ,$(SDK))

@@ -1,51 +1,63 @@
-"""The snapshot of the invented specification, tests/invented/golden, whose diff shows the effect of a change.
+"""The snapshot of the small ("invented") specification's output, tests/invented/golden: it shows what a change affects.
 
-    make golden     writes it
-    make check      compares it with what the generator makes, everything rendered anew
+    make golden         writes it
+    make check          compares it with what the generator makes
+    make golden-diff    shows the whole difference from the output of a commit
 
-It contains the files that templates make. Of the files that come from runtime/, whole or without what the
-specification does not need, and the licence, `copied.sha256` of each target lists the digests, as `sha256sum -c` reads
-them.
+`generated/` shows how the output for the real specification changes. The snapshot has what that one lacks: data with
+all types, arrays and strings (the set `measurements`), and names that are keywords or begin with a digit (`3d`).
+Files named after these sets are kept whole, of all others the digests, as `sha256sum -c` reads them.
 """
 
 from __future__ import annotations
 
 import argparse
+import contextlib
 import hashlib
+import io
 import sys
 from pathlib import Path
 
+from mipgen import cli
 from mipgen.base.resources import MANIFEST
-from mipgen.emit import build, discovery
-from mipgen.resolve.load import load_model
 
 ROOT = Path(__file__).parents[1]
 SPEC = ROOT / "tests/invented/spec"
+OUTPUT = ROOT / "build/invented"
 GOLDEN = ROOT / "tests/invented/golden"
-COPIED = "copied.sha256"
+SETS_KEPT_WHOLE = ("measurements", "3d")
+DIGESTS = "digests.sha256"
 
 
-def snapshot() -> dict[str, bytes]:
-    """The files of the snapshot, by path."""
+def snapshot(output: Path = OUTPUT) -> dict[str, bytes]:
+    """Returns the files of the snapshot of an output folder, by path."""
     made: dict[str, bytes] = {}
-    for output in build.make(load_model(SPEC), list(discovery.sources().values())):
-        digests = []
-        for path, data in sorted(output.files.items()):
-            origin = ROOT / ("LICENSE" if path == "LICENSE" else f"runtime/{output.name}/{path}")
-            if origin.is_file():
-                digests.append(f"{hashlib.sha256(data).hexdigest()}  {path}\n")
-            elif path != MANIFEST:
-                made[f"{output.name}/{path}"] = data
-        made[f"{output.name}/{COPIED}"] = "".join(digests).encode()
+    digests = []
+    for manifest in sorted(output.glob(f"*/{MANIFEST}")):
+        for path in manifest.read_text("utf-8").splitlines()[1:]:
+            name = f"{manifest.parent.name}/{path}"
+            data = (output / name).read_bytes()
+            if any(kept in name.lower() for kept in SETS_KEPT_WHOLE):
+                made[name] = data
+            else:
+                digests.append(f"{hashlib.sha256(data).hexdigest()}  {name}\n")
+    made[DIGESTS] = "".join(digests).encode()
     return made
 
 
 def differences(made: dict[str, bytes], folder: Path = GOLDEN) -> list[str]:
-    """How a folder differs from the snapshot that it should hold."""
+    """Returns how a folder differs from the snapshot that it should contain."""
     there = {p.relative_to(folder).as_posix(): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
-    states = {p: "missing" for p in made.keys() - there.keys()} | {p: "stale" for p in there.keys() - made.keys()}
-    states |= {p: "changed" for p in made.keys() & there.keys() if made[p] != there[p]}
+    before, after = digests_by_path(there.pop(DIGESTS, b"")), digests_by_path(made[DIGESTS])
+    before |= there
+    after |= {path: data for path, data in made.items() if path != DIGESTS}
+    states = {p: "missing" for p in after.keys() - before.keys()} | {p: "stale" for p in before.keys() - after.keys()}
+    states |= {p: "changed" for p in after.keys() & before.keys() if after[p] != before[p]}
     return [f"{folder / p}: error: {state}" for p, state in sorted(states.items())]
+
+
+def digests_by_path(listed: bytes) -> dict[str, bytes]:
+    return {path.decode(): digest for digest, path in (line.split(b"  ", 1) for line in listed.splitlines())}
 
 
 def write(made: dict[str, bytes], folder: Path = GOLDEN) -> None:
@@ -59,14 +71,21 @@ def write(made: dict[str, bytes], folder: Path = GOLDEN) -> None:
 def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--check", action="store_true", help="compare, and write nothing")
+    check = parser.parse_args().check
+    with contextlib.redirect_stdout(io.StringIO()):
+        failed = cli.main(["generate", "--spec", str(SPEC), "--out", str(OUTPUT)])
+    if failed:
+        return failed
     made = snapshot()
-    if not parser.parse_args().check:
-        write(made)
-        print(f"{GOLDEN.relative_to(ROOT)}: {len(made)} files")
-        return 0
     found = differences(made)
-    print("\n".join([*found, "run: make golden"]) if found else f"{GOLDEN.relative_to(ROOT)} is up to date")
-    return 1 if found else 0
+    print("\n".join(found) or f"{GOLDEN.relative_to(ROOT)} is up to date")
+    if found:
+        print(f"the whole output is in {OUTPUT.relative_to(ROOT)}; to see what changed in it: make golden-diff")
+    if found and check:
+        print("run: make golden")
+        return 1
+    write(made)
+    return 0
 
 
 if __name__ == "__main__":

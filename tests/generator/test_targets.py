@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 import shutil
@@ -87,18 +88,29 @@ def test_the_snapshot_is_what_the_invented_specification_gives(tmp_path: Path) -
     made = golden.snapshot()
     assert golden.differences(made) == []
     golden.write({**made, "c/old.h": b"stale"}, tmp_path)
-    del made["c/README.md"]
-    made["json/mip.json"] += b"\n"
+    del made["markdown/docs/fields/3d/default.md"]
+    made["javascript/3d.mjs"] += b"\n"
     made["c/new.h"] = b"missing"
+    made[golden.DIGESTS] = made[golden.DIGESTS].replace(b"  json/mip.json", b"  json/new.json")
+    made[golden.DIGESTS] = b"0" + made[golden.DIGESTS][1:]
     assert golden.differences(made, tmp_path) == [
         f"{tmp_path}/{path}: error: {state}"
         for path, state in (
-            ("c/README.md", "stale"), ("c/new.h", "missing"), ("c/old.h", "stale"), ("json/mip.json", "changed")
+            ("c/.clang-format", "changed"), ("c/new.h", "missing"), ("c/old.h", "stale"),
+            ("javascript/3d.mjs", "changed"), ("json/mip.json", "stale"), ("json/new.json", "missing"),
+            ("markdown/docs/fields/3d/default.md", "stale"),
         )
     ]  # fmt: skip
-    assert b"  src/mip/parser.c\n" in made["c/copied.sha256"] and "c/src/mip/parser.c" not in made
     golden.write(made, tmp_path)
     assert golden.differences(made, tmp_path) == []
+
+
+def test_every_file_of_the_output_is_in_the_snapshot_once() -> None:
+    made = golden.snapshot()
+    digests = golden.digests_by_path(made.pop(golden.DIGESTS))
+    output = {path for path in tree(golden.OUTPUT) if not path.endswith("/.manifest")}
+    assert len(digests) + len(made) == len(output) and {*digests, *made} == output
+    assert digests["c/README.md"] == hashlib.sha256((golden.OUTPUT / "c/README.md").read_bytes()).hexdigest().encode()
 
 
 def test_a_missing_or_changed_file_is_noticed(first: Path, tmp_path: Path) -> None:
