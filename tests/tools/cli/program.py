@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import resource
+import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -21,7 +23,7 @@ from support import PYTHONPATH
 DEVICE = "3dm-cv7-gnss-ins"
 PATIENCE = 30.0  # seconds until a test gives up; none waits so long
 ENVIRONMENT = {
-    **{k: v for k, v in os.environ.items() if not k.startswith("PYTHON")},
+    **{k: v for k, v in os.environ.items() if not k.startswith("PYTHON") or k == "PYTHONPYCACHEPREFIX"},
     "PYTHONPATH": PYTHONPATH,
     "COLUMNS": "100",
 }
@@ -78,6 +80,21 @@ def run(capsys: Any, *arguments: object) -> tuple[int, str, str]:
         code = int(end.code or 0)
     out, error = capsys.readouterr()
     return code, out, error
+
+
+def on_a_full_disk(size: int, *arguments: object) -> tuple[int, bytes]:
+    """The exit status and errors where no file can be larger.
+
+    That would cut short what Python writes of compiled modules, too, and then none could be imported any more.
+    """
+
+    def limited() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+    environment = {**ENVIRONMENT, "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run(command(*arguments), preexec_fn=limited, capture_output=True, env=environment)
+    return done.returncode, done.stderr
 
 
 @contextmanager

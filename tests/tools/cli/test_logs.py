@@ -8,7 +8,6 @@ import json
 import os
 import random
 import re
-import resource
 import shlex
 import signal
 import subprocess
@@ -23,7 +22,7 @@ import pytest
 from mip_protocol import Packet, PacketBuilder, Parser, base, filter_data, gnss_data, registry, sensor, shared
 from mip_tools.cli import outputs
 from mip_tools.errors import Failure
-from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, run, running
+from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, on_a_full_disk, run, running
 from support import heavy, rounds
 
 NOISE = b"$GPGGA,123519,4807.038,N*27\r\n"
@@ -611,14 +610,10 @@ def test_the_name_of_standard_output(path: Path) -> None:
 
 
 def test_a_full_disk(path: Path, tmp_path: Path) -> None:
-    def limited() -> None:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-
     for words in (["export", path, "-o", tmp_path / "o.csv"], ["cut", path, "-o", tmp_path / "o.bin"]):
-        done = subprocess.run(command(*words), preexec_fn=limited, capture_output=True, env=ENVIRONMENT)
-        assert done.returncode == 1 and b"cannot be written: File too large" in done.stderr
-        assert done.stderr.count(b"\n") == 1 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]
+        code, error = on_a_full_disk(10_000, *words)
+        assert code == 1 and b"cannot be written: File too large" in error
+        assert error.count(b"\n") == 1 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]
 
 
 def test_an_output_that_accepts_nothing(path: Path, tmp_path: Path) -> None:

@@ -7,7 +7,6 @@ import json
 import os
 import pty
 import re
-import resource
 import select
 import signal
 import socket
@@ -26,7 +25,7 @@ from mip_protocol import Parser, base, mip_3dm, registry, types
 from mip_protocol.field import Command, Structure
 from mip_protocol.parameter import Parameter
 from mip_tools.cli import ports, typed
-from program import DEVICE, ENVIRONMENT, PATIENCE, command, log, mip, run, running, simulated
+from program import DEVICE, ENVIRONMENT, PATIENCE, command, log, mip, on_a_full_disk, run, running, simulated
 from support import heavy
 
 
@@ -385,14 +384,9 @@ def test_a_device_on_a_terminal(tmp_path: Path) -> None:
 
 
 def test_a_recording_is_kept_when_the_disk_is_full(place: str, tmp_path: Path) -> None:
-    def limited() -> None:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (2_000, 2_000))
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-
     target = tmp_path / "log.bin"
-    words = command("record", place, "-o", target, "--duration", 20)
-    done = subprocess.run(words, preexec_fn=limited, capture_output=True, env=ENVIRONMENT)
-    assert done.returncode == 1 and b"the part before is kept" in done.stderr
+    code, error = on_a_full_disk(2_000, "record", place, "-o", target, "--duration", 20)
+    assert code == 1 and b"the part before is kept" in error
     assert 1_000 < target.stat().st_size <= 2_000 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]
 
 

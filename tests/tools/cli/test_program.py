@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import marshal
 import os
 import re
 import subprocess
@@ -13,6 +14,7 @@ import pytest
 from mip_protocol import registry
 from mip_tools import __main__
 from program import DEVICE, ENVIRONMENT, log, mip, run
+from support import ROOT
 
 
 @pytest.mark.parametrize("name", __main__.COMMANDS)
@@ -261,3 +263,19 @@ def test_completion_in_bash(tmp_path: Path) -> None:
 def test_completion_in_other_shells(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys, "completion", shell)
     assert code == 0 and "mip completion words -- " in out
+
+
+def test_a_full_disk_cuts_no_compiled_module(tmp_path: Path) -> None:
+    """The tests of full disks run first where nothing has been compiled yet; what they leave can all be imported."""
+    tests = (
+        "test_logs.py::test_a_full_disk",
+        "test_mip_ports.py::test_a_recording_is_kept_when_the_disk_is_full",
+    )
+    words = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *(f"{Path(__file__).parent}/{t}" for t in tests)]
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "", "PYTHONPYCACHEPREFIX": str(tmp_path / "compiled")}
+    done = subprocess.run(words, cwd=ROOT, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0 and "tools 2" in done.stdout, done.stdout
+    compiled = sorted(tmp_path.glob("compiled/**/*.pyc"))
+    assert any("mip_tools" in p.parts for p in compiled)
+    for path in compiled:
+        marshal.loads(path.read_bytes()[16:])
