@@ -47,7 +47,8 @@ def snapshot(output: Path = OUTPUT) -> dict[str, bytes]:
 
 def differences(made: dict[str, bytes], folder: Path = GOLDEN) -> list[str]:
     """Returns how a folder differs from the snapshot that it should contain."""
-    there = {p.relative_to(folder).as_posix(): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+    files = [p for p in folder.rglob("*") if p.is_file() and p.suffix != ".pyc"]
+    there = {p.relative_to(folder).as_posix(): p.read_bytes() for p in files}
     before, after = digests_by_path(there.pop(DIGESTS, b"")), digests_by_path(made[DIGESTS])
     before |= there
     after |= {path: data for path, data in made.items() if path != DIGESTS}
