@@ -112,7 +112,7 @@ test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in
 	@$(PYTEST) -m "cross and not nightly" tests/cross
 
 # Of the generator, what runs in its process; and every printed packet in Python.
-SLOW := cli discovery install mutations output slices targets
+SLOW := cli discovery install mutations output targets
 .PHONY: quick
 quick: $(VENV)/development.stamp ## run the quick tests of the generator, and Python with every printed packet, in a minute
 	@$(PYTEST) -m "not (heavy or nightly)" tests/generator $(SLOW:%=--ignore=tests/generator/test_%.py) \

@@ -51,16 +51,14 @@ def generate(options: Namespace) -> int:
         print(known["summary"])
         rows = [(name, made["title"], len(made["files"]), 0) for name, made in known["targets"].items()]
     else:
-        from mipgen.emit import build, slices
+        from mipgen.emit import build
 
         _apart(options, sources)
         model, summary = _load(options)
-        past = slices.Slices(model, options.out, repr([_specs(options), _part(options)]))
-        outputs = build.make(model, sources, past)
+        outputs = build.make(model, sources)
         changes = _write(options, outputs)
         print(summary)
         rows = [(o.name, o.title, len(o.files), changed) for o, changed in zip(outputs, changes, strict=True)]
-        past.keep()
         _remember(options, key, summary, outputs)
     for name, title, files, changed in rows:
         print(f"{name:10} {files:4} files, {changed} changed  ({title})")

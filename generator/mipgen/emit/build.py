@@ -11,8 +11,6 @@ from mipgen.read.problems import Problem, Problems, SpecError
 
 from . import discovery, naming, render
 from .discovery import Source
-from .output import Made
-from .slices import NAMES, Anew, Slices
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +19,7 @@ class Output:
 
     name: str
     title: str
-    files: dict[str, Made]
+    files: dict[str, bytes]
     problems: list[Problem]
 
 
@@ -31,17 +29,15 @@ def check_names(model: Model, sources: Sequence[Source]) -> None:
     _raise([problem for problems in unfit for problem in problems])
 
 
-def make(model: Model, sources: Sequence[Source], slices: Slices | None = None) -> list[Output]:
-    """Makes the output of each target, in its own process; then those of plugins, which run in this process. With
-    slices, files that are still up to date since the last run are not made again."""
+def make(model: Model, sources: Sequence[Source]) -> list[Output]:
+    """Makes the output of each target, in its own process; then those of plugins, which run in this process."""
 
     def several(group: Sequence[Source]) -> list[Output]:
         return [one(source) for source in group]
 
     def one(source: Source) -> Output:
-        past = slices.of(source.name) if slices and source.ours else Anew()
-        problems = [] if past.unchanged(NAMES) else past.make(NAMES, _unfit, model, source)
-        files = {} if problems else render.renew(source, model, past)
+        problems = _unfit(model, source)
+        files = {} if problems else render.render(source, model)
         target = source.load()
         rename = target.renaming(model.protocol.package)
         return Output(source.name, rename(target.title) if rename else target.title, files, problems)

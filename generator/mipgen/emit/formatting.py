@@ -17,8 +17,6 @@ from typing import Any
 from mipgen.base import cache
 from mipgen.base.errors import Failure
 
-from .output import Made, content
-
 
 @dataclass(frozen=True, slots=True)
 class Formatter:
@@ -70,31 +68,30 @@ RUFF = Formatter(
 )
 
 
-def formatted(formatter: Formatter, made: Mapping[str, Made]) -> dict[str, Made]:
+def formatted(formatter: Formatter, made: Mapping[str, bytes]) -> dict[str, bytes]:
     """Returns the files of an output, formatted if they are in the formatter's language."""
     if formatter.style not in made:
         raise FormatError(f"{formatter.package} needs {formatter.style} in the output, which defines the style")
-    how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), content(made[formatter.style]))
-    files = [path for path in made if path.endswith(formatter.suffixes)]
-    keys = {path: cache.key(how, path, data) for path in files if isinstance(data := made[path], bytes)}
+    how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), made[formatter.style])
+    keys = {path: cache.key(how, path, data) for path, data in made.items() if path.endswith(formatter.suffixes)}
     known = {path: cache.get("formatted", name) for path, name in keys.items()}
     done = {path: text for path, text in known.items() if text is not None}
     wanted = sorted(known.keys() - done.keys())
     if wanted:
-        new = _run(formatter, {path: made[path] for path in (formatter.style, *files)}, wanted)
+        new = _run(formatter, {path: made[path] for path in (formatter.style, *keys)}, wanted)
         cache.put("formatted", {keys[path]: text for path, text in new.items()})
         done |= new
     return {**made, **done}
 
 
-def _run(formatter: Formatter, made: Mapping[str, Made], wanted: list[str]) -> dict[str, bytes]:
+def _run(formatter: Formatter, made: Mapping[str, bytes], wanted: list[str]) -> dict[str, bytes]:
     """Formats in a temporary folder that contains the names of all files, because import sorting looks for modules."""
     needed = {formatter.style, *wanted}
     with tempfile.TemporaryDirectory(prefix="mipgen-") as name:
         folder = Path(name)
         for path, data in made.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            (folder / path).write_bytes(content(data) if path in needed else b"")
+            (folder / path).write_bytes(data if path in needed else b"")
         for step in formatter.steps:
             if _ran(formatter, step, wanted, folder).returncode != 0:
                 failed = {path: _ran(formatter, step, [path], folder) for path in wanted}

@@ -7,13 +7,11 @@ before they are written, and old files until they are removed, so that a run com
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import os
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
-from typing import NamedTuple
 
 from mipgen.base.errors import Failure
 from mipgen.base.resources import MANIFEST
@@ -30,17 +28,6 @@ _BUILT = {"__pycache__", "target", "build", "dist", ".mypy_cache", ".ruff_cache"
 
 #: The kinds of differences for files that mipgen did not write: in the way, or not.
 OTHERS = ("foreign", "untracked")
-
-
-class Same(NamedTuple):
-    """Stands for a file that is unchanged since the last run, instead of its bytes."""
-
-    digest: bytes
-    place: Path
-
-
-#: A file of the output.
-Made = bytes | Same
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,15 +47,7 @@ def admit(path: str, made: Collection[str], place: str) -> None:
         raise Failure(f"{path} is made twice", place)
 
 
-def content(made: Made) -> bytes:
-    return made.place.read_bytes() if isinstance(made, Same) else made
-
-
-def digest(made: Made) -> bytes:
-    return made.digest if isinstance(made, Same) else hashlib.sha256(made).digest()
-
-
-def finished(made: Mapping[str, Made], place: str) -> dict[str, Made]:
+def finished(made: Mapping[str, bytes], place: str) -> dict[str, bytes]:
     """Returns all files of a target, with the manifest."""
     both = sorted(made.keys() & _parents(made))
     if both:
@@ -80,7 +59,7 @@ def manifest(paths: Iterable[str]) -> bytes:
     return "".join(f"{line}\n" for line in (HEADER, *sorted(paths))).encode("utf-8")
 
 
-def compare(made: Mapping[str, Made], folder: Path) -> list[Difference]:
+def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
     """Compares a folder with its intended content."""
     ours = _ours(folder)
     known = ours | made.keys()
@@ -88,8 +67,6 @@ def compare(made: Mapping[str, Made], folder: Path) -> list[Difference]:
     differences = [Difference(p, "foreign") for p, path in parents if os.path.lexists(path) and not path.is_dir()]
     for p in sorted(made):
         path = folder / p
-        if isinstance(made[p], Same):
-            continue
         if not os.path.lexists(path):
             differences.append(Difference(p, "missing"))
         elif not path.is_file() or path.read_bytes() != made[p]:
@@ -100,7 +77,7 @@ def compare(made: Mapping[str, Made], folder: Path) -> list[Difference]:
     return differences
 
 
-def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Difference] | None = None) -> list[Difference]:
+def write(made: Mapping[str, bytes], folder: Path, differences: Sequence[Difference] | None = None) -> list[Difference]:
     """Writes these files to the folder, also over foreign files; untracked files are kept. `differences` are those of
     the folder, if they are known.
     """
@@ -115,9 +92,8 @@ def write(made: Mapping[str, Made], folder: Path, differences: Sequence[Differen
         with contextlib.suppress(OSError):  # it is not empty, or does not exist
             (folder / parent).rmdir()
     for d in differences:
-        data = made.get(d.path)
-        if isinstance(data, bytes):
-            _put(folder / d.path, data)
+        if d.path in made:
+            _put(folder / d.path, made[d.path])
     return differences
 
 

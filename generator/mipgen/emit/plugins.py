@@ -44,11 +44,11 @@ def parse(text: str) -> tuple[str, str]:
     return name, place
 
 
-def run(name: str, program: str, document: bytes) -> tuple[str, dict[str, output.Made]]:
+def run(name: str, program: str, document: bytes) -> tuple[str, dict[str, bytes]]:
     """Runs a plugin. Returns its title, and all files that it makes from the model."""
     place = f"plugin {name}"
     answer = _parsed(_output(program, document, place), place)
-    made: dict[str, output.Made] = {"LICENSE": (resources.root() / "LICENSE").read_bytes()}
+    made: dict[str, bytes] = {"LICENSE": (resources.root() / "LICENSE").read_bytes()}
     for path, content in answer["files"].items():
         output.admit(path, made, place)
         made[path] = _bytes(content, f"{place}: {path}")

@@ -5,8 +5,7 @@ Everything is made in memory first, so that a failed run leaves nothing half-wri
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import yaml
 
@@ -16,12 +15,7 @@ from mipgen.model import Model
 
 from . import discovery, formatting, output
 from .discovery import Source
-from .output import Made
-from .slices import PLAN, Anew
 from .target import File, Target
-
-if TYPE_CHECKING:
-    from .templating import Templates
 
 
 def names() -> list[str]:
@@ -43,52 +37,26 @@ def language(name: str) -> dict[str, Any]:
 
 def render(source: Source | str, model: Model) -> dict[str, bytes]:
     """Makes all files of a target; returns them by path."""
-    made = renew(discovery.sources()[source] if isinstance(source, str) else source, model, Anew())
-    return {path: data for path, data in made.items() if isinstance(data, bytes)}
+    from .templating import Templates  # imports Jinja, which checking names does not need
 
-
-def renew(source: Source, model: Model, past: Anew) -> dict[str, Made]:
-    """Makes the files of a target, except those that are still up to date since the last run."""
-    right = past.all_right()
-    if right is not None:
-        past.keep(right)
-        return right
+    if isinstance(source, str):
+        source = discovery.sources()[source]
     target, place = source.load(), f"target {source.name}"
-    files, finished, templates, rename = past.make(PLAN, _plan, source, model)
-    made: dict[str, Made] = {}
-    for path, data in finished.items():
-        if rename is None:
-            made[path] = data
-        else:  # paths also contain the name
-            made[rename(path)] = rename(data.decode("utf-8")).encode("utf-8")
-    for file in files:
+    templates = Templates(source, target.filters(model), {"model": model, "version": model.protocol.version})
+    made = {"LICENSE": (resources.root() / "LICENSE").read_bytes(), **target.runtime(_runtime(source), model)}
+    rename = target.renaming(model.protocol.package)
+    if rename is not None:  # paths also contain the name
+        made = {rename(path): rename(data.decode("utf-8")).encode("utf-8") for path, data in made.items()}
+    for file in target.files(model):
         if not isinstance(file, File):
             raise Failure(f"files yields {file!r}; it must yield File(path, template)", place)
         path = file.path if rename is None else rename(file.path)
         output.admit(path, made, place)
-        same = past.right(path)
-        if same is None:
-            text = past.make(path, templates.render, file.template, file.context, file.path)
-            made[path] = (text if rename is None else rename(text)).encode("utf-8")
-        else:
-            made[path] = same
+        text = templates.render(file.template, file.context, file.path)
+        made[path] = (text if rename is None else rename(text)).encode("utf-8")
     if target.formatter is not None:
         made = formatting.formatted(target.formatter, made)
-    made = output.finished(made, place)
-    past.keep(made)
-    return made
-
-
-def _plan(
-    source: Source, model: Model
-) -> tuple[list[File], Mapping[str, bytes], Templates, Callable[[str], str] | None]:
-    """Collects the files of a target, and what they share."""
-    from .templating import Templates  # imports Jinja, which checking names does not need
-
-    target = source.load()
-    templates = Templates(source, target.filters(model), {"model": model, "version": model.protocol.version})
-    finished = {"LICENSE": (resources.root() / "LICENSE").read_bytes(), **target.runtime(_runtime(source), model)}
-    return list(target.files(model)), finished, templates, target.renaming(model.protocol.package)
+    return output.finished(made, place)
 
 
 def _runtime(source: Source) -> dict[str, bytes]:

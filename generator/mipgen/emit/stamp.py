@@ -6,6 +6,7 @@ differs, everything is generated again.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from collections.abc import Iterator, Mapping, Sequence
@@ -15,7 +16,6 @@ from typing import Any
 from mipgen.base import cache, fingerprint
 
 from . import output
-from .output import Made, digest
 
 TOO_MUCH = 100 * 1024 * 1024  # bytes of input; a larger folder is not just a specification
 
@@ -34,11 +34,11 @@ def key(folders: Sequence[Path], *options: str) -> str | None:
     return cache.key(*parts)
 
 
-def remember(name: str | None, summary: str, made: Mapping[str, tuple[str, Mapping[str, Made]]]) -> None:
+def remember(name: str | None, summary: str, made: Mapping[str, tuple[str, Mapping[str, bytes]]]) -> None:
     """Remembers the output: target -> its title and its files."""
     if name is not None:
         targets = {
-            target: {"title": title, "files": {path: digest(made).hex() for path, made in files.items()}}
+            target: {"title": title, "files": {path: _digest(data) for path, data in files.items()}}
             for target, (title, files) in made.items()
         }
         cache.put("made", {name: json.dumps({"summary": summary, "targets": targets}).encode("utf-8")})
@@ -54,15 +54,18 @@ def remembered(name: str | None, out: Path | None) -> dict[str, Any] | None:
         folder = (out or Path()) / target
         try:
             for path, wanted in made["files"].items():
-                if (
-                    not (folder / path).is_file() or digest((folder / path).read_bytes()).hex() != wanted
-                ):  # a pipe would never end
+                here = folder / path
+                if not here.is_file() or _digest(here.read_bytes()) != wanted:  # a pipe would never end
                     return None
         except OSError:
             return None
         if output.unfinished(made["files"], folder):
             return None
     return known
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
 
 
 def _files(folder: Path) -> Iterator[tuple[str, bytes]]:

@@ -12,7 +12,6 @@ import jinja2
 from mipgen.base import cache
 from mipgen.base.errors import Failure
 
-from . import slices
 from .discovery import Source
 
 SETTINGS: dict[str, Any] = {
@@ -37,7 +36,7 @@ class Templates:
             **SETTINGS,
         )
         self.environment.filters.update(late)
-        self.environment.globals.update(known, piece=_piece)
+        self.environment.globals.update(known)
 
     def render(self, template: str, context: Mapping[str, Any], path: str) -> str:
         """Renders the text of the file `path`."""
@@ -79,12 +78,6 @@ class _Compiled(jinja2.BytecodeCache):
 
     def dump_bytecode(self, bucket: Any) -> None:
         cache.put("templates", {cache.key(self.how, bucket.key, bucket.checksum): bucket.bytecode_to_string()})
-
-
-def _piece(macro: Any, thing: object, *texts: str) -> str:
-    """Renders an object of the model, and texts, with a macro, and keeps the result for the next run. Other macros are
-    called without this filter: `slices.piece` states what may be kept."""
-    return slices.piece(" ".join([macro.name, *texts]), macro, thing, *texts)
 
 
 def _at_run_time(function: Callable[..., Any]) -> Callable[..., Any]:

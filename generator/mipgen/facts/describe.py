@@ -7,7 +7,6 @@ the interface for targets; the module named after a part composes its facts.
 from __future__ import annotations
 
 from mipgen import model as m
-from mipgen.base.reads import Memo
 
 from . import fields, parameters
 from .devices import device, evidence, known, lengths, why
@@ -63,22 +62,21 @@ class _Composed:
     def __init__(self, model: m.Model) -> None:
         self.model = model
         self.alive: list[object] = []  # keeps the described objects, so that no other gets the same identity
-        self.fields: Memo[int, list[Fact]] = Memo()
-        self.parameters: Memo[tuple[int, int], list[Fact]] = Memo()
+        self.fields: dict[int, list[Fact]] = {}
+        self.parameters: dict[tuple[int, int], list[Fact]] = {}
 
     def field(self, f: m.Field) -> list[Fact]:
-        return list(self.fields.get(id(f), self._field, f))
+        if id(f) not in self.fields:
+            self.alive.append(f)
+            self.fields[id(f)] = list(fields.facts(f, self.model))
+        return list(self.fields[id(f)])
 
     def parameter(self, p: m.Parameter, record: m.Record) -> list[Fact]:
-        return list(self.parameters.get((id(p), id(record)), self._parameter, p, record))
-
-    def _field(self, f: m.Field) -> list[Fact]:
-        self.alive.append(f)
-        return list(fields.facts(f, self.model))
-
-    def _parameter(self, p: m.Parameter, record: m.Record) -> list[Fact]:
-        self.alive += (p, record)
-        return parameters.facts(p, record, self.model)
+        key = id(p), id(record)
+        if key not in self.parameters:
+            self.alive += (p, record)
+            self.parameters[key] = parameters.facts(p, record, self.model)
+        return list(self.parameters[key])
 
 
 def field(f: m.Field, model: m.Model) -> list[Fact]:

@@ -10,10 +10,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import islice
 
 from mipgen import model as m
-from mipgen.base.reads import kept
 from mipgen.read.nodes import Node
 from mipgen.read.problems import Problems, nearest
 
@@ -119,7 +119,7 @@ class _Names:
         """True for the name of a field, a type, or a descriptor without a layout."""
         return self.model.field(name) is not None or self.model.type(name) is not None or name in self.full_names
 
-    @kept
+    @cached_property
     def titles(self) -> dict[str, list[str]]:
         """Maps the title of a command, or its name in words, to the full names of such commands."""
         names: dict[str, list[str]] = {}
@@ -129,13 +129,13 @@ class _Names:
                     names.setdefault(words, []).append(f.full_name)
         return names
 
-    @kept
+    @cached_property
     def full_names(self) -> set[str]:
         types = {f"{x.name}.{t.name}" for x in self.model.families for t in x.types}
         named = {f"{s.name}.{n.name}" for x in self.model.families for s in x.sets for n in x.named}
         return {*self.model.names, *types, *named}
 
-    @kept
+    @cached_property
     def words(self) -> set[str]:
         """Returns the names that need no set: parameters, values, bits, sets, families, types, frames and devices."""
         protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)

@@ -8,10 +8,10 @@ range; `made_up` lists such parameters.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from mipgen import model as m
-from mipgen.base.reads import Memo, kept
 from mipgen.lower import codec
 from mipgen.model.parameters import alike
 from mipgen.model.simulation import Value
@@ -29,7 +29,9 @@ class SampleValues:
         """Returns the values that a field requires in this form, as the codec represents them. They are computed only
         once, so do not change them."""
         key = (f.full_name, call.function.value if call.function else None)
-        return self._values.get(key, self._made, f, call, [])
+        if key not in self._values:
+            self._values[key] = self._made(f, call, [])
+        return self._values[key]
 
     def whole(self, f: m.Field, call: m.Call) -> codec.Values:
         """Returns the same without the function, and with the optional values."""
@@ -137,19 +139,19 @@ class SampleValues:
         number = sets[0] if f.everywhere and sets else f.set
         return codec.build(self.model, number, [(f.descriptor, self.data(f, call))])
 
-    @kept
-    def _values(self) -> Memo[tuple[str, int | None], codec.Values]:
-        return Memo()
+    @cached_property
+    def _values(self) -> dict[tuple[str, int | None], codec.Values]:
+        return {}
 
-    @kept
+    @cached_property
     def _quantities(self) -> dict[str, Any]:
         return {q.name: q.typical for q in self.model.simulation.quantities}
 
-    @kept
+    @cached_property
     def _sources(self) -> dict[str, tuple[Value, ...]]:
         return {s.field.full_name: s.values for s in reversed(self.model.simulation.sources)}
 
-    @kept
+    @cached_property
     def _initial(self) -> dict[str, list[tuple[str, Any]]]:
         """Returns the settings of each command on a new device."""
         initial: dict[str, list[tuple[str, Any]]] = {}
@@ -157,7 +159,7 @@ class SampleValues:
             initial.setdefault(b.command.full_name, []).extend(b.initial)
         return initial
 
-    @kept
+    @cached_property
     def _printed(self) -> dict[str, dict[int | None, codec.Values]]:
         """Returns, by field and function, the values of the first example that can serve as typical."""
         printed: dict[str, dict[int | None, codec.Values]] = {}

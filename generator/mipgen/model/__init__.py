@@ -10,17 +10,6 @@ Guides and the simulation are in their own modules.
 
 from mipgen.read.position import Position
 
-from . import (
-    details,
-    devices,
-    evidence,
-    fields,
-    guides,
-    parameters,
-    protocol,
-    simulation,
-    types,
-)
 from .devices import (
     EVIDENCE,
     Answer,
@@ -150,6 +139,3 @@ __all__ = [
     "strength",
     "structs",
 ]
-
-_MODULES = (devices, evidence, fields, guides, parameters, protocol, simulation, types)
-details.CLASSES += details.classes(*_MODULES)

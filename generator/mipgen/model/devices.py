@@ -7,7 +7,6 @@ from typing import Literal
 
 from mipgen.read.position import Position
 
-from .details import Detail, Prose
 from .fields import Field, Set
 from .parameters import Parameter, Variant
 from .types import Function, Source
@@ -45,19 +44,19 @@ class ProtocolFirmware:
 class Port:
     name: str
     id: int | None
-    baud_rates: Detail[tuple[int, ...]]
-    receives: Detail[tuple[str, ...]]  # protocols
-    sends: Detail[tuple[str, ...]]
-    firmware: Detail[tuple[ProtocolFirmware, ...]] = ()  # of the protocols that only some versions support
+    baud_rates: tuple[int, ...]
+    receives: tuple[str, ...]  # protocols
+    sends: tuple[str, ...]
+    firmware: tuple[ProtocolFirmware, ...] = ()  # of the protocols that only some versions support
 
 
 @dataclass(frozen=True, slots=True)
 class Limit:
     name: str
-    value: Detail[float | int]
-    unit: Detail[str | None]
-    description: Prose
-    firmware: Detail[str | None] = None  # ">= 1.0.04": the versions with this limit; None if all
+    value: float | int
+    unit: str | None
+    description: str
+    firmware: str | None = None  # ">= 1.0.04": the versions with this limit; None if all
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,9 +64,9 @@ class Note:
     """A note about a device besides its rates, ports and limits, perhaps with a table."""
 
     name: str
-    title: Prose
-    description: Prose
-    rows: Detail[tuple[tuple[str, ...], ...]] = ()  # the first row is the heading
+    title: str
+    description: str
+    rows: tuple[tuple[str, ...], ...] = ()  # the first row is the heading
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,10 +76,10 @@ class Evidence:
     kind: str  # a key of EVIDENCE
     sources: tuple[Source, ...] = ()  # none: the manual of the device
     of: tuple[str, ...] = ()  # the devices from which it is inferred
-    firmware: Detail[str | None] = None  # of the device that was queried
-    date: Detail[str | None] = None  # of the query
-    note: Prose = ""
-    undefined: Detail[tuple[tuple[int, int], ...]] = ()  # further sets and descriptors, without a layout
+    firmware: str | None = None  # of the device that was queried
+    date: str | None = None  # of the query
+    note: str = ""
+    undefined: tuple[tuple[int, int], ...] = ()  # further sets and descriptors, without a layout
 
     @property
     def answer(self) -> Answer:
@@ -96,8 +95,8 @@ class Support:
     set: int
     functions: tuple[Function, ...]
     evidence: Evidence
-    firmware: Detail[str | None] = None  # "> 1.0.07": the versions that support it; None: all, or unknown
-    deprecated: Prose | None = None  # the replacement on the device
+    firmware: str | None = None  # "> 1.0.07": the versions that support it; None: all, or unknown
+    deprecated: str | None = None  # the replacement on the device
 
     @property
     def name(self) -> str:
@@ -124,7 +123,7 @@ class Rate:
     """The base rate of a data set on a device."""
 
     set: Set
-    hertz: Detail[float | int]  # 0: fields are sent as their data arrives
+    hertz: float | int  # 0: fields are sent as their data arrives
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,12 +144,12 @@ class DeviceVariant:
 class Device:
     id: str
     name: str
-    title: Prose
-    description: Prose
-    also: tuple[Prose, ...] = ()  # other names
+    title: str
+    description: str
+    also: tuple[str, ...] = ()  # other names
     model_number: int | None = None
     generation: int | None = None
-    manual: Detail[str | None] = None
+    manual: str | None = None
     sources: tuple[Source, ...] = ()
     like: str | None = None  # the similar device
     evidence: tuple[Evidence, ...] = ()  # strongest first
@@ -162,8 +161,8 @@ class Device:
     notes: tuple[Note, ...] = ()
     variants: tuple[DeviceVariant, ...] = ()
     ack_codes: tuple[int, ...] = ()
-    incomplete: tuple[Prose, ...] = ()  # statements on what is unknown; more may be supported than is listed
-    uncertain: tuple[Prose, ...] = ()
+    incomplete: tuple[str, ...] = ()  # statements on what is unknown; more may be supported than is listed
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property

@@ -7,7 +7,6 @@ from typing import Literal
 
 from mipgen.read.position import Position
 
-from .details import Detail, Prose
 from .devices import Device
 
 
@@ -17,24 +16,24 @@ class ExampleField:
 
     field: str | None  # full name; None for an undefined descriptor
     descriptor: int
-    data: Detail[bytes]
-    values: Detail[dict[str, object] | None]
+    data: bytes
+    values: dict[str, object] | None
     trailing: int
-    stated: Detail[dict[str, object] | None]  # values that the manual states
+    stated: dict[str, object] | None  # values that the manual states
 
 
 @dataclass(frozen=True, slots=True)
 class Example:
     id: str
     manual: str
-    section: Prose
-    title: Prose
+    section: str
+    title: str
     role: Literal["command", "reply", "data", "field"]
-    string: Detail[str | None]  # the manual's copy-and-paste string, with its misprints
-    table: Detail[tuple[int | None, ...] | None]  # as in the manual's table; None for an unspecified byte
-    packet: Detail[bytes]  # the correct bytes
+    string: str | None  # the manual's copy-and-paste string, with its misprints
+    table: tuple[int | None, ...] | None  # as in the manual's table; None for an unspecified byte
+    packet: bytes  # the correct bytes
     fields: tuple[ExampleField, ...]
-    note: Prose
+    note: str
     device: Device | None = None  # that sends or receives it; None if the manual is for several and none is named
     synthetic: bool = False  # the manual states only the values, not the bytes
     position: Position | None = field(default=None, compare=False)
@@ -59,9 +58,9 @@ class Erratum:
     manual: str
     section: str
     severity: Literal["wire", "meaning", "editorial"]
-    printed: Prose
-    right: Prose
-    reason: Prose
+    printed: str
+    right: str
+    reason: str
     claims: tuple[Claim, ...]
     named: tuple[str, ...] = ()  # what the texts name in backticks: fields, and other words
     position: Position | None = field(default=None, compare=False)
@@ -70,8 +69,8 @@ class Erratum:
 @dataclass(frozen=True, slots=True)
 class Manual:
     id: str
-    title: Prose
-    document: Prose
+    title: str
+    document: str
     lengths: Literal["wire", "scalars", "none"]  # how it counts field lengths
     sections: tuple[str, ...] = ()  # the headings that may be cited; empty: any
     #: sdk: source code of the vendor, not a text for readers; software: programs that use devices.

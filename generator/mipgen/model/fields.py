@@ -9,7 +9,6 @@ from typing import Final, Literal
 
 from mipgen.read.position import Position
 
-from .details import Detail, Prose
 from .parameters import Group, Parameter, groups
 from .types import Function, Source, Struct, Type
 
@@ -92,11 +91,11 @@ class Set:
     number: int
     name: str
     kind: Kind
-    title: Prose
-    description: Prose
+    title: str
+    description: str
     family: str
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[Prose, ...] = ()
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
 
@@ -106,9 +105,9 @@ class Occurrence:
 
     set: int
     set_name: str
-    title: Prose
+    title: str
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[Prose, ...] = ()
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
 
@@ -121,8 +120,8 @@ class Field:
     name: str
     descriptor: int
     role: Role
-    title: Prose
-    description: Prose
+    title: str
+    description: str
     parameters: tuple[Parameter, ...]
     min_size: int
     max_size: int
@@ -136,16 +135,16 @@ class Field:
     sent_by: Literal["host", "device"] = "host"  # of a command: the sender
     silenced_by: tuple[Condition, ...] = ()  # likewise: settings of other commands
     everywhere: range | None = None  # the sets of a field of every command set, or every data set
-    affects: Detail[tuple[str, ...]] = ()  # of a command: the data fields, or whole sets, that it changes
-    may_affect: Detail[tuple[str, ...]] = ()  # the same, inferred
-    max_rate: Detail[float | None] = None
-    timeout: Detail[float | None] = None
+    affects: tuple[str, ...] = ()  # of a command: the data fields, or whole sets, that it changes
+    may_affect: tuple[str, ...] = ()  # the same, inferred
+    max_rate: float | None = None
+    timeout: float | None = None
     advanced: bool = False
-    deprecated: Prose | None = None
-    also: tuple[Prose, ...] = ()  # other names
-    keywords: tuple[Prose, ...] = ()  # search words that its texts do not contain
-    notes: tuple[Prose, ...] = ()
-    uncertain: tuple[Prose, ...] = ()
+    deprecated: str | None = None
+    also: tuple[str, ...] = ()  # other names
+    keywords: tuple[str, ...] = ()  # search words that its texts do not contain
+    notes: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
@@ -264,7 +263,7 @@ class Named:
     descriptor: int
     role: Role
     name: str
-    title: Prose
+    title: str
     sources: tuple[Source, ...]
     position: Position | None = field(default=None, compare=False)
 
@@ -275,14 +274,14 @@ class Family:
 
     name: str
     kind: Kind
-    title: Prose
-    description: Prose
+    title: str
+    description: str
     sets: tuple[Set, ...]  # by number
     types: tuple[Type, ...]
     fields: tuple[Field, ...]  # by descriptor, commands before responses
     sources: tuple[Source, ...] = ()
     named: tuple[Named, ...] = ()  # by descriptor, commands before responses
-    uncertain: tuple[Prose, ...] = ()
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property

@@ -9,8 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from .details import Prose
-
 if TYPE_CHECKING:
     from mipgen.read.position import Position
 
@@ -42,12 +40,12 @@ class Stream:
 class Step:
     """One command, its purpose, and the reply."""
 
-    why: Prose
+    why: str
     command: Field
     values: dict[str, Any]
     packet: bytes
     answer: bytes  # acknowledge, and response
-    host: Prose = ""  # what a program then does besides commands
+    host: str = ""  # what a program then does besides commands
     response: Shown | None = None
     data: tuple[Stream, ...] = ()
 
@@ -56,10 +54,10 @@ class Step:
 class Sequence:
     """An ordered list of steps, for certain devices."""
 
-    title: Prose
+    title: str
     devices: tuple[Device, ...]
     steps: tuple[Step, ...]
-    notes: tuple[Prose, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @property
     def streams(self) -> tuple[Stream, ...]:
@@ -77,7 +75,7 @@ class Change:
 
     fields: tuple[Field, ...]
     by: tuple[Field, ...]
-    note: Prose
+    note: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +91,8 @@ class Migration:
 class Question:
     """A question that people ask, or a symptom of a problem, with the answer."""
 
-    question: Prose
-    answer: Prose
+    question: str
+    answer: str
     see: tuple[str, ...] = ()  # names of guides and full names of fields
 
     def only(self, fields: dict[str, Field]) -> Question:
@@ -105,14 +103,14 @@ class Question:
 @dataclass(frozen=True, slots=True)
 class Guide:
     name: str
-    title: Prose  # the purpose: "stream IMU data at 100 Hz"
-    question: Prose
-    answer: Prose
+    title: str  # the purpose: "stream IMU data at 100 Hz"
+    question: str
+    answer: str
     sequences: tuple[Sequence, ...]
-    lead: Prose = ""  # the question on the first page that leads to it
-    before: tuple[Prose, ...] = ()  # prerequisites
+    lead: str = ""  # the question on the first page that leads to it
+    before: tuple[str, ...] = ()  # prerequisites
     questions: tuple[Question, ...] = ()
-    notes: tuple[Prose, ...] = ()
+    notes: tuple[str, ...] = ()
     tables: tuple[str, ...] = ()  # tables of facts about all devices: see TABLES
     migration: Migration | None = None
     see: tuple[str, ...] = ()  # names of guides and full names of fields

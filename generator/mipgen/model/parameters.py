@@ -9,7 +9,6 @@ from typing import Final, Literal
 
 from mipgen.read.position import Position
 
-from .details import Detail, Prose
 from .types import SCALARS, Bitfield, Bits, Enum, EnumValue, Function, Scalar, Struct, Type, Vector
 
 #: The meaning of a number in hexadecimal: a plain number, a descriptor set, or a field descriptor.
@@ -62,18 +61,18 @@ class Variant:
     member: str = ""  # of a structure: the member that differs, instead of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
     elements: tuple[str, ...] = ()  # of a vector, in its frame
-    units: Detail[tuple[str, ...]] = ()
-    frame: Detail[str | None] = None
-    minimum: Detail[float | int | None] = None
-    maximum: Detail[float | int | None] = None
-    default: Detail[object] = None
-    valid: Detail[tuple[str, ...] | None] = None  # as for a parameter; empty: no flag marks it as valid
+    units: tuple[str, ...] = ()
+    frame: str | None = None
+    minimum: float | int | None = None
+    maximum: float | int | None = None
+    default: object = None
+    valid: tuple[str, ...] | None = None  # as for a parameter; empty: no flag marks it as valid
     constant: int | None = None  # it always has this value
     only: tuple[EnumValue | Bits, ...] = ()  # the values or bits of its type that exist
     deprecated: bool | None = None
     unknown: bool = False  # its values are unknown
-    description: Prose = ""
-    inferred: Prose = ""  # the reasoning, if no source states it for the device
+    description: str = ""
+    inferred: str = ""  # the reasoning, if no source states it for the device
 
     @property
     def by_device(self) -> bool:
@@ -91,22 +90,22 @@ class Parameter:
     name: str
     element: Scalar | Enum | Bitfield | Vector | Struct | None  # None: a union
     length: int | str | None
-    description: Prose = ""
-    units: Detail[tuple[str, ...]] = ()  # one for all elements, or one for each
+    description: str = ""
+    units: tuple[str, ...] = ()  # one for all elements, or one for each
     any_unit: bool = False  # the unit cannot be stated: another value determines it, or it is unknown
-    frame: Detail[str | None] = None
-    minimum: Detail[float | int | None] = None
-    maximum: Detail[float | int | None] = None
-    above: Detail[float | int | None] = None  # exclusive bounds: greater than `above`, less than `below`
-    below: Detail[float | int | None] = None
-    magnitude: Detail[tuple[float | int | None, float | int | None]] = (None, None)  # bounds of a vector's length
-    at_rest: Detail[tuple[float | int | None, ...]] = ()  # on a level device at rest, for each element or one
-    positive: Prose = ""  # what a positive value means: "nose up"
-    default: Detail[object] = None
-    typical: Detail[object] = None  # a typical value, in the form of the codec; of a structure, members
+    frame: str | None = None
+    minimum: float | int | None = None
+    maximum: float | int | None = None
+    above: float | int | None = None  # exclusive bounds: greater than `above`, less than `below`
+    below: float | int | None = None
+    magnitude: tuple[float | int | None, float | int | None] = (None, None)  # bounds of a vector's length
+    at_rest: tuple[float | int | None, ...] = ()  # on a level device at rest, for each element or one
+    positive: str = ""  # what a positive value means: "nose up"
+    default: object = None
+    typical: object = None  # a typical value, in the form of the codec; of a structure, members
     shown: Shown | None = None  # usually written in hexadecimal; may be the number of a set or a field
     fields_of: str = ""  # the set of these field descriptors: its name, or the parameter with its number
-    valid: Detail[tuple[str, ...]] = ()  # the flags: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
+    valid: tuple[str, ...] = ()  # the flags: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()
     constant: int | None = None
     reserved: int | float | None = None  # the value to send; any value may be received
@@ -117,8 +116,8 @@ class Parameter:
     optional: bool = False  # no function requires it
     selector: bool = False  # the function selector itself
     deprecated: bool = False
-    notes: tuple[Prose, ...] = ()
-    uncertain: tuple[Prose, ...] = ()
+    notes: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
     most: int = field(default=0, compare=False)  # the maximum number of items in a field, if it varies
     position: Position | None = field(default=None, compare=False)
 

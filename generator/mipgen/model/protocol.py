@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 
 from mipgen.read.position import Position
 
-from .details import Detail, Prose
 from .evidence import Manual
 from .fields import Field
 from .types import Enum, Function, Source
@@ -20,10 +19,10 @@ class Conversion:
     """The conversion from a frame to the frame of other software."""
 
     name: str
-    title: Prose
+    title: str
     axes: tuple[str, ...]  # the directions of x, y and z there
     values: tuple[str, ...]  # x, y and z there, by the elements of a vector in the frame: ("y", "x", "-z")
-    description: Prose
+    description: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,14 +30,14 @@ class Word:
     """An entry of a controlled vocabulary: a unit or a frame of reference."""
 
     symbol: str
-    title: Prose
-    description: Prose
-    plural: Detail[str] = ""  # of a unit that is a word: its plural
+    title: str
+    description: str
+    plural: str = ""  # of a unit that is a word: its plural
     numbered: bool = False  # of a unit: values are ordinal, "week 2412"
     elements: tuple[str, ...] = ()  # of a frame: the elements of its vectors, if not x, y, z
-    axes: Detail[tuple[str, ...]] = ()  # of a frame: the directions of x, y and z; right-handed
-    origin: Prose = ""  # of a frame: the location of its origin
-    conversions: Detail[tuple[Conversion, ...]] = ()  # of a frame: to the frames of other software
+    axes: tuple[str, ...] = ()  # of a frame: the directions of x, y and z; right-handed
+    origin: str = ""  # of a frame: the location of its origin
+    conversions: tuple[Conversion, ...] = ()  # of a frame: to the frames of other software
     sources: tuple[Source, ...] = ()  # of a frame
 
 
@@ -46,8 +45,8 @@ class Word:
 class Chapter:
     """Notes on the protocol for programmers that concern no single field."""
 
-    title: Prose
-    text: tuple[Prose, ...]  # paragraphs
+    title: str
+    text: tuple[str, ...]  # paragraphs
     sources: tuple[Source, ...]
 
 
@@ -56,8 +55,8 @@ class Clock:
     """A clock of timestamps."""
 
     name: str
-    title: Prose
-    description: Prose
+    title: str
+    description: str
     epoch: str | None  # "1980-01-06"; None: it starts with the device
     timestamps: tuple[str, ...]  # full names of the data fields that contain its time
     position: Position | None = field(default=None, compare=False)
@@ -107,10 +106,10 @@ class Usage:
 @dataclass(frozen=True, slots=True)
 class Protocol:
     name: str
-    title: Prose  # what it is, after "the": "MIP protocol of MicroStrain inertial sensors"
+    title: str  # what it is, after "the": "MIP protocol of MicroStrain inertial sensors"
     package: str  # the name of libraries and packages: `mip` for `mip_parser_init`, `mip_protocol`
-    keywords: tuple[Prose, ...]  # for searches
-    version: Detail[str]
+    keywords: tuple[str, ...]  # for searches
+    version: str
     sync: tuple[int, int]
     max_payload: int
     functions: tuple[Function, ...]
@@ -122,9 +121,9 @@ class Protocol:
     manuals: tuple[Manual, ...]
     notes: tuple[Chapter, ...] = ()
     vocabulary: tuple[Usage, ...] = ()
-    synonyms: Detail[tuple[tuple[str, ...], ...]] = ()  # words of the same meaning
+    synonyms: tuple[tuple[str, ...], ...] = ()  # words of the same meaning
     clocks: tuple[Clock, ...] = ()  # preferred clocks come first
     session: Session | None = None
     barrier: tuple[int, int] = (0, 0)  # set and descriptor of the barrier's command; 0: none
-    url: Prose = ""  # the public repository
-    leap_seconds: Detail[tuple[tuple[str, int], ...]] = ()  # day -> seconds that clocks with an epoch are ahead of UTC
+    url: str = ""  # the public repository
+    leap_seconds: tuple[tuple[str, int], ...] = ()  # day -> seconds that clocks with an epoch are ahead of UTC

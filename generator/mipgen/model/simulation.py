@@ -9,8 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from .details import Detail, Prose
-
 if TYPE_CHECKING:
     from . import Field
 
@@ -20,10 +18,10 @@ class Quantity:
     """A quantity of the simulation, in one unit: a number, several numbers, a text, or a list."""
 
     name: str
-    unit: Detail[str | None]
+    unit: str | None
     elements: int
-    description: Prose
-    typical: Detail[Any] = None  # a typical value: a number, several numbers, a text, or a list
+    description: str
+    typical: Any = None  # a typical value: a number, several numbers, a text, or a list
     noise: tuple[tuple[str, float], ...] = ()  # noise of the sensor that measures it: density, drift, period
 
 
@@ -31,7 +29,7 @@ class Quantity:
 class Effect:
     name: str
     arguments: tuple[str, ...]
-    description: Prose
+    description: str
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, TypeVar
-
-from mipgen.base.reads import Memo, kept
 
 from .devices import Device, Support
 from .evidence import Erratum, Example
@@ -36,24 +35,26 @@ class Model:
 
     def derived(self, make: Callable[[Model], Item]) -> Item:
         """Returns the result of a class or a function for this model, which is made once and kept with the model."""
-        derived: Item = self._derived.get(make, make, self)
+        if make not in self._derived:
+            self._derived[make] = make(self)
+        derived: Item = self._derived[make]
         return derived
 
     def program(self, name: str) -> str:
         """Returns the text of a program; empty if the specification contains none of that name."""
         return dict(self.programs).get(name, "")
 
-    @kept
+    @cached_property
     def fields(self) -> tuple[Field, ...]:
         """Every field, without the acknowledge field."""
         return tuple(f for x in self.families for f in x.fields)
 
-    @kept
+    @cached_property
     def sets(self) -> tuple[Set, ...]:
         """Every descriptor set, by number."""
         return tuple(sorted((s for x in self.families for s in x.sets), key=lambda s: s.number))
 
-    @kept
+    @cached_property
     def all_types(self) -> tuple[Type, ...]:
         """The types of spec/types, then those of the families."""
         return (*self.types, *(t for x in self.families for t in x.types))
@@ -68,7 +69,7 @@ class Model:
         """Finds a field by its full name, or by its name in one of its sets: "gnss_2.dop"."""
         return self._fields.get(full_name)
 
-    @kept
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """The full names of all fields, and their names in each of their sets."""
         return tuple(dict.fromkeys(name for f in self.fields for name in f.names))
@@ -183,62 +184,62 @@ class Model:
 
     # ----------------------------------------------------------------------- indexes
 
-    @kept
-    def _derived(self) -> Memo[Callable[[Model], Any], Any]:
-        return Memo()
+    @cached_property
+    def _derived(self) -> dict[Callable[[Model], Any], Any]:
+        return {}
 
-    @kept
+    @cached_property
     def _sets(self) -> dict[int, Set]:
         return {s.number: s for s in self.sets}
 
-    @kept
+    @cached_property
     def _fields(self) -> dict[str, Field]:
         every = (*self.fields, self.protocol.acknowledge)
         return {name: f for f in every for name in f.names} | {f.full_name: f for f in every}
 
-    @kept
+    @cached_property
     def _families(self) -> dict[str, Family]:
         return {x.name: x for x in self.families}
 
-    @kept
+    @cached_property
     def _types(self) -> dict[str, Type]:
         own = {f"{x.name}.{t.name}": t for x in self.families for t in x.types}
         return {**own, **{t.name: t for t in self.types}}
 
-    @kept
+    @cached_property
     def _descriptors(self) -> dict[tuple[int, int], tuple[Field, ...]]:
         return _grouped(((o.set, f.descriptor), f) for f in self.fields for o in f.occurrences)
 
-    @kept
+    @cached_property
     def _everywhere(self) -> dict[int, tuple[Field, ...]]:
         return _grouped((f.descriptor, f) for f in (*self.fields, self.protocol.acknowledge) if f.everywhere)
 
-    @kept
+    @cached_property
     def _commands(self) -> dict[str, tuple[Field, ...]]:
         return _grouped((f"{f.family}.{name}", f) for f in self.fields for name in f.responses)
 
-    @kept
+    @cached_property
     def _changes(self) -> dict[str, tuple[Field, ...]]:
         return _grouped((name, f) for f in self.fields for name in self._names_affected(f, certain=True))
 
-    @kept
+    @cached_property
     def _may_change(self) -> dict[str, tuple[Field, ...]]:
         return _grouped((name, f) for f in self.fields for name in self._names_affected(f, certain=False))
 
     def _names_affected(self, f: Field, certain: bool) -> dict[str, None]:
         return dict.fromkeys(map(_name, self.affected(f, certain)))
 
-    @kept
+    @cached_property
     def _flags(self) -> dict[str, tuple[tuple[Bitfield, Bits], ...]]:
         flags = ((t, b) for t in self.all_types if isinstance(t, Bitfield) for b in t.bits)
         named = ((t, b, self._fields.get(name)) for t, b in flags for name in b.concerns)
         return _grouped((f.full_name, (t, b)) for t, b, f in named if f is not None)
 
-    @kept
+    @cached_property
     def _supports(self) -> dict[str, tuple[tuple[Device, Support], ...]]:
         return _grouped((s.field.full_name, (d, s)) for d in self.devices for s in d.supports)
 
-    @kept
+    @cached_property
     def _refusing(self) -> dict[str, tuple[str, ...]]:
         return _grouped((s.field.full_name, d.id) for d in self.devices for s in d.refuses)
 

@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Literal, Protocol
 
 from mipgen.read.position import Position
 
-from .details import Detail, Prose
-
 if TYPE_CHECKING:
     from .parameters import Group, Parameter
 
@@ -19,8 +17,8 @@ class Source:
     """The section of a manual that states a fact, and the field length printed there."""
 
     manual: str
-    section: Prose
-    length: Detail[str | None] = None  # "14", "4 + 3*count", or None if the manual states none
+    section: str
+    length: str | None = None  # "14", "4 + 3*count", or None if the manual states none
     position: Position | None = field(default=None, compare=False)
 
 
@@ -50,9 +48,9 @@ SCALARS: dict[str, Scalar] = {
 class EnumValue:
     name: str
     value: int
-    description: Prose
+    description: str
     deprecated: bool = False
-    uncertain: tuple[Prose, ...] = ()
+    uncertain: tuple[str, ...] = ()
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
@@ -80,10 +78,10 @@ class Enum(_Type):
     name: str
     scalar: Scalar
     values: tuple[EnumValue, ...]
-    description: Prose
+    description: str
     owner: str | None  # the set that defines it, None if it is defined in spec/types
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[Prose, ...] = ()
+    uncertain: tuple[str, ...] = ()
     kind: Literal["enum"] = "enum"
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
@@ -99,11 +97,11 @@ class Bits:
     name: str
     first: int
     last: int
-    description: Prose
+    description: str
     alias: bool  # intentionally overlaps other bits
     enum: Enum | None = None
-    concerns: Detail[tuple[str, ...]] = ()  # full names of the fields or commands that it is about
-    uncertain: tuple[Prose, ...] = ()
+    concerns: tuple[str, ...] = ()  # full names of the fields or commands that it is about
+    uncertain: tuple[str, ...] = ()
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
@@ -124,10 +122,10 @@ class Bitfield(_Type):
     scalar: Scalar | None  # None: a byte array
     size: int
     bits: tuple[Bits, ...]
-    description: Prose
+    description: str
     owner: str | None
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[Prose, ...] = ()
+    uncertain: tuple[str, ...] = ()
     kind: Literal["bitfield"] = "bitfield"
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
@@ -147,8 +145,8 @@ class Vector(_Type):
     name: str
     scalar: Scalar
     elements: tuple[str, ...]
-    description: Prose
-    uncertain: tuple[Prose, ...] = ()
+    description: str
+    uncertain: tuple[str, ...] = ()
     kind: Literal["vector"] = "vector"
 
     @property
@@ -171,10 +169,10 @@ class Struct(_Type):
     parameters: tuple[Parameter, ...]
     min_size: int
     max_size: int
-    description: Prose
+    description: str
     owner: str | None
     sources: tuple[Source, ...] = ()
-    uncertain: tuple[Prose, ...] = ()
+    uncertain: tuple[str, ...] = ()
     kind: Literal["struct"] = "struct"
     short: str | None = None
     position: Position | None = field(default=None, compare=False)
@@ -224,7 +222,7 @@ class Function:
     responds: bool  # True: a response with the current setting follows the acknowledge
     sets: bool  # True: it sets new values, so it may have optional parameters
     like: str | None  # the function whose parameters it requires
-    description: Prose
+    description: str
 
 
 def letters(functions: Iterable[Function]) -> str:

@@ -9,7 +9,6 @@ from pathlib import Path
 
 from mipgen import model as m
 from mipgen.facts import references
-from mipgen.model import details
 from mipgen.read import loader
 from mipgen.read.documents import Document
 from mipgen.read.nodes import Node
@@ -29,12 +28,10 @@ def load_model(spec: Path, *overlays: Path) -> m.Model:
     collecting = gc.isenabled()
     gc.disable()  # a model contains no garbage; searching for it takes a quarter of the time
     try:
-        model = _loaded(spec, overlays)
+        return _loaded(spec, overlays)
     finally:
         if collecting:
             gc.enable()
-    details.watch(m.Model)
-    return model
 
 
 def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:

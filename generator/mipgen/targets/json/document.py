@@ -8,13 +8,11 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
 from operator import attrgetter
 from typing import Any
 
 from mipgen import model as m
-from mipgen.emit import slices
 from mipgen.emit.target import Identifier
 from mipgen.facts import describe
 from mipgen.facts.sample_values import SampleValues
@@ -58,8 +56,6 @@ def _text(model: m.Model) -> str:
 
 
 def _laid_out(value: Any) -> str:
-    if isinstance(value, (_Each, _Whole)):
-        return value.text()
     if isinstance(value, list) and value:
         return "[\n" + ",\n".join(map(line, value)) + "\n]"
     if isinstance(value, dict) and value and all(isinstance(v, (dict, list)) for v in value.values()):
@@ -75,32 +71,6 @@ def lines(f: m.Field, samples: SampleValues) -> str:
 
 #: Writes a value on one line.
 line = json.JSONEncoder(ensure_ascii=False, separators=(",", ":")).encode
-
-
-@dataclass(frozen=True, slots=True)
-class _Each:
-    """A list with a value for each of many objects, one on each line."""
-
-    things: Sequence[Any]
-    value: Callable[[Any], Any]
-
-    def text(self) -> str:
-        lines = [slices.piece("line", self.line, thing) for thing in self.things]
-        return "[\n" + ",\n".join(lines) + "\n]" if lines else "[]"
-
-    def line(self, thing: Any) -> str:
-        return line(self.value(thing))
-
-
-@dataclass(frozen=True, slots=True)
-class _Whole:
-    """A value that is made from one object, on several lines."""
-
-    thing: Any
-    value: Callable[[Any], Any]
-
-    def text(self) -> str:
-        return slices.piece("whole", lambda thing: _laid_out(self.value(thing)), self.thing)
 
 
 def _parts(model: m.Model) -> dict[str, Any]:
@@ -128,15 +98,15 @@ def _parts(model: m.Model) -> dict[str, Any]:
         "synonyms": plain(p.synonyms),
         "clocks": [_clock(c, model) for c in p.clocks],
         "leap_seconds": dict(p.leap_seconds),
-        "types": _Each(types(model), _attributes),
-        "sets": _Each(model.sets, lambda s: _set(s, model)),
-        "fields": _Each((p.acknowledge, *model.fields), lambda f: _with_samples(f, samples)),
-        "devices": _Each(model.devices, lambda d: _device(d, model)),
-        "examples": _Each(model.examples, _attributes),
-        "errata": _Each(model.errata, _attributes),
-        "simulation": _Whole(model.simulation, _attributes),
-        "guides": _Each(model.guides, _attributes),
-        "programs": _Whole(p, lambda _: programs(model)),
+        "types": [_attributes(t) for t in types(model)],
+        "sets": [_set(s, model) for s in model.sets],
+        "fields": [_with_samples(f, samples) for f in (p.acknowledge, *model.fields)],
+        "devices": [_device(d, model) for d in model.devices],
+        "examples": [_attributes(x) for x in model.examples],
+        "errata": [_attributes(e) for e in model.errata],
+        "simulation": _attributes(model.simulation),
+        "guides": [_attributes(g) for g in model.guides],
+        "programs": programs(model),
     }
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TypeVar
 
 from mipgen import model as m
-from mipgen.base.reads import kept
 from mipgen.facts.sample_values import SampleValues
 from mipgen.model.guides import Guide
 
@@ -52,29 +52,29 @@ class Index:
         """Returns the fields that cite the section of an erratum."""
         return self._fields_of_section.get(_section(e), [])
 
-    @kept
+    @cached_property
     def _claims(self) -> list[tuple[m.Erratum, m.Claim]]:
         return [(e, c) for e in self.model.errata for c in e.claims]
 
-    @kept
+    @cached_property
     def _of_section(self) -> dict[tuple[str, str], list[m.Erratum]]:
         return _grouped((_section(e), e) for e in self.model.errata)
 
-    @kept
+    @cached_property
     def _of_example(self) -> dict[str, list[m.Erratum]]:
         return _grouped((c.subject, e) for e, c in self._claims if c.kind == "example")
 
-    @kept
+    @cached_property
     def _of_length(self) -> dict[tuple[str, str], list[m.Erratum]]:
         return _grouped(((e.manual, c.subject), e) for e, c in self._claims if c.kind == "length")
 
-    @kept
+    @cached_property
     def _naming(self) -> dict[str, list[m.Erratum]]:
         """Field -> the errata whose texts name it, in its section or elsewhere."""
         pairs = [(name, e) for e in self.model.errata for name in e.named]
         return _grouped((f.full_name, e) for name, e in pairs if (f := self.model.field(name)) is not None)
 
-    @kept
+    @cached_property
     def _fields_of_section(self) -> dict[tuple[str, str], list[m.Field]]:
         fields = [f for f in self.model.fields if f.role != m.RESPONSE]
         return _grouped(((s.manual, s.section), f) for f in fields for s in f.sources)
@@ -92,12 +92,12 @@ class Index:
             return [f.full_name] if f else []
         return [f.full_name for f in self.model.candidates(x.set, part.data[0]) if f.role == m.COMMAND]
 
-    @kept
+    @cached_property
     def _examples(self) -> dict[str, list[m.Example]]:
         parts = [(x, part) for x in self.model.examples for part in x.fields]
         return _grouped((name, x) for x, part in parts for name in self.shown(x, part))
 
-    @kept
+    @cached_property
     def guides(self) -> dict[str, list[Guide]]:
         """Field -> the guides that use it in a step or in data."""
         used = [(g, set[str]().union(*(s.used for s in g.sequences))) for g in self.model.guides]
@@ -109,7 +109,7 @@ class Index:
         """Returns the fields and types whose parameters, bits or variants use a type."""
         return self._users.get(_name(t), [])
 
-    @kept
+    @cached_property
     def _users(self) -> dict[tuple[str | None, str], list[User]]:
         records: list[m.Struct | m.Field] = [*m.structs(self.model.all_types)]
         records += [self.model.protocol.acknowledge, *self.model.fields]

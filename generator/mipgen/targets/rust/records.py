@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 from mipgen import model as m
-from mipgen.base.reads import Memo
 from mipgen.lower import calls, extent
 from mipgen.model.parameters import alike
 
@@ -138,7 +137,7 @@ class Records:
     def __init__(self, model: m.Model) -> None:
         self.model = model
         self.unions: list[Union] = []
-        self._members: Memo[int, list[Member]] = Memo()  # by the identity of a record
+        self._members: dict[int, list[Member]] = {}  # by the identity of a record
         for record in self.all():
             for p in record.parameters:
                 if p.union and self._union(p.union, home(record)) is None:
@@ -182,7 +181,9 @@ class Records:
     # ------------------------------------------------------------------ members
 
     def members(self, record: m.Record) -> list[Member]:
-        return self._members.get(id(record), self._made, record)
+        if id(record) not in self._members:
+            self._members[id(record)] = self._made(record)
+        return self._members[id(record)]
 
     def _made(self, record: m.Record) -> list[Member]:
         return [
