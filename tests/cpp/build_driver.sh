@@ -29,7 +29,7 @@ for name in decode encode packet_check parser_next parser_flush; do
 done
 
 # Identifies everything that the program is made of, so that nothing is built twice.
-stamp=$(cat "$0" "$here"/driver/* "$here"/../c/driver/* "$generated"/src/mip/* | cksum)
+stamp=$(cat "$0" "$here"/driver/* "$here/../c/driver/driver.c" "$generated"/src/mip/* | cksum)
 stamp="$CC $CXX $warnings $generated $MIP_EVERY $MIP_SEED $stamp"
 if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ]; then
     sed -n 's/^MIP_LAYOUT(\([a-z0-9_]*\),.*/\1/p' "$generated"/src/mip/*.hpp |
@@ -37,7 +37,7 @@ if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ];
             >"$build/layouts.inc"
     cd "$build"
     # shellcheck disable=SC2086
-    "$CC" -std=c99 $warnings $names -I"$generated/src" -c "$here"/../c/driver/*.c
+    "$CC" -std=c99 $warnings $names -I"$generated/src" -c "$here/../c/driver/driver.c"
     # shellcheck disable=SC2086
     "$CXX" -std=c++17 $warnings -fno-exceptions -fno-rtti -I"$generated/src" -I"$build" -c "$here/driver/layouts.cpp"
     if [ -z "${MIP_LIBRARY:-}" ]; then
@@ -47,7 +47,7 @@ if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ];
         MIP_LIBRARY=$(echo library/*.o)
     fi
     # shellcheck disable=SC2086
-    "$CXX" $warnings client.o driver.o json.o port.o layouts.o $MIP_LIBRARY -o "$program"
+    "$CXX" $warnings driver.o layouts.o $MIP_LIBRARY -o "$program"
     printf '%s\n' "$stamp" >"$program.stamp"
 fi
-printf '%s\n' "$program"
+echo "${PYTHON:-python3} $here/../c/driver/driver.py $program"
