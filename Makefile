@@ -93,12 +93,16 @@ audit: $(VENV)/generator.stamp ## compare the specification with its sources: ma
 PYTEST = PYTHONDONTWRITEBYTECODE= SEED=$(SEED) $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
 .PHONY: test
-test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only: make test SEED=2
-	@$(PYTEST) -m "not (heavy or cross or nightly)" $(TESTS)
+test: tools $(VENV)/development.stamp ## run the tests of all languages, of those whose compiler is there: make test SEED=2, make test STRICT=1
+	@$(PYTEST) -m "not (heavy or packaging or cross or nightly)" $(TESTS)
+
+.PHONY: test-packaging
+test-packaging: tools-packaging $(VENV)/all.stamp ## build packages, install them, and use C in build systems
+	@$(PYTEST) -m "packaging and not nightly" $(TESTS)
 
 .PHONY: test-all
-test-all: tools-all test $(VENV)/all.stamp ## these, and those that take long, or need other compilers, browsers and Pythons
-	@$(PYTEST) -m "heavy and not nightly" $(TESTS)
+test-all: tools-all test test-packaging ## these, and those that take long, or need other compilers, browsers and Pythons
+	@$(PYTEST) -m "heavy and not (packaging or nightly)" $(TESTS)
 
 .PHONY: nightly
 nightly: SEED ?= $(shell date +%s)
@@ -112,10 +116,10 @@ test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in
 	@$(PYTEST) -m "cross and not nightly" tests/cross
 
 # Of the generator, what runs in its process; and every printed packet in Python.
-SLOW := cli discovery install mutations output targets
+SLOW := cli discovery mutations output targets
 .PHONY: quick
 quick: $(VENV)/development.stamp ## run the quick tests of the generator, and Python with every printed packet, in a minute
-	@$(PYTEST) -m "not (heavy or nightly)" tests/generator $(SLOW:%=--ignore=tests/generator/test_%.py) \
+	@$(PYTEST) -m "not (heavy or packaging or nightly)" tests/generator $(SLOW:%=--ignore=tests/generator/test_%.py) \
 	  $(foreach spec,real invented,$(foreach way,decode_to_their_values encode_to_their_bytes,"tests/conformance/test_conformance.py::test_examples_$(way)[python-$(spec)]"))
 
 .PHONY: semver
@@ -135,12 +139,17 @@ prove: tools-prove $(VENV)/development.stamp ## prove properties of C for all in
 	@$(RUN) tests/prove/proofs.py $(addprefix --field ,$(FIELD)) $(addprefix --count ,$(COUNT)) $(addprefix --seed ,$(SEED)) \
 	  $(addprefix --seconds ,$(SECONDS)) $(if $(PLANT),--plant)
 
-# The formatter and linter of JavaScript, pinned by its npm lock; people without npm leave it out.
+# The formatter and linter of JavaScript, pinned by its npm lock.
 BIOME := $(BUILD)/biome/node_modules/.bin/biome
 
 $(BUILD)/biome/stamp: tests/javascript/biome/package-lock.json
 	@! command -v npm >/dev/null 2>&1 || { echo "installing biome"; mkdir -p $(@D); cp $(<D)/package*.json $(@D); cd $(@D) && npm ci --silent --no-audit --no-fund --ignore-scripts; }
 	@mkdir -p $(@D) && touch $@
+
+# Formatters that `make check` uses where they are there; with STRICT=1, it fails if one is missing.
+RUSTFMT = $(shell rustfmt --version 2>/dev/null)
+NPM = $(shell command -v npm)
+NO_FORMATTER = $(strip $(if $(RUSTFMT),,rustfmt (rustup component add rustfmt)) $(if $(NPM),,biome (Debian: apt-get install npm)))
 
 .PHONY: check
 check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
@@ -158,9 +167,10 @@ check: $(BUILD)/biome/stamp tools-check $(VENV)/development.stamp ## validate, c
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy --no-error-summary mip_protocol
 	@cd tools && $(abspath $(VENV))/bin/mypy --no-error-summary
 	@find $(OUT)/c runtime/c tests/c tests/cross \( -name '*.c' -o -name '*.h' -o -name '*.hpp' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
-	@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust
-	@if command -v npm >/dev/null 2>&1; then $(BIOME) check --error-on-warnings --log-level=warn .; fi
-	@echo "checked: specification, words, generated files, ruff, mypy, imports, clang-format, rustfmt$$(command -v npm >/dev/null 2>&1 && echo ', biome; nothing was left out' || echo '; left out: biome (JavaScript), which needs npm (Debian: apt-get install npm)')"
+	$(if $(RUSTFMT),@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust)
+	$(if $(NPM),@$(BIOME) check --error-on-warnings --log-level=warn .)
+	@echo "checked: specification, words, generated files, ruff, mypy, imports, clang-format$(if $(RUSTFMT), and rustfmt)$(if $(NPM), and biome); left out: $(or $(NO_FORMATTER),nothing)"
+	$(if $(STRICT),@test -z "$(NO_FORMATTER)")
 
 .PHONY: workbench
 workbench: ## build the tools for the browser in build/workbench, of any output: make workbench OUT=FOLDER
@@ -208,12 +218,15 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-miri tools-prove tools-semver tools-workflows
+.PHONY: tools tools-check tools-packaging tools-all tools-cross tools-fuzz tools-miri tools-prove tools-semver tools-workflows
 tools:
 	@tests/tools.sh test
 
 tools-check:
 	@tests/tools.sh check
+
+tools-packaging:
+	@tests/tools.sh packaging
 
 tools-all:
 	@tests/tools.sh all

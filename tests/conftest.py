@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import gc
 import os
+import shutil
 import signal
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable, Iterator
 from typing import Any
 
 import pytest
 from mipgen import model as m
-from support import BUILD, NIGHTLY, SEED, generate_invented
+from support import BUILD, NIGHTLY, PROGRAMS, SEED, generate_invented, uses
 
 # The generator's cache is here: tests neither see nor change that of the user.
 os.environ["MIPGEN_CACHE"] = str(BUILD / "cache")
@@ -24,7 +25,11 @@ gc.disable()
 # A test that fails shows its values; printing a whole model would take half a minute.
 m.Model.__repr__ = m.Device.__repr__ = lambda self: f"<{type(self).__name__}>"  # type: ignore[method-assign]
 
-#: The targets of make that run the tests that were left out, and what those need, as `support.heavy` names it.
+#: Whether it is an error if a test was left out because a program is missing: CI has them all.
+STRICT = bool(os.environ.get("STRICT"))
+
+#: The targets of make that run the tests that were left out, and what those need, as `support.heavy` names it. No
+#: target runs those that use a missing program.
 left_out: set[tuple[str, str]] = set()
 
 
@@ -35,17 +40,27 @@ def pytest_configure(config: pytest.Config) -> None:
 
 def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
     for item in items:
-        for name, target in (("nightly", "nightly"), ("heavy", "test-all")):
+        for name, target in (("nightly", "nightly"), ("packaging", "test-packaging"), ("heavy", "test-all")):
             mark = item.get_closest_marker(name)
             if mark is not None:
-                yield target, mark.args[0]
+                yield target, mark.args[0] if mark.args else "packages and build systems"
                 break
         if item.get_closest_marker("cross") is not None:
             yield "test-cross", "other machines"
 
 
-@pytest.hookimpl(tryfirst=True)  # xdist reads the groups in this hook, too
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+@pytest.hookimpl(wrapper=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None, None, None]:
+    group(items)  # which xdist reads in this hook, too
+    yield  # by the expression of `-m`, some are left out
+    for item in items.copy():
+        missing = {mark.args[0] for mark in item.iter_markers("uses") if shutil.which(mark.args[0]) is None}
+        if missing:
+            items.remove(item)
+            left_out.update(("", program) for program in missing)
+
+
+def group(items: list[pytest.Item]) -> None:
     """Tests that use cargo, which has one target folder, wait for it in one process and not in all; they take longest,
     so they begin first. Tests that need random values of all fields run in the process where these have been drawn."""
     for item in items:
@@ -58,6 +73,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.xdist_group(f"values-{spec}"))
         elif item.path.name == "test_columns.py":
             item.add_marker(pytest.mark.xdist_group("columns"))
+        if any(mark.args == ("cargo",) for mark in item.iter_markers("xdist_group")):
+            item.add_marker(uses("cargo"))
     items.sort(key=lambda item: item.get_closest_marker("xdist_group") is None)
 
 
@@ -73,6 +90,8 @@ def pytest_deselected(items: list[pytest.Item]) -> None:
 def pytest_sessionfinish(session: pytest.Session) -> None:
     if hasattr(session.config, "workeroutput"):  # in a worker of xdist, which alone knows what was left out
         session.config.workeroutput["left_out"] = sorted(left_out)
+    elif STRICT and any(target == "" for target, _ in left_out):
+        session.exitstatus = 1
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -93,6 +112,9 @@ def pytest_unconfigure(config: pytest.Config) -> None:
         left_out.add(("nightly", "more rounds of random tests, and other seeds"))
     rest = [
         f"left out, for `make {target}`: {', '.join(sorted(what for of, what in left_out if of == target))}"
-        for target in sorted({target for target, _ in left_out})
+        for target in sorted({target for target, _ in left_out} - {""})
     ]
+    if missing := [f"{p} ({PROGRAMS.get(p, 'see its page')})" for target, p in sorted(left_out) if target == ""]:
+        error = ", an error with STRICT=1" if STRICT else ""
+        rest.insert(0, f"left out, because it is missing{error}: what uses {', '.join(missing)}")
     reporter.write_line(f"tests run: {counts or 'none'}; seed {SEED}; {'; '.join(rest) or 'nothing was left out'}")

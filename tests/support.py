@@ -77,20 +77,23 @@ def rounds(usual: int, nightly: int) -> int:
 
 
 def offering(*operations: str) -> list[Any]:
-    """The targets whose drivers offer all of these, as parameters of a test; heavy if a driver needs more tools."""
+    """The targets whose drivers offer all of these, as parameters of a test."""
     return [
-        pytest.param(name, marks=heavy(needs) if (needs := needed(name)) else ())
-        for name, offered in OFFERS.items()
-        if set(operations) <= set(offered)
+        pytest.param(name, marks=needed(name)) for name, offered in OFFERS.items() if set(operations) <= set(offered)
     ]
 
 
-def needed(target: str) -> str:
-    """Why `make test` leaves out the driver of a target: tools of `make test-all`, or a missing program."""
+def needed(target: str) -> list[pytest.MarkDecorator]:
+    """What marks tests of a target's driver: it is heavy, or uses a program."""
     if target == "cpp":
-        return "" if shutil.which("g++") else "g++"
+        return [uses("g++")]
     of = SOURCES[target].load()
-    return of.needs or (of.program if of.program and shutil.which(of.program) is None else "")
+    return [heavy(of.needs)] if of.needs else [uses(of.program)] if of.program else []
+
+
+def at_hand(target: str) -> bool:
+    """Whether `make test` runs the driver of a target on this machine."""
+    return not any(mark.name == "heavy" or shutil.which(mark.args[0]) is None for mark in needed(target))
 
 
 def each(*operations: str) -> Any:
@@ -147,16 +150,33 @@ def need(tool: str) -> str:
 
 
 def heavy(what: str) -> pytest.MarkDecorator:
-    """Marks a test that needs more than Python, a C compiler and cargo, or takes long; `what` it is, in few words.
+    """Marks a test that needs more than Python, a C compiler and PROGRAMS, or takes long; `what` it is, in few words.
 
     `make test` leaves it out and names it in its last line, `make test-all` runs it.
     """
     return pytest.mark.heavy(what)
 
 
+#: What `make test` uses beside Python and a C compiler, and a command that installs it.
+PROGRAMS = {
+    "cargo": "curl -sSf https://sh.rustup.rs | sh -s -- -y",
+    "g++": "apt-get install g++",
+    "node": "apt-get install nodejs",
+}
+
+
+def uses(program: str) -> pytest.MarkDecorator:
+    """Marks a test that is left out where a program is missing; the last line says so, and STRICT=1 makes it fail."""
+    return pytest.mark.uses(program)
+
+
 def nightly(what: str) -> pytest.MarkDecorator:
     """Marks a test that takes minutes and that hardly any change can break; only `make nightly` runs it."""
     return pytest.mark.nightly(what)
+
+
+#: Marks a test that builds or installs packages, or configures a build system; only `make test-packaging` runs it.
+packaging = pytest.mark.packaging
 
 
 def small(what: str) -> pytest.MarkDecorator:

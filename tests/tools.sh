@@ -1,7 +1,8 @@
 #!/bin/sh
-# tools.sh check|test|all|cross|fuzz|miri|prove|semver|workflows: installs what it can, and names everything else that
-# is missing, with its remedy.
+# tools.sh check|test|packaging|all|cross|fuzz|miri|prove|semver|workflows: installs what it can, and names everything
+# else that is missing, with its remedy. `make check` and `make test` leave out what needs Rust where it is missing.
 set -u
+goal=$1
 missing=0
 
 lacks() {
@@ -16,9 +17,11 @@ command_or() {
 # A component of rustup, which has commands even for components that are not installed.
 component() {
     "$2" --version >/dev/null 2>&1 && return
-    echo "installing $1"
-    rustup --quiet component add "$1" >/dev/null 2>&1
-    "$2" --version >/dev/null 2>&1 || lacks "$1" "rustup component add $1 (Debian without rustup: apt-get install $3)"
+    if command -v rustup >/dev/null 2>&1; then
+        echo "installing $1"
+        rustup --quiet component add "$1" >/dev/null 2>&1
+    fi
+    "$2" --version >/dev/null 2>&1 || [ "$goal" = check ] || lacks "$1" "rustup component add $1 (Debian without rustup: apt-get install $3)"
 }
 
 # A compiler for Linux on another machine, with its C library.
@@ -142,13 +145,12 @@ if [ "$1" = semver ]; then
     exit $missing
 fi
 
-component rustfmt rustfmt rustfmt
+[ "$1" = test ] || component rustfmt rustfmt rustfmt
 [ "$1" = check ] && exit $missing
 
-if command -v cargo >/dev/null 2>&1; then
+if [ "$1" != test ]; then
+    command_or cargo "install Rust: https://rustup.rs"
     component clippy cargo-clippy rust-clippy
-else
-    lacks cargo "install Rust: https://rustup.rs"
 fi
 if command -v cc >/dev/null 2>&1; then
     printf '#include <stdio.h>\nint main(void) { return puts("") < 0; }\n' |
@@ -160,30 +162,32 @@ fi
 [ "$1" = test ] && exit $missing
 
 command_or tshark "install Wireshark 4.0 or later (Debian: apt-get install tshark)"
-command_or text2pcap "it comes with Wireshark (Debian: apt-get install wireshark-common)"
 command_or g++ "install it (Debian: apt-get install g++)"
-command_or clang "install it (Debian: apt-get install clang)"
-command_or clang++ "install it (Debian: apt-get install clang)"
 command_or x86_64-w64-mingw32-gcc "install it (Debian: apt-get install gcc-mingw-w64-x86-64)"
-command_or x86_64-w64-mingw32-g++ "install it (Debian: apt-get install g++-mingw-w64-x86-64)"
 command_or arm-none-eabi-g++ "install it (Debian: apt-get install gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)"
-command_or valgrind "install it (Debian: apt-get install valgrind)"
 command_or arduino-builder "install it (Debian: apt-get install arduino-builder)"
 [ -d /usr/share/arduino/hardware/arduino/avr ] ||
     lacks "the core of Arduino's AVR boards" "install it (Debian: apt-get install arduino-core-avr)"
+command_or node "install it (Debian: apt-get install nodejs)"
+command_or npm "install it (Debian: apt-get install npm)"
+for version in 3.10 3.11 3.12 3.13; do
+    "python$version" -c pass 2>/dev/null || ls "${PYENV_ROOT:-$HOME/.pyenv}/versions/$version".*/bin/python >/dev/null 2>&1 ||
+        lacks "Python $version" "install it (pyenv install $version)"
+done
+[ "$1" = packaging ] && exit $missing
+
+command_or text2pcap "it comes with Wireshark (Debian: apt-get install wireshark-common)"
+command_or clang "install it (Debian: apt-get install clang)"
+command_or clang++ "install it (Debian: apt-get install clang)"
+command_or x86_64-w64-mingw32-g++ "install it (Debian: apt-get install g++-mingw-w64-x86-64)"
+command_or valgrind "install it (Debian: apt-get install valgrind)"
 command_or doxygen "install it (Debian: apt-get install doxygen)"
 command_or cppcheck "install it (Debian: apt-get install cppcheck)"
-command_or node "install it (Debian: apt-get install nodejs)"
 command_or chromium "install it (Debian: apt-get install chromium)"
-command_or npm "install it (Debian: apt-get install npm)"
 target=thumbv7m-none-eabi
 if ! rustup target list --installed 2>/dev/null | grep -qx $target; then
     echo "installing $target"
     rustup --quiet target add $target >/dev/null 2>&1 || lacks "the Rust target $target" "rustup target add $target"
 fi
-for version in 3.10 3.11 3.12 3.13; do
-    "python$version" -c pass 2>/dev/null || ls "${PYENV_ROOT:-$HOME/.pyenv}/versions/$version".*/bin/python >/dev/null 2>&1 ||
-        lacks "Python $version" "install it (pyenv install $version)"
-done
 prover
 exit $missing

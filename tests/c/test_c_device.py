@@ -16,7 +16,7 @@ from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.targets.c import calls, members, names
 from spec_defaults import filled as filled_in
-from support import PATIENCE, SPECS, model, need, small
+from support import PATIENCE, SPECS, heavy, model, need, small
 from test_c import build, constructed, given, record, written
 
 EXAMPLES = folder("real") / "examples"
@@ -191,7 +191,7 @@ def test_the_compiler_sees_a_set_in_place_of_true(call: str, arguments: str, goo
     assert (subprocess.run(command, capture_output=True).returncode == 0) == good
 
 
-@pytest.mark.parametrize("cc", ["gcc", "clang"])
+@pytest.mark.parametrize("cc", ["cc", pytest.param("clang", marks=heavy("clang"))])
 @pytest.mark.parametrize("call", ["mip_3dm_message_format_write(c, {})", "mip_call_3dm_message_format_write(d, {})"])
 def test_the_compiler_sees_a_count_above_the_array(call: str, cc: str, tmp_path: Path) -> None:
     """A constant count is reported if the compiler optimizes; MIP_ARRAY counts itself, and accepts no pointer."""

@@ -14,11 +14,12 @@ from pathlib import Path
 
 import pytest
 import yaml
-from support import ROOT, heavy, model, need
+from support import ROOT, model, need, packaging
 from test_c import HERE, both, folder, run, sources
 
+pytestmark = packaging
+
 PACKAGES = HERE / "packages"
-PACKAGES_OF_C = "other build systems of C"
 ARDUINO = folder("real") / "examples/arduino/arduino.ino"
 VERSION = re.search(r"^version: (\S+)", (ROOT / "spec/protocol.yaml").read_text("utf-8"), re.M)[1]  # type: ignore[index]
 README = (folder("real") / "README.md").read_text("utf-8")
@@ -131,7 +132,7 @@ def test_what_marks_an_export(defines: str, expected: str, tmp_path: Path) -> No
 # --------------------------------------------------------------------------- CMake
 
 
-@pytest.mark.parametrize("how", ["subdirectory", pytest.param("fetched", marks=heavy(PACKAGES_OF_C))])
+@pytest.mark.parametrize("how", ["subdirectory", "fetched"])
 def test_cmake_part_of_a_project(how: str, project: Path, tmp_path: Path) -> None:
     """It installs nothing into the prefix of the project, unless the project wants it to."""
     subdirectory, fetched, _ = shown("CMake", "cmake")
@@ -157,7 +158,7 @@ def test_cmake_part_of_a_project(how: str, project: Path, tmp_path: Path) -> Non
         assert {"bin/main", "lib/libmip.a", "include/mip/core.h", "lib/pkgconfig/mip.pc"} <= {*installed(prefix)}
 
 
-@pytest.mark.parametrize("kind", ["static", pytest.param("shared", marks=heavy(PACKAGES_OF_C))])
+@pytest.mark.parametrize("kind", ["static", "shared"])
 def test_cmake_installed(kind: str, project: Path, tmp_path: Path) -> None:
     """Found by CMake and by pkg-config after the whole prefix has moved, to a folder with a blank in its name."""
     commands = shown("CMake", "sh")[0].splitlines()
@@ -205,7 +206,6 @@ def test_pkg_config_of_other_folders(libdir: str, tmp_path: Path) -> None:
     assert folders == wanted
 
 
-@heavy("MinGW")
 def test_a_library_for_windows(project: Path, tmp_path: Path) -> None:
     """A DLL and a program that imports from it."""
     compiler, build = need("x86_64-w64-mingw32-gcc"), tmp_path / "build"
@@ -222,7 +222,6 @@ def test_a_library_for_windows(project: Path, tmp_path: Path) -> None:
 # --------------------------------------------------------------------------- Meson
 
 
-@heavy(PACKAGES_OF_C)
 def test_meson_subproject(project: Path, tmp_path: Path) -> None:
     """It installs nothing into the prefix of the project."""
     (project / "subprojects").mkdir()
@@ -235,7 +234,6 @@ def test_meson_subproject(project: Path, tmp_path: Path) -> None:
     assert json.loads(meson("introspect", "--installed", build)) == {}
 
 
-@heavy(PACKAGES_OF_C)
 def test_meson_installed(project: Path, tmp_path: Path) -> None:
     """A shared library, which is Meson's default, found by another project of Meson, which asks pkg-config."""
     prefix = tmp_path / "prefix"
@@ -261,7 +259,6 @@ def test_meson_installed(project: Path, tmp_path: Path) -> None:
 USER = "find_package(mip REQUIRED)\ntarget_link_libraries(main mip::mip mip::ports)"
 
 
-@heavy(PACKAGES_OF_C)
 def test_conan(project: Path, tmp_path: Path) -> None:
     """The recipe makes a package, and a project finds it by what Conan writes for CMake."""
     create = shown("Conan and vcpkg", "sh")[0].strip()
@@ -277,7 +274,6 @@ def test_conan(project: Path, tmp_path: Path) -> None:
     quickstart(tmp_path / "user/main")
 
 
-@heavy(PACKAGES_OF_C)
 def test_the_port_of_vcpkg(project: Path, tmp_path: Path) -> None:
     """vcpkg is in no registry: its functions, as far as the port uses them, are in tests/c/packages."""
     port, prefix = project / "mip/vcpkg", tmp_path / "packages"
@@ -303,7 +299,6 @@ def test_manifests_have_the_home_page() -> None:
 # --------------------------------------------------------------------------- boards
 
 
-@heavy(PACKAGES_OF_C)
 def test_platformio(project: Path) -> None:
     """What the manifest must have, and a build as PlatformIO does it: all of src, with src as the include path."""
     library = project / "lib/mip"
@@ -334,7 +329,6 @@ def test_arduino_manifest() -> None:
     assert first == ARDUINO.read_text("utf-8").splitlines()[1]
 
 
-@heavy("Arduino and a compiler for Arm")
 def test_arduino_in_cpp(project: Path, tmp_path: Path) -> None:
     """A sketch in C++17 for a 32-bit board, by the same builder, with a core of our own: no such core is packaged."""
     build = tmp_path / "build"
@@ -349,7 +343,6 @@ def test_arduino_in_cpp(project: Path, tmp_path: Path) -> None:
     assert (build / "arduino_cpp.ino.hex").is_file()
 
 
-@heavy("Arduino")
 def test_arduino(project: Path, tmp_path: Path) -> None:
     """A sketch for an Arduino Uno, by the builder of Arduino's IDE."""
     sketch = tmp_path / "sketch/sketch.ino"
@@ -372,7 +365,6 @@ def test_arduino(project: Path, tmp_path: Path) -> None:
     }
 
 
-@heavy(PACKAGES_OF_C)
 def test_esp_idf(project: Path, tmp_path: Path) -> None:
     component = project / "components/mip"
     component.parent.mkdir()
@@ -387,7 +379,6 @@ def test_esp_idf(project: Path, tmp_path: Path) -> None:
     assert manifest["version"] == VERSION and manifest["license"] == "MIT" and manifest["description"]
 
 
-@heavy(PACKAGES_OF_C)
 def test_zephyr(project: Path, tmp_path: Path) -> None:
     module = yaml.safe_load((project / "mip/zephyr/module.yml").read_text("utf-8"))
     assert module == {"name": "mip", "build": {"cmake": "zephyr", "kconfig": "zephyr/Kconfig"}}

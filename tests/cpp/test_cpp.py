@@ -11,12 +11,11 @@ from pathlib import Path
 import pytest
 from c_build import SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
 from mipgen.lower import codec
-from support import PATIENCE, ROOT, SPECS, heavy, model, need, simulated
+from support import PATIENCE, ROOT, SPECS, heavy, model, need, packaging, simulated, uses
 
 HERE = Path(__file__).parent
 EXAMPLES = folder("real") / "examples"
-if shutil.which("g++") is None:
-    pytestmark = heavy("g++")
+pytestmark = uses("g++")
 BARE = ["-fno-exceptions", "-fno-rtti"]
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 compilers = pytest.mark.parametrize(
@@ -180,9 +179,8 @@ def test_the_node_publishes_what_a_device_sends(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (1, f"no connection to {host}:{port}\n")
 
 
-@pytest.mark.parametrize(
-    "how", ["subdirectory", *(pytest.param(how, marks=heavy("g++")) for how in ("fetched", "installed"))]
-)
+@packaging
+@pytest.mark.parametrize("how", ["subdirectory", "fetched", "installed"])
 def test_cmake(how: str, tmp_path: Path) -> None:
     project, prefix = tmp_path / "project", tmp_path / "prefix"
     project.mkdir()

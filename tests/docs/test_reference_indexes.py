@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -13,9 +12,9 @@ from pathlib import Path
 import pytest
 from mipgen import model as m
 from reference import LINK, Manual, manual_of, number, places, tables, words
-from support import SPECS, heavy, need
+from support import SPECS, heavy, need, uses
 
-with_node = heavy("node") if shutil.which("node") is None else lambda test: test
+with_node = uses("node")
 
 ANCHORED = re.compile(r"\]\([^)]*?#([\w.]+)\)")
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 import textwrap
@@ -16,12 +15,11 @@ import pytest
 from mipgen import model as m
 from mipgen.lower import codec
 from reference import Manual, path_of, small, table_with, words
-from support import SPECS, heavy, mypy, need
+from support import SPECS, mypy, need, uses
 
 ACKNOWLEDGE = 0xF1
 
-with_node = heavy("node") if shutil.which("node") is None else lambda test: test
-needs_cpp = heavy("g++") if shutil.which("g++") is None else lambda test: test
+with_node, needs_cpp = uses("node"), uses("g++")
 
 
 def asked(manual: Manual) -> list[m.Field]:

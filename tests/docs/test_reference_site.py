@@ -26,7 +26,7 @@ from random_values import chance
 from reference import REAL, manual_of, navigation, real_site
 from searches import FIELDS, WORDS
 from searches import PAGES as WANTED_PAGES
-from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, nightly, rounds, tree
+from support import BUILD, NIGHTLY, ROOT, heavy, locked, model, need, nightly, rounds, tree, uses
 from workbench import workbench
 
 pytestmark = pytest.mark.xdist_group("site")  # which is built once
@@ -34,12 +34,7 @@ Test = TypeVar("Test", bound=Callable[..., None])
 each_spec = pytest.mark.parametrize("spec", ["invented", REAL])
 
 
-def with_tool(tool: str) -> Callable[[Test], Test]:
-    """A test that is left out where a program is missing."""
-    return (lambda test: test) if shutil.which(tool) else heavy(tool)
-
-
-with_node, in_browser = with_tool("node"), heavy("Chromium")
+with_node, in_browser = uses("node"), heavy("Chromium")
 
 #: One page of each kind, and those with the widest tables.
 PAGES = (

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from mipgen.targets.markdown.start import STARTS, Start
 from reference import manual_of
-from support import ROOT, heavy, need
+from support import ROOT, need, packaging
 
 VALUES = re.compile(r"\s*-?\d+\.\d+\s+-?\d+\.\d+\s+-(?:0\.9|1\.0)\d+ g")
 
@@ -46,7 +46,7 @@ def device() -> Iterator[str]:
 
 @pytest.mark.parametrize(
     "start",
-    [pytest.param(x, id=x.name, marks=() if x.name == "python" else heavy("other toolchains")) for x in STARTS],
+    [pytest.param(x, id=x.name, marks=() if x.name == "python" else packaging) for x in STARTS],
 )
 def test_get_started(start: Start, device: str, tmp_path: Path) -> None:
     """Install, save, run: the program prints the model and values of a device at rest."""

@@ -9,8 +9,9 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from support import ROOT, SPECS, another_python, heavy, nightly, tree
+from support import ROOT, SPECS, another_python, nightly, packaging, tree
 
+pytestmark = packaging
 INVENTED, GOLDEN = SPECS["invented"]
 
 
@@ -64,7 +65,6 @@ def use(mipgen: Path, folder: Path) -> None:
     assert tree(folder / "out") == tree(GOLDEN)
 
 
-@heavy("mipgen as an installed package")
 def test_what_is_installed_works_in_any_folder(built: Path, tmp_path: Path) -> None:
     bin_folder = environment(tmp_path / "venv")
     install(bin_folder, "--no-deps", wheel(built))
@@ -73,7 +73,6 @@ def test_what_is_installed_works_in_any_folder(built: Path, tmp_path: Path) -> N
     use(bin_folder / "mipgen", tmp_path / "work")
 
 
-@heavy("mipgen as an installed package")
 def test_it_reads_its_files_from_an_archive_too(built: Path, tmp_path: Path) -> None:
     run(
         sys.executable, "-m", "mipgen", "generate", "--spec", INVENTED, "--out", tmp_path / "out",
@@ -98,7 +97,6 @@ def test_the_wheel_holds_all_of_its_files(built: Path) -> None:
 BETWEEN = [pytest.param(version, marks=nightly("installed on Pythons in between")) for version in ("3.11", "3.12")]
 
 
-@heavy("other Pythons")
 @pytest.mark.parametrize("version", ["3.10", *BETWEEN, "3.13"])
 def test_installed_on_every_python(built: Path, tmp_path: Path, version: str) -> None:
     """With all libraries from the registry, in the newest versions that the package allows; from the sources."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import os
-import shutil
 import struct
 import subprocess
 import sys
@@ -22,11 +21,11 @@ from mipgen.targets.javascript import api as javascript
 from mipgen.targets.python import api as python
 from mipgen.targets.rust import api as rust
 from random_values import drawn
-from support import SPECS, heavy, model, need, small
+from support import SPECS, heavy, model, need, small, uses
 from workbench import workbench
 
 #: It needs Node.
-pytestmark = [] if shutil.which("node") else heavy("node")
+pytestmark = uses("node")
 
 HERE = Path(__file__).parent
 

@@ -5,16 +5,15 @@ from __future__ import annotations
 import json
 import os
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 from mipgen import model as m
 from mipgen.targets.javascript import names
-from support import BUILD, ROOT, SPECS, heavy, model, need, simulated
+from support import BUILD, ROOT, SPECS, model, need, simulated, uses
 
-pytestmark = [] if shutil.which("node") else heavy("node")
+pytestmark = uses("node")
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
 GENERATED = ROOT / "generated/javascript"
 

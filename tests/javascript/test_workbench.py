@@ -7,16 +7,15 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 from mipgen.targets.markdown.tools import TOOLS
-from support import ROOT, SPECS, heavy, need, small, tree
+from support import ROOT, SPECS, need, small, tree, uses
 from workbench import BUILD, workbench
 
 SOURCES = ROOT / "tools/workbench"
 specs = pytest.mark.parametrize("spec", sorted(SPECS))
-with_node: Any = (lambda test: test) if shutil.which("node") else heavy("node")
+with_node = uses("node")
 
 
 def build(*arguments: str | Path, script: Path = BUILD) -> subprocess.CompletedProcess[str]:

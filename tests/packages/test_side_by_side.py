@@ -13,7 +13,9 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli
-from support import heavy, need
+from support import need, packaging
+
+pytestmark = packaging
 
 #: Package -> the folder of its output; `my_device` is what `mipgen new` writes.
 Packages = dict[str, Path]
@@ -112,7 +114,6 @@ def test_python(packages: Packages, tmp_path: Path) -> None:
     assert said == "tools.light: function = write, mode = on, rate = 7 Hz True\n" + ("True my_device_protocol.packet\n")
 
 
-@heavy("the Rust crate in many more builds")
 def test_rust(packages: Packages, tmp_path: Path) -> None:
     import crates
 
@@ -145,7 +146,7 @@ def test_rust(packages: Packages, tmp_path: Path) -> None:
     assert said.split() == ["1", "7"]
 
 
-@pytest.mark.parametrize("how", ["subdirectory", pytest.param("installed", marks=heavy("other build systems of C"))])
+@pytest.mark.parametrize("how", ["subdirectory", "installed"])
 def test_c(how: str, packages: Packages, tmp_path: Path) -> None:
     """A program with both in one source file; installed into one prefix, no file is that of both."""
     (tmp_path / "main.c").write_text(C)
@@ -198,7 +199,6 @@ def test_what_refers_to_other_languages(packages: Packages) -> None:
         assert shown in page
 
 
-@heavy("tshark")
 def test_wireshark(packages: Packages) -> None:
     scripts = [f"-Xlua_script:{packages[name] / f'wireshark/{name}.lua'}" for name in packages]
     fields = run(need("tshark"), "-G", "fields", *scripts)

@@ -20,7 +20,7 @@ from mipgen.resolve.load import load_model
 from mipgen.targets.python import names
 from packages import REAL, Package, mip, real
 from spec_defaults import filled
-from support import ROOT, SPECS, all_fields, another_python, heavy, model, mypy, parse_as, small
+from support import ROOT, SPECS, all_fields, another_python, heavy, model, mypy, packaging, parse_as, small
 
 
 def user(folder: Path, code: str, python: str = sys.executable, **environment: str) -> str:
@@ -746,6 +746,7 @@ def number(scalar: m.Scalar, value: Any) -> str:
 # --------------------------------------------------------------------------- vendoring
 
 
+@packaging
 def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
     """Copied into an empty folder, installed, used from another one."""
     copy = tmp_path / "vendored"

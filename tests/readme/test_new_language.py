@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 import subprocess
 import sys
 from dataclasses import fields
 from pathlib import Path
 
 from mipgen.emit.target import Target
-from support import ROOT, heavy
+from support import ROOT, uses
 
 PAGE = (ROOT / "docs/new-language.md").read_text("utf-8")
 
-pytestmark = [] if shutil.which("node") else heavy("node")
+pytestmark = uses("node")
 
 
 def test_every_block_from_the_first_to_the_last(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import crates
 import pytest
-from support import BUILD, ROOT, SPECS, driver, heavy, need
+from support import BUILD, ROOT, SPECS, driver, heavy, need, uses
 
 README = (ROOT / "README.md").read_text("utf-8")
 TOOLS = {**os.environ, "PYTHONPATH": os.pathsep.join((f"{ROOT}/tools", f"{ROOT}/generated/python"))}
@@ -59,6 +59,7 @@ def test_quickstart_in_python() -> None:
 
 
 @pytest.mark.xdist_group("values-real")  # the process that has built the driver
+@uses("cargo")
 def test_quickstart_in_rust() -> None:
     """With the library of the driver: building it takes longer than anything else in `make test`."""
     of = driver("rust", "real")

@@ -15,12 +15,11 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
-from support import BUILD, ROOT, heavy, later, need
+from support import BUILD, ROOT, later, need, packaging
 
 schema, validation = later("cyclonedx.schema"), later("cyclonedx.validation.json")
 
 MESSAGE = "75 65 80 0E 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 84 EE"
-RELEASE = "packages as they are released"
 pytestmark = pytest.mark.xdist_group("release")  # which is built once
 
 
@@ -60,14 +59,14 @@ def the(pattern: str) -> Path:
     return found
 
 
-@heavy(RELEASE)
+@packaging
 def test_a_second_build_has_the_same_bytes() -> None:
     once, twice = ({p.name: p.read_bytes() for p in d.iterdir()} for d in (dist(), built("twice")))
     assert once.keys() == twice.keys()
     assert [name for name in once if once[name] != twice[name]] == []
 
 
-@heavy(RELEASE)
+@packaging
 def test_sums_bill_and_notes_name_everything() -> None:
     listed = dict(line.split("  ")[::-1] for line in (dist() / "SHA256SUMS").read_text("utf-8").splitlines())
     assert listed.keys() == {p.name for p in dist().iterdir()} - {"SHA256SUMS"}
@@ -84,7 +83,7 @@ def test_sums_bill_and_notes_name_everything() -> None:
     assert changes.startswith((dist() / "NOTES.md").read_text("utf-8").strip())
 
 
-@heavy(RELEASE)
+@packaging
 @pytest.mark.parametrize("form", ["wheel", "source"])
 def test_python(tmp_path: Path, form: str) -> None:
     run(sys.executable, "-m", "venv", "--without-pip", tmp_path / "venv", cwd=tmp_path)
@@ -109,7 +108,7 @@ def test_python(tmp_path: Path, form: str) -> None:
     assert "0.24452066" in (tmp_path / "log.csv").read_text("utf-8")
 
 
-@heavy(RELEASE)
+@packaging
 def test_rust(tmp_path: Path) -> None:
     with tarfile.open(the("*.crate")) as crate:
         crate.extractall(tmp_path, **({"filter": "data"} if hasattr(tarfile, "data_filter") else {}))  # of 3.11.4
@@ -119,7 +118,7 @@ def test_rust(tmp_path: Path) -> None:
     assert " g along x" in out
 
 
-@heavy(RELEASE)
+@packaging
 def test_javascript(tmp_path: Path) -> None:
     run(need("npm"), "install", "--silent", "--offline", "--no-audit", the("*.tgz"), cwd=tmp_path)
     readme = (tmp_path / "node_modules/mip-protocol/README.md").read_text("utf-8")
@@ -129,7 +128,7 @@ def test_javascript(tmp_path: Path) -> None:
     assert " g along x" in run(need("node"), "first.mjs", cwd=tmp_path)
 
 
-@heavy(RELEASE)
+@packaging
 def test_c(tmp_path: Path) -> None:
     with zipfile.ZipFile(the("mip-c-*.zip")) as packed:
         packed.extractall(tmp_path)
@@ -146,7 +145,7 @@ def test_c(tmp_path: Path) -> None:
     assert " g" in run(tmp_path / "quickstart", cwd=tmp_path)
 
 
-@heavy(RELEASE)
+@packaging
 def test_single_files() -> None:
     json.loads((dist() / "mip.json").read_text("utf-8"))
     json.loads((dist() / "mip.schema.json").read_text("utf-8"))

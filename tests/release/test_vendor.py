@@ -11,13 +11,12 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from support import BUILD, ROOT, heavy
+from support import BUILD, ROOT, packaging
 
 PAGE = (ROOT / "docs/vendor.md").read_text("utf-8")
 TAG, LATER = "v0.1.0", "v0.2.0"
 FOLDERS = ("generated/c/", "generated/javascript/", "generated/python/", "generated/rust/", "tests/rust/", "tools/")
-FOREIGN = "bindings from a repository"
-pytestmark = pytest.mark.xdist_group("vendor")  # a repository that is made once
+pytestmark = [packaging, pytest.mark.xdist_group("vendor")]  # a repository that is made once
 
 
 @cache
@@ -66,7 +65,6 @@ def shown(section: str, number: int = 0) -> str:
     return re.sub(r"(?<!\w)REPOSITORY", repository(), str(blocks[number]))
 
 
-@heavy(FOREIGN)
 def test_cmake_fetches_c(tmp_path: Path) -> None:
     (tmp_path / "CMakeLists.txt").write_text(shown("C and C++"), "utf-8")
     shutil.copyfile(ROOT / "generated/c/quickstart.c", tmp_path / "main.c")
@@ -74,7 +72,6 @@ def test_cmake_fetches_c(tmp_path: Path) -> None:
     assert " g" in run("./build/app", tmp_path)
 
 
-@heavy(FOREIGN)
 def test_cargo_finds_the_crate(tmp_path: Path) -> None:
     head = '[package]\nname = "app"\nversion = "0.0.0"\nedition = "2021"\n\n'
     (tmp_path / "Cargo.toml").write_text(head + shown("Rust") + "\n[workspace]\n", "utf-8")
@@ -84,7 +81,6 @@ def test_cargo_finds_the_crate(tmp_path: Path) -> None:
     assert " g along x" in out
 
 
-@heavy(FOREIGN)
 def test_pip_installs_packages(tmp_path: Path) -> None:
     commands = shown("Python").replace("pip install", f"{sys.executable} -m pip install --no-deps --no-build-isolation")
     run(commands, tmp_path, PIP_TARGET=str(tmp_path / "site"), MIP_TOOLS_PURE="1")
@@ -93,7 +89,6 @@ def test_pip_installs_packages(tmp_path: Path) -> None:
     assert " g" in run(f"{sys.executable} {quickstart}", tmp_path, PYTHONPATH=str(tmp_path / "site"))
 
 
-@heavy(FOREIGN)
 def test_git_submodule_and_subtree(tmp_path: Path) -> None:
     for name, number in (("module", 0), ("tree", 1)):
         project = tmp_path / name

@@ -630,13 +630,3 @@ def test_numbers_are_exact(driver: str) -> None:
     for name, value in (("u64", 2**64), ("s64", 2**63), ("u8", -1), ("s8", 128), ("u32", 10**60), ("s32", -(10**60))):
         assert ask(driver, number(name, str(value))) == [{"error": "range"}], (name, value)
     assert ask(driver, number("u8", "1.5"), number("u8", "1e2")) == [{"error": "range"}] * 2
-
-
-def test_sources_are_formatted() -> None:
-    files = [str(p) for p in sorted(HERE.rglob("*.rs"))]
-    config = ROOT / "runtime/rust"
-    done = subprocess.run(
-        [need("rustfmt"), "--check", "--edition", "2021", "--config-path", str(config), *files],
-        capture_output=True, text=True,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stdout

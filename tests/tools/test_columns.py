@@ -27,7 +27,7 @@ from mipgen.lower import codec
 from packages import REAL, real
 from packages import mip as invented
 from random_values import chance, drawn
-from support import PYTHONPATH, ROOT, SPECS, all_fields, heavy, later, model, need, rounds
+from support import PYTHONPATH, ROOT, SPECS, all_fields, heavy, later, model, need, packaging, rounds
 
 np, pyarrow, dataset, parquet = (later(name) for name in ("numpy", "pyarrow", "pyarrow.dataset", "pyarrow.parquet"))
 
@@ -790,7 +790,7 @@ def installed(folder: Path, pure: bool) -> tuple[str, str]:
     return made.name, done.stdout
 
 
-@heavy("wheels of the tools")
+@packaging
 def test_wheels_bring_compiled_code_or_none(tmp_path: Path) -> None:
     """One for all versions of Python on this platform, and a pure one."""
     (tmp_path / "platform").mkdir()

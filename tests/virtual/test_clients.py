@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from mipgen import model as m
 from random_values import chance
-from support import NIGHTLY, OFFERS, differences, driver, heavy, model, needed, rounds
+from support import NIGHTLY, OFFERS, at_hand, differences, driver, heavy, model, rounds
 from virtual.commands import Trial, commands, data_fields
 from virtual.ledger import OUTCOMES, check
 from virtual.scenario import everything, faulty, formats, prepare, silenced
@@ -36,7 +36,7 @@ def repeat(sessions: Iterable[Session]) -> None:
     for session in sessions:
         requests.append({"op": "client", "steps": session.steps})
         wanted.append(session.client.events)
-    for language in [name for name, offered in OFFERS.items() if "client" in offered and not needed(name)]:
+    for language in [name for name, offered in OFFERS.items() if "client" in offered and at_hand(name)]:
         answers = [a.get("events") for a in driver(language, "real").ask(requests)]
         for expected, found in zip(wanted, answers, strict=True):
             if found != expected:

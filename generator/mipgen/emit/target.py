@@ -71,9 +71,10 @@ class Target:
     beside: str = ""
     #: The operations that its conformance driver offers; empty if it has no driver.
     conformance: tuple[str, ...] = ()
-    #: Short description of the driver's needs besides Python, a C compiler and cargo; `make test-all` then tests it.
+    #: Short description of the driver's needs besides Python, a C compiler and `program`; it is then tested by
+    #: `make test-all`.
     needs: str = ""
-    #: The program that runs the driver, if it needs one: "node". The driver is tested if the program is installed.
+    #: The program that runs or builds the driver, if it needs one: "node". It is tested where that is installed.
     program: str = ""
 
     def __new__(cls, *positional: object, **given: object) -> Target:
@@ -129,5 +130,5 @@ _RIGHT: dict[str, tuple[Callable[[object], bool], str]] = {
     "beside": (_text, "text: the name of another target"),
     "conformance": (_operations, f"a tuple of {', '.join(map(repr, OPERATIONS))}"),
     "needs": (_text, "text: the tools of the driver, in a few words"),
-    "program": (_text, "text: the name of a program that runs the driver"),
+    "program": (_text, "text: the name of a program that runs or builds the driver"),
 }

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 from collections.abc import Iterable
 from pathlib import Path
@@ -15,11 +14,11 @@ from mip_tools.configuration import parsed
 from mip_tools.errors import Failure
 from mip_tools.simulator import VirtualDevice
 from settings_files import LEFT_OUT, pulled, pushed, settable, told
-from support import heavy, model, need
+from support import heavy, model, need, uses
 from workbench import workbench
 
 #: What the workbench does needs Node.
-with_node: Any = (lambda test: test) if shutil.which("node") else heavy("node")
+with_node = uses("node")
 
 #: Settings that a device has in a form of its own: a rotation that was written as a matrix is read as a quaternion.
 ROUNDED = ("transform", "rotation")

@@ -238,4 +238,5 @@ TARGET = Target(
     rename=package.in_source,
     grammar=names.GRAMMAR,
     conformance=("parse", "decode", "encode", "client", "live"),
+    program="cargo",
 )
