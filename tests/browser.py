@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from support import BUILD, ROOT, locked, need
+from support import BUILD, PATIENCE, ROOT, locked, need
 
 FLAGS = (
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
@@ -22,7 +22,6 @@ FLAGS = (
 )  # fmt: skip
 
 #: Seconds: a test that waits for an event that has already occurred fails instead of hanging.
-PATIENCE = 120
 
 
 class Page:

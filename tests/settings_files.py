@@ -12,10 +12,8 @@ from mip_tools.configuration.written import text
 from mip_tools.simulator import LivePort, VirtualDevice
 from mipgen import model as m
 from mipgen.lower import codec
-from support import model
+from support import PATIENCE, model
 from virtual.commands import commands, trials
-
-PATIENCE = 30.0
 
 #: Settings that no file has: actions, values that all select an instance, and what ends the conversation.
 LEFT_OUT = {"filter.tare_orientation", "3dm.data_stream_format"}

@@ -66,6 +66,9 @@ def generate_invented() -> str:
     return done.stdout + done.stderr if done.returncode != 0 else ""
 
 
+#: Seconds until a test gives up on what hangs. On a busy machine, anything else may take much longer than usual.
+PATIENCE = 120.0
+
 #: What random tests begin with, and whether they try much more than usual: `make nightly` does, with another seed.
 SEED = int(os.environ.get("SEED") or 1)
 NIGHTLY = bool(os.environ.get("NIGHTLY"))
@@ -411,9 +414,6 @@ def tree(folder: Path) -> dict[str, bytes]:
 
 
 # --------------------------------------------------------------------------- the virtual device
-
-#: Seconds that a program at a virtual device may take.
-PATIENCE = 60
 
 
 @contextmanager

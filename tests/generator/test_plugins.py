@@ -15,7 +15,7 @@ import bad_spec_files
 import pytest
 from mipgen import cli
 from mipgen.emit import output
-from support import ROOT, SPECS
+from support import PATIENCE, ROOT, SPECS
 
 SPEC, GOLDEN = SPECS["invented"]
 
@@ -180,12 +180,12 @@ def test_a_program_that_hangs_is_interrupted(tmp_path: Path) -> None:
     )  # fmt: skip
     wait(lambda: (tmp_path / "running").exists())
     mipgen.send_signal(signal.SIGINT)
-    assert mipgen.communicate(timeout=30)[1] == "mipgen: interrupted; run it again\n"
+    assert mipgen.communicate(timeout=PATIENCE)[1] == "mipgen: interrupted; run it again\n"
     assert mipgen.returncode == 130 and not (tmp_path / "out").exists()
     wait(lambda: not any(map(running, json.loads((tmp_path / "running").read_text()))))
 
 
-def wait(done: object, seconds: float = 60) -> None:
+def wait(done: object, seconds: float = PATIENCE) -> None:
     assert callable(done)
     end = time.monotonic() + seconds
     while not done():

@@ -25,7 +25,6 @@ from workbench import workbench
 pytestmark = heavy("Chromium")
 
 DEVICE = "3dm-cv7-gnss-ins"
-PATIENCE = 30.0
 
 #: Presses a button by its words; `until` waits for a condition; downloads are kept in `saved`.
 HELP = """

@@ -17,7 +17,7 @@ class Port:
         if colon and not number.isdecimal():
             raise OSError(f"{number} is not a TCP port")
         if colon:
-            connection = socket.create_connection((host, int(number)), timeout=10)
+            connection = socket.create_connection((host, int(number)), timeout=120)
             connection.setblocking(True)
             self.handle = connection.detach()
         else:

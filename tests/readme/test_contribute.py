@@ -12,10 +12,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from support import PYTHONPATH, ROOT
+from support import PATIENCE, PYTHONPATH, ROOT
 
 PAGE = (ROOT / "docs/contribute-a-device.md").read_text("utf-8")
-PATIENCE = 120
 
 
 def commands(section: str) -> list[str]:

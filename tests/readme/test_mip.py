@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from support import PYTHONPATH, ROOT
+from support import PATIENCE, PYTHONPATH, ROOT
 
 PAGE = (ROOT / "docs/mip.md").read_text("utf-8")
 
@@ -60,7 +60,7 @@ def test_from_a_device_to_a_table(tmp_path: Path) -> None:
         printed = {command: shell(command.replace(port, other), tmp_path) for command in others}
     finally:
         device.send_signal(signal.SIGINT)
-        device.communicate(timeout=60)
+        device.communicate(timeout=PATIENCE)
     assert len(printed) > 9 and all(printed[c] for c in others if not re.search(r"record|-o [a-z]|cut", c))
     assert (tmp_path / "log.csv").read_text().startswith("time,time_own,sensor.scaled_accel.x [g],")
     assert 0 < (tmp_path / "part.bin").stat().st_size < (tmp_path / "log.bin").stat().st_size

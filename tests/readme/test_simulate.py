@@ -13,10 +13,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from support import PYTHONPATH, ROOT, need
+from support import PATIENCE, PYTHONPATH, ROOT, need
 
 PAGE = (ROOT / "docs/simulate.md").read_text("utf-8")
-PATIENCE = 60
 
 
 def section(title: str) -> str:

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from mipgen import model as m
 from mipgen.lower import codec
-from support import PYTHONPATH, driver, expected_decode, heavy, model, offering
+from support import PATIENCE, PYTHONPATH, driver, expected_decode, heavy, model, offering
 from virtual.commands import Trial, commands
 from virtual.ledger import OUTCOMES
 from virtual.scenario import few, formats, write
@@ -38,7 +38,7 @@ def simulated(*arguments: str, device: str = DEVICE) -> Iterator[str]:
         yield place
     finally:
         process.terminate()
-        _, complaints = process.communicate(timeout=20)
+        _, complaints = process.communicate(timeout=PATIENCE)
     assert "Traceback" not in complaints, complaints
 
 

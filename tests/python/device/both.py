@@ -11,8 +11,7 @@ from typing import Any
 
 from mip_protocol import Packet, PacketBuilder, Parser, aio
 from mip_protocol import device as sync
-
-PATIENCE = 30.0  # seconds until a test gives up; none waits so long
+from support import PATIENCE
 
 
 def until(condition: Callable[[], Any]) -> Any:

@@ -17,7 +17,7 @@ import pytest
 import serial
 from both import Kind, packet, until
 from mip_protocol import aio, base, port
-from support import another_python, heavy
+from support import PATIENCE, another_python, heavy
 from test_requests import inside, python
 
 DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
@@ -32,7 +32,7 @@ def kind(request: pytest.FixtureRequest) -> Kind:
 @pytest.fixture
 def server() -> Iterator[socket.socket]:
     with socket.create_server(("localhost", 0)) as made:
-        made.settimeout(20)
+        made.settimeout(PATIENCE)
         yield made
 
 
@@ -85,7 +85,7 @@ def test_a_dropped_device_for_asyncio_closes_its_port(server: socket.socket) -> 
         before = asyncio.all_tasks()
         device: Any = await aio.open_port(url(server), on_skipped=lambda data: None)
         connection, _ = server.accept()
-        connection.settimeout(20)
+        connection.settimeout(PATIENCE)
         with connection:
             with pytest.warns(ResourceWarning, match="<Device at socket://localhost:.*> is not closed"):
                 device = None
@@ -143,7 +143,8 @@ def test_a_port_that_accepts_no_bytes(kind: Kind, monkeypatch: pytest.MonkeyPatc
         device.request(PING)
 
 
-def test_a_device_that_is_closed_while_its_port_accepts_no_bytes(kind: Kind) -> None:
+def test_a_device_that_is_closed_while_its_port_accepts_no_bytes(kind: Kind, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(port, "WRITE_TIMEOUT", PATIENCE)
     with kind.at(Stuck()) as device:
         ends: list[str] = []
 
@@ -156,7 +157,7 @@ def test_a_device_that_is_closed_while_its_port_accepts_no_bytes(kind: Kind) -> 
         thread.start()
         until(lambda: inside(device)._writing.locked())
         device.close()
-        thread.join(4)  # less than the time-out of a write
+        thread.join(PATIENCE / 2)
         assert ends == ["closed: the device has been closed"]
 
 
@@ -192,14 +193,14 @@ def test_a_healthy_port_that_is_opened_again(kind: Kind, server: socket.socket) 
             device._again = lambda *rate: (time.sleep(0.1), again(*rate))[1]
         device.reopen()
         with server.accept()[0] as second:
-            threads[0].join(20)
+            threads[0].join(PATIENCE)
             assert [e.kind for e in ends] == ["no_answer"] and not device.closed
             second.sendall(DATA)
             until(lambda: len(taken) == 2)
             server.close()
             with pytest.raises(OSError):
                 device.reopen(within=0.1)
-            threads[1].join(20)  # the wait for data ends
+            threads[1].join(PATIENCE)  # the wait for data ends
             assert device.closed and [e.kind for e in ends] == ["no_answer", "closed"]
 
 
@@ -209,7 +210,7 @@ def test_a_healthy_port_that_is_opened_again(kind: Kind, server: socket.socket) 
 def test_a_command_that_is_cancelled_is_written_whole() -> None:
     async def main() -> None:
         slow = Silent(0.01)
-        async with aio.Device(slow, timeout=20.0) as device:
+        async with aio.Device(slow, timeout=PATIENCE) as device:
             first, second = bytes(PING.packet()), bytes(base.SetIdle().packet())
             task = asyncio.ensure_future(device.request(PING))
             while not slow.sent:
@@ -255,7 +256,7 @@ def test_opening_that_is_cancelled_ends() -> None:
         asyncio.run(main())
     finally:
         os.close(slave)
-        thread.join(20)
+        thread.join(PATIENCE)
         os.close(master)
 
 
@@ -300,7 +301,7 @@ async def cancelled(turns, wait):
         task = asyncio.ensure_future(run())
         await asyncio.sleep(0.01)
         reader.feed_data(DATA)
-        done, _ = await asyncio.wait([task], timeout=0.5)
+        done, _ = await asyncio.wait([task], timeout=20)
         while not task.done():
             task.cancel()
             await asyncio.sleep(0)
