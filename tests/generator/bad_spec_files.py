@@ -1,13 +1,6 @@
-"""The corpus of bad specifications: each file is laid over tests/bad_specs/base and says what is wrong with it.
+"""Bad specifications: the rows of the tables in tests/bad_specs, each laid over the good specification in `base/`.
 
-The first lines of a file state what happens to it; the whole file, with them, becomes the file of the specification:
-
-    # file: sets/bad.yaml            what it replaces or adds
-    # remove: protocol.yaml          a file of the base that is taken away (instead of `file`)
-    # target: python                 check the names that this target makes, too; ours, or one of `targets/`
-    # error: sets/bad.yaml:12:9: error: ...      what must be reported, all of it, in this order
-
-`python tests/generator/bad_spec_files.py accept [name ...]` writes the errors that are reported now into the files.
+`PYTHONPATH=generator python tests/generator/bad_spec_files.py [name ...]` writes what is reported now into the rows.
 """
 
 from __future__ import annotations
@@ -16,10 +9,14 @@ import re
 import shutil
 import sys
 import tempfile
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 import pytest
+import yaml
 from mipgen.emit import discovery, naming
 from mipgen.read import loader, nodes
 from mipgen.read.problems import Problems, SpecError
@@ -28,44 +25,92 @@ from mipgen.resolve.load import load_model
 CORPUS = Path(__file__).parents[1] / "bad_specs"
 BASE = CORPUS / "base"
 TARGETS = CORPUS / "targets"
+FRAMES = CORPUS / "frames.yaml"
 
-_HEADER = re.compile(r"# (file|remove|target|error): (.*)")
+_KEY = re.compile(r" *(- )?([\w\"]+:(?= |$)|\{name: \w+,)")
+_MARK = re.compile(r"( *)\^ (.*)")
+_OPTION = re.compile(r"! (target|remove|encoding): (.*)")
+_PLACE = re.compile(r"(.+?):(\d+):(\d+): error: (.*)", re.DOTALL)
 
 
 @dataclass(frozen=True)
 class BadSpec:
     name: str
-    data: bytes
-    file: str | None
-    remove: str | None
-    target: str | None
+    file: str
+    lines: list[str]  # the whole file
+    written: list[int]  # the indexes of the lines that the row states
+    options: dict[str, str]
     errors: list[str]
 
     def lay(self, folder: Path) -> Path:
         """Writes the whole specification below `folder`."""
         spec = folder / "spec"
         shutil.copytree(BASE, spec)
-        if self.file is not None:
-            (spec / self.file).write_bytes(self.data)
-        if self.remove is not None:
-            (spec / self.remove).unlink()
+        if self.lines:
+            text = "".join(f"{line}\n" for line in self.lines)
+            (spec / self.file).write_bytes(text.encode(self.options.get("encoding", "utf-8")))
+        if "remove" in self.options:
+            (spec / self.options["remove"]).unlink()
         return spec
 
+    @property
+    def target(self) -> str | None:
+        return self.options.get("target")
 
+
+def tables() -> list[Path]:
+    return [path for path in sorted(CORPUS.glob("*.yaml")) if path != FRAMES]
+
+
+@cache
 def bad_specs() -> list[BadSpec]:
-    return [read(path) for path in sorted(CORPUS.glob("*.yaml"))]
+    loaded = [yaml.load(path.read_text("utf-8"), _loader()) for path in tables()]
+    return [read(n, heading, text) for table in loaded for heading, rows in table.items() for n, text in rows.items()]
 
 
-def read(path: Path) -> BadSpec:
-    data = path.read_bytes()
-    found: dict[str, list[str]] = {"file": [], "remove": [], "target": [], "error": []}
-    for line in data.decode("utf-8", errors="replace").splitlines():
-        header = _HEADER.fullmatch(line)
-        if header is None:
-            break
-        found[header[1]].append(header[2])
-    one = {key: values[0] if values else None for key, values in found.items()}
-    return BadSpec(path.stem, data, one["file"], one["remove"], one["target"], found["error"])
+def named(name: str) -> BadSpec:
+    return next(bad for bad in bad_specs() if bad.name == name)
+
+
+def _loader() -> Any:
+    return getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+@cache
+def frame(heading: str) -> tuple[str, list[str]]:
+    """Returns the file that rows below this heading change, and its lines."""
+    known = yaml.load(FRAMES.read_text("utf-8"), _loader())
+    if heading in known:
+        return known[heading]["file"], known[heading]["text"].splitlines()
+    path = BASE / heading
+    return heading, path.read_text("utf-8").splitlines() if path.exists() else []
+
+
+def read(name: str, heading: str, row: str) -> BadSpec:
+    """Lays a row over its frame."""
+    file, framed = frame(heading)
+    lines, written, options, errors = list(framed), list[int](), dict[str, str](), list[str]()
+    keys = [match and match[0] for match in map(_KEY.match, framed)]
+    for line in row.splitlines():
+        if option := _OPTION.fullmatch(line):
+            options[option[1]] = option[2]
+        elif line.startswith("! "):
+            errors.append(line[2:].replace(": ", ": error: ", 1))
+        elif mark := _MARK.fullmatch(line):
+            errors.append(f"{file}:{written[-1] + 1}:{len(mark[1]) + 1}: error: {mark[2]}")
+        else:
+            key = _KEY.match(line)
+            replaced = key is not None and key[0] in keys and (not written or written[-1] < len(framed))
+            at = keys.index(key[0]) if key is not None and replaced else len(lines)
+            lines[at : at + 1] = [line]
+            written.append(at)
+    return BadSpec(name, file, lines, written, options, sorted(errors, key=_order))
+
+
+def _order(error: str) -> tuple[str, int, int]:
+    match = _PLACE.fullmatch(error)
+    assert match is not None, error
+    return match[1], int(match[2]), int(match[3])
 
 
 def problems(spec: Path, target: str | None = None) -> list[str]:
@@ -104,21 +149,37 @@ def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(loader, "_valid", quick_judge)
 
 
-def reported(bad: BadSpec) -> list[str]:
-    with tempfile.TemporaryDirectory() as folder:
-        return problems(bad.lay(Path(folder)), bad.target)
+# --------------------------------------------------------------------------- messages that changed
 
 
-def accept(path: Path) -> None:
-    """The lines that are added move the places, so this takes more than one turn."""
-    for _ in range(3):
-        lines = path.read_bytes().split(b"\n")
-        head = [line for line in lines if re.match(rb"# (file|remove|target): ", line)]
-        rest = [line for line in lines if not re.match(rb"# (file|remove|target|error): ", line)]
-        errors = [f"# error: {error}".encode() for error in reported(read(path))]
-        path.write_bytes(b"\n".join([*head, *errors, *rest]))
+def row_with(bad: BadSpec, errors: list[str]) -> Iterator[str]:
+    """The lines of a row that announces these errors."""
+    yield from (f"! {name}: {value}" for name, value in bad.options.items())
+    marks: dict[int, list[str]] = {}
+    keys = [match and match[0] for match in map(_KEY.match, bad.lines)]
+    for error in errors:
+        file, line, column = _order(error)
+        message = error.split(": error: ", 1)[1]
+        if file == bad.file and (line - 1 in bad.written or keys.index(keys[line - 1]) == line - 1):
+            marks.setdefault(line - 1, []).append(" " * (column - 1) + "^ " + message)
+        else:
+            yield f"! {file}:{line}:{column}: {message}"
+    for at in sorted({*bad.written, *marks}):
+        yield from (bad.lines[at], *marks.get(at, ()))
 
 
-if __name__ == "__main__" and sys.argv[1:2] == ["accept"]:
-    for name in sys.argv[2:] or [path.stem for path in sorted(CORPUS.glob("*.yaml"))]:
-        accept(CORPUS / f"{name}.yaml")
+def accept(names: list[str]) -> None:
+    for table in tables():
+        rows = re.split(r"(?m)^(?=  \w+: |\S)", table.read_text("utf-8"))
+        for i, row in enumerate(rows):
+            header = re.match(r"  (\w+): \|2\n", row)
+            if header and (not names or header[1] in names):
+                bad = named(header[1])
+                with tempfile.TemporaryDirectory() as folder:
+                    found = problems(bad.lay(Path(folder)), bad.target)
+                rows[i] = header[0] + "".join(f"    {line}".rstrip(" ") + "\n" for line in row_with(bad, found))
+        table.write_text("".join(rows), "utf-8")
+
+
+if __name__ == "__main__":
+    accept(sys.argv[1:])

@@ -157,7 +157,7 @@ def test_a_program_that_cannot_be_run(
 
 def test_names_of_the_specification_are_judged_before_a_program_runs(tmp_path: Path) -> None:
     path = program(tmp_path, f"open({str(tmp_path / 'ran')!r}, 'w')\nanswer = {{'files': {{}}}}")
-    spec = bad_spec_files.read(bad_spec_files.CORPUS / "name_collision.yaml").lay(tmp_path)
+    spec = bad_spec_files.named("name_collision").lay(tmp_path)
     options = ["--spec", str(spec), "--out", str(tmp_path / "out"), "--target", "python", "--plugin", str(path)]
     assert cli.main(["generate", *options]) == 1
     assert not (tmp_path / "ran").exists()
