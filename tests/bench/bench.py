@@ -83,7 +83,7 @@ def main() -> None:
         text = bench_c_peer.report(given.peer)
         print(text)
         if given.readme:
-            (ROOT / "spec/programs/bench_c_peer.md").write_text(text, "utf-8")
+            (ROOT / "docs/parts/bench_c_peer.md").write_text(text, "utf-8")
         return
     if given.readme:
         bench_c.write_readme()

@@ -20,7 +20,7 @@ ROOT = Path(__file__).parents[2]
 HERE = Path(__file__).parent
 BUILD = ROOT / "build/bench"
 SOURCES = ROOT / "generated/c/src"
-README = ROOT / "spec/programs/bench_c.md"
+README = ROOT / "docs/parts/bench_c.md"
 SIZE = 1_000_000
 ROUNDS, TURNS = 20, 4
 
@@ -198,7 +198,7 @@ def sizes() -> list[Row]:
 
 # --------------------------------------------------------------------------- by source
 
-BY_SOURCE = ROOT / "spec/programs/bench_c_sources.md"
+BY_SOURCE = ROOT / "docs/parts/bench_c_sources.md"
 #: The sources that programs link most often.
 PARTS = ("core", "parser", "codec", "program", "value", "stream", "client", "device", "connect")
 FUNCTION = re.compile(r"^[A-Za-z_][^;{}#=]*?\b(\w+)\([^;{}]*\)\s*\{\n(.*?)^\}", re.S | re.M)

@@ -21,7 +21,7 @@ from bench_c import BUILD, HERE, ROOT, SOURCES, Row, library, measure, run, tabl
 from mipgen.resolve.load import load_model
 
 CRATE = ROOT / "generated/rust"
-README = ROOT / "spec/programs/bench_rust.md"
+README = ROOT / "docs/parts/bench_rust.md"
 #: Bytes of a stream: more than a cache holds; and for counting instructions.
 SIZE, COUNTED = 16_000_000, 1_000_000
 #: Many short turns, over the whole run: the processor is shared, and each function needs some when the rest is idle.

@@ -466,7 +466,7 @@ def test_a_target_of_the_user_is_always_asked(work: Path) -> None:
 def test_the_program_is_part_of_the_input(tmp_path: Path) -> None:
     keys = []
     copy = tmp_path / "copy"
-    for part in ("generator", "templates", "runtime", "spec/schema"):
+    for part in ("generator", "templates", "runtime", "spec/schema", "examples", "docs/parts"):
         shutil.copytree(ROOT / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(ROOT / "LICENSE", copy)
     for path in (None, "generator/mipgen/emit/naming.py", "templates/c/README.md.j2", "spec/schema/common.schema.json"):

@@ -85,7 +85,16 @@ def test_the_wheel_holds_all_of_its_files(built: Path) -> None:
     with zipfile.ZipFile(wheel(built)) as archive:
         held = {name for name in archive.namelist() if ".dist-info/" not in name}
     listed = run(
-        "git", "ls-files", "generator", "templates", "runtime", "spec/schema", "LICENSE", cwd=ROOT
+        "git",
+        "ls-files",
+        "generator",
+        "templates",
+        "runtime",
+        "spec/schema",
+        "examples",
+        "docs/parts",
+        "LICENSE",
+        cwd=ROOT,
     ).splitlines()
     there = [name for name in listed if (ROOT / name).is_file()]
     assert held == {

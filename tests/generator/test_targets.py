@@ -39,7 +39,7 @@ def first(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_same_from_anywhere(first: Path, tmp_path: Path) -> None:
     """Another folder, home, locale, hash seed and time zone; a copy of the project in another place."""
     copy = tmp_path / "copy"
-    for part in ("generator", "templates", "runtime", "spec"):
+    for part in ("generator", "templates", "runtime", "spec", "examples", "docs/parts"):
         shutil.copytree(ROOT / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(ROOT / "LICENSE", copy)
     strange = {

@@ -45,7 +45,7 @@ def test_the_quickstart_runs() -> None:
 
 def program(folder: Path, name: str) -> Path:
     """A program of the README, in a folder where the package is installed."""
-    text = (ROOT / "spec/programs" / name).read_text("utf-8")
+    text = (ROOT / "examples" / name).read_text("utf-8")
     assert f"```javascript\n{text}```" in (GENERATED / "README.md").read_text("utf-8")
     package = folder / "node_modules/mip-protocol"
     package.parent.mkdir()
@@ -84,7 +84,7 @@ def test_a_program_reads_a_log(tmp_path: Path) -> None:
 
 def test_typescript_of_the_readme() -> None:
     """`test_types.py` compiles it."""
-    typed = (ROOT / "spec/programs/typed.mts").read_text("utf-8")
+    typed = (ROOT / "examples/typed.mts").read_text("utf-8")
     assert f"```typescript\n{typed}```" in (GENERATED / "README.md").read_text("utf-8")
 
 

@@ -54,7 +54,7 @@ def compiled(folder: Path, modules: Path) -> str:
 
 def test_right_programs_compile_and_wrong_ones_do_not(tmp_path: Path, modules: Path) -> None:
     folder = project(tmp_path, modules)
-    for program in (*HERE.glob("types/*.mts"), ROOT / "spec/programs/typed.mts"):
+    for program in (*HERE.glob("types/*.mts"), ROOT / "examples/typed.mts"):
         shutil.copy(program, folder)
     assert compiled(folder, modules) == ""  # each `@ts-expect-error` marks an error
     wrong = (folder / "wrong.mts").read_text("utf-8")

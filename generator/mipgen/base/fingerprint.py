@@ -14,7 +14,8 @@ def program() -> str:
     """Returns a key of everything except the input: this program, its templates and schemas, Python, the libraries."""
     parts: list[bytes | str] = [sys.version, *_libraries()]
     root = resources.root()
-    for folder in (resources.package(), root / "templates", root / "runtime", root / "spec/schema"):
+    data = ("templates", "runtime", "spec/schema", *resources.PROGRAMS)
+    for folder in (resources.package(), *(root / name for name in data)):
         for path, file in resources.files(folder):
             parts += [path, file.read_bytes()]
     return cache.key(*parts, (root / "LICENSE").read_bytes())

@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
 
+#: Programs that show the bindings with fields of MIP, and parts of the bindings' READMEs about them.
+PROGRAMS = ("examples", "docs/parts")
+
 MANIFEST = ".manifest"  # the list of the files in an output folder
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from mipgen import model as m
+from mipgen.base import resources
 from mipgen.facts import references
 from mipgen.read import loader
 from mipgen.read.documents import Document
@@ -40,8 +41,14 @@ def _loaded(spec: Path, overlays: Sequence[Path]) -> m.Model:
     problems.raise_if_any()
     model = resolve(documents, problems)
     problems.raise_if_any()
-    programs = sorted(p for p in (spec / "programs").glob("*") if p.is_file())
-    return replace(model, programs=tuple((p.name, p.read_text("utf-8")) for p in programs))
+    protocol = next(d.root for d in documents if d.kind == "protocol")
+    return replace(model, programs=_programs()) if protocol.scalar("programs", False) else model
+
+
+def _programs() -> tuple[tuple[str, str], ...]:
+    """Returns the example programs and the parts of READMEs that come with this program, by file name."""
+    files = (f for folder in resources.PROGRAMS for f in resources.files(resources.root() / folder))
+    return tuple((name, file.read_text("utf-8")) for name, file in files)
 
 
 def resolve(documents: Sequence[Document], problems: Problems) -> m.Model:

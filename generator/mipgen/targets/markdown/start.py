@@ -16,7 +16,7 @@ class Start:
 
     title: str
     name: str  # of the anchor, and of the fenced block
-    program: str  # in `programs/` of the specification
+    program: str  # in `examples/`
     file: str
     install: str
     run: str
@@ -80,7 +80,7 @@ class Frame:
 
 
 def frames(model: m.Model) -> list[Frame]:
-    """Collects the files in the specification's `programs/` whose names begin with "frame"."""
+    """Collects the files in `examples/` whose names begin with "frame"."""
     kinds = (
         ("command", "frame", "Commands", "These programs open a device, send the command and report the outcome."),
         ("data", "frame_data", "Data", "These programs open a device, stream the field once per second and read it."),

@@ -27,7 +27,7 @@ EXAMPLES = {
     "firmware": (),
 }
 
-#: Files of an example that is a separate package because of its dependencies, and their names in `programs/`.
+#: Files of an example that is a separate package because of its dependencies, and their names in `examples/`.
 EMBASSY = {"Cargo.toml": "embassy.toml", "build.rs": "embassy_build.rs", "src/main.rs": "embassy.rs"}
 
 
