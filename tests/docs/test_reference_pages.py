@@ -146,7 +146,7 @@ def test_fields_and_types_between_backticks_are_links() -> None:
 
 
 def test_descriptors_in_quotations_are_links() -> None:
-    errata = manual_of("invented").page("errata/leaflet/editorial.md")
+    errata = manual_of("invented").page("errata/leaflet/meaning.md")
     assert "- Published: See (0x01,0x7F)." in errata
     text = "The text refers to `tools.ping` by (0x01,0x01)."
     quoting = dataclasses.replace(model("invented").errata[0], printed=text, right=text, reason=text)

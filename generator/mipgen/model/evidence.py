@@ -57,7 +57,7 @@ class Erratum:
     id: str
     manual: str
     section: str
-    severity: Literal["wire", "meaning", "editorial"]
+    severity: Literal["wire", "meaning"]
     printed: str
     right: str
     reason: str

@@ -15,7 +15,7 @@ from .fields import length
 from .places import Page, errata_page, label
 from .text import code, inline, table
 
-SEVERITIES = ("wire", "meaning", "editorial")
+SEVERITIES = ("wire", "meaning")
 
 
 def of_manual(things: Sequence[Any], manual: m.Manual) -> list[Any]:
