@@ -103,16 +103,16 @@ def test_whatever_interrupts_a_run_the_next_one_finishes_it(
 def test_a_file_that_was_left_half_written_goes_although_nothing_else_is_to_do(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    options = ["--spec", str(INVENTED), "--target", "c", "--out", str(tmp_path)]
+    options = ["--spec", str(INVENTED), "--target", "kaitai", "--out", str(tmp_path)]
     assert cli.main(["generate", *options]) == 0
-    part = tmp_path / "c/src/mip.h.4711.part"
+    part = tmp_path / "kaitai/mip.ksy.4711.part"
     part.write_text("half")
     capsys.readouterr()
     assert cli.main(["check", *options]) == 1
     shown = capsys.readouterr().err
     assert shown.startswith(f"{part}: error: stale\nmipgen: 1 file to update; run: mipgen generate --spec")
     assert cli.main(["generate", *options]) == 0 and cli.main(["check", *options]) == 0
-    assert tree(tmp_path / "c") == tree(GOLDEN / "c")
+    assert tree(tmp_path / "kaitai") == tree(GOLDEN / "kaitai")
 
 
 # --------------------------------------------------------------------------- what others put there
@@ -198,17 +198,17 @@ def test_folders_of_build_tools(tmp_path: Path) -> None:
 def test_the_remedy_is_that_of_each_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """`generate` does not remove what mipgen did not write."""
     out = tmp_path / "out"
-    shutil.copytree(GOLDEN / "c", out / "c")
-    options = ["check", "--spec", str(INVENTED), "--target", "c", "--out", str(out)]
-    (out / "c/mine.txt").write_text("mine")
+    shutil.copytree(GOLDEN / "json", out / "json")
+    options = ["check", "--spec", str(INVENTED), "--target", "json", "--out", str(out)]
+    (out / "json/mine.txt").write_text("mine")
     assert cli.main(options) == 1
     assert capsys.readouterr().err == (
-        f"{out}/c/mine.txt: error: untracked\nmipgen: 1 file that mipgen did not write; move or delete it\n"
+        f"{out}/json/mine.txt: error: untracked\nmipgen: 1 file that mipgen did not write; move or delete it\n"
     )
-    (out / "c/yours.txt").write_text("yours")
-    (out / "c/LICENSE").write_text("changed")
+    (out / "json/yours.txt").write_text("yours")
+    (out / "json/LICENSE").write_text("changed")
     assert cli.main(options) == 1
     assert capsys.readouterr().err.splitlines()[3:] == [
         "mipgen: 2 files that mipgen did not write; move or delete them",
-        f"mipgen: 1 file to update; run: mipgen generate --spec {INVENTED} --out {out} --target c",
+        f"mipgen: 1 file to update; run: mipgen generate --spec {INVENTED} --out {out} --target json",
     ]
