@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli
-from mipgen.audit import sdk, sdk_2014, tables, witnesses
+from mipgen.audit import sdk, tables, witnesses
 from mipgen.base.errors import Failure
 from mipgen.read.problems import SpecError
 from small_specs import load
@@ -534,88 +534,6 @@ def test_a_working_copy_of_another_form(tmp_path: Path) -> None:
     (copy / "src/cpp/mip/definitions/commands_radio.cpp").write_text("// empty\n", "utf-8")
     with pytest.raises(Failure, match="definitions have an unknown format: nothing defines 'Tune"):
         sdk.extract(copy)
-
-
-# --------------------------------------------------------------------------- the SDK of 2014
-
-OLD_HEADER = """\
-#define MIP_3DM_CMD_TUNE\t\t0x01 // a comment
-#define MIP_3DM_CMD_STATE\t\t0x02
-#define MIP_3DM_CMD_NOTES\t\t0x03
-#define MIP_3DM_REPLY_TUNE\t0x81
-#define MIP_3DM_REPLY_STATE\t0x82
-
-#define MIP_3DM_TONE_LOW\t\t0x00
-#define MIP_3DM_TONE_HIGH\t0x01
-
-#define MIP_AHRS_DATA_TIME_STAMP_PPS 0x0F
-
-// returned in MIP_REPLY_DESC_3DM_STATE field
-#define STATE_SELECTOR 1
-typedef struct _state_field
-{
- u16 model;
- u32 timer_ms;
- u32 bytes_read, bytes_written; // two of them
- float m[3][3];
-}state_field;
-
-typedef struct _mip_ahrs_1pps_timestamp
-{
- u8  flags;
-}mip_ahrs_1pps_timestamp;
-"""
-
-OLD_SOURCE = """\
-//! @param [in] u8 function_selector - Function.
-//! @param [in,out] u8 *tone - The tone.
-//! \\n Possible \\c function_selector values:\\n
-//!    \\li 0x01 - Use
-//!    \\li 0x02 - Read
-//! \\c tone may be NULL for the following \\c function_selector values:
-//!    \\li 0x03 - Save
-u16 mip_3dm_cmd_tune(mip_interface *device_interface, u8 function_selector, u8 channel, u8 *tone)
-{
- send(MIP_3DM_CMD_TUNE);
- expect(MIP_3DM_REPLY_TUNE);
-}
-
-//! @param [in] u16 model - The model.
-u16 mip_3dm_cmd_state(mip_interface *device_interface, u16 model, u8 *response_buffer, u16 *response_size)
-{
- send(MIP_3DM_CMD_STATE);
-}
-
-u16 mip_3dm_cmd_notes(mip_interface *device_interface, u8 function_selector, float *notes)
-{
- send(MIP_3DM_CMD_NOTES);
-}
-"""
-
-
-def test_the_sdk_of_2014(tmp_path: Path) -> None:
-    library = tmp_path / sdk_2014.LIBRARY
-    for name, text in {"Include/mip_old.h": OLD_HEADER, "Source/mip_old.c": OLD_SOURCE}.items():
-        (library / name).parent.mkdir(parents=True, exist_ok=True)
-        (library / name).write_text(text.replace("\n", "\r\n"), "utf-8")
-    facts = sdk_2014.extract(tmp_path)
-    assert [(x["key"], x["role"], x.get("functions")) for x in facts["layouts"]] == [
-        ("0x0C,0x01", "command", "WR"),
-        ("0x0C,0x02", "command", None),
-        ("0x0C,0x81", "response", None),
-        ("0x0C,0x82", "response", None),
-        ("0x80,0x0F", "data", None),
-    ]
-    both = [{"label": "channel", "type": "u8"}, {"label": "tone", "type": "u8"}]
-    assert facts["layouts"][0]["parameters"] == facts["layouts"][2]["parameters"] == both
-    assert facts["layouts"][3]["parameters"] == [
-        {"label": "model", "type": "u16"},
-        {"label": "timer_ms", "type": "u32", "unit": "ms"},
-        {"label": "bytes_read", "type": "u32"},
-        {"label": "bytes_written", "type": "u32"},
-        {"label": "m", "type": "float", "count": 9},
-    ]
-    assert facts["constants"] == {"MIP_3DM_TONE": {"LOW": 0, "HIGH": 1}}
 
 
 # --------------------------------------------------------------------------- rules

@@ -349,20 +349,19 @@ def _audit_manuals(options: Namespace, model: Model) -> list[str]:
 
 def _audit_sdk(options: Namespace, model: Model) -> tuple[list[str], WitnessReport | None]:
     """Compares the devices that an SDK names, and its layouts, unless they are to be written."""
-    from mipgen.audit import devices, sdk, sdk_2014, witnesses
+    from mipgen.audit import devices, sdk, witnesses
 
     if not options.sdk.is_dir():
         raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
     lines = [str(finding) for finding in devices.audit(model, options.sdk)]
-    reader = next((x for x in (sdk, sdk_2014) if x.is_working_copy(options.sdk)), None)
-    if reader is None and not (options.sdk / devices.WITNESS).is_file():
+    copy = sdk.is_working_copy(options.sdk)
+    if not copy and not (options.sdk / devices.WITNESS).is_file():
         return lines, None
-    revision = reader.extract(options.sdk) if reader else witnesses.read(options.sdk / devices.WITNESS)
-    if reader and options.extract:
-        _extract(options, reader.NAME, revision, "--sdk FOLDER")
+    revision = sdk.extract(options.sdk) if copy else witnesses.read(options.sdk / devices.WITNESS)
+    if copy and options.extract:
+        _extract(options, sdk.NAME, revision, "--sdk FOLDER")
         return lines, None
-    folder, name = options.witness or _specs(options)[0] / "witness", reader.NAME if reader else sdk.NAME
-    return lines, witnesses.audit(model, folder, revision, name)
+    return lines, witnesses.audit(model, options.witness or _specs(options)[0] / "witness", revision, sdk.NAME)
 
 
 def _extract(options: Namespace, name: str, facts: dict[str, Any], arguments: str) -> None:
