@@ -10,9 +10,10 @@ from collections import Counter
 from collections.abc import Generator, Iterable, Iterator
 from typing import Any
 
+import bare
 import pytest
 from mipgen import model as m
-from support import BUILD, NIGHTLY, PROGRAMS, SEED, generate_invented, uses
+from support import BUILD, EVERYTHING, NIGHTLY, PROGRAMS, SEED, generate_invented, uses
 
 # The generator's cache is here: tests neither see nor change that of the user.
 os.environ["MIPGEN_CACHE"] = str(BUILD / "cache")
@@ -24,6 +25,9 @@ gc.disable()
 
 # A test that fails shows its values; printing a whole model would take half a minute.
 m.Model.__repr__ = m.Device.__repr__ = lambda self: f"<{type(self).__name__}>"  # type: ignore[method-assign]
+
+# What a test needs, it declares: all others find only the programs of any machine.
+os.environ["PATH"] = BARE = bare.path(BUILD / "path", EVERYTHING)
 
 #: Whether it is an error if a test was left out because a program is missing: CI has them all.
 STRICT = bool(os.environ.get("STRICT"))
@@ -54,7 +58,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None, N
     group(items)  # which xdist reads in this hook, too
     yield  # by the expression of `-m`, some are left out
     for item in items.copy():
-        missing = {mark.args[0] for mark in item.iter_markers("uses") if shutil.which(mark.args[0]) is None}
+        programs = {program for mark in item.iter_markers("uses") for program in mark.args}
+        missing = {program for program in programs if shutil.which(program, path=EVERYTHING) is None}
         if missing:
             items.remove(item)
             left_out.update(("", program) for program in missing)
@@ -76,6 +81,12 @@ def group(items: list[pytest.Item]) -> None:
         if any(mark.args == ("cargo",) for mark in item.iter_markers("xdist_group")):
             item.add_marker(uses("cargo"))
     items.sort(key=lambda item: item.get_closest_marker("xdist_group") is None)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_protocol(item: pytest.Item) -> None:
+    more = any(item.get_closest_marker(name) for name in ("uses", "heavy", "packaging", "cross", "nightly"))
+    os.environ["PATH"] = os.pathsep.join((BARE, EVERYTHING)) if more else BARE
 
 
 def pytest_collection_finish() -> None:

@@ -96,7 +96,8 @@ def needed(target: str) -> list[pytest.MarkDecorator]:
 
 def at_hand(target: str) -> bool:
     """Whether `make test` runs the driver of a target on this machine."""
-    return not any(mark.name == "heavy" or shutil.which(mark.args[0]) is None for mark in needed(target))
+    marks = needed(target)
+    return not any(mark.name == "heavy" or shutil.which(mark.args[0], path=EVERYTHING) is None for mark in marks)
 
 
 def each(*operations: str) -> Any:
@@ -168,9 +169,16 @@ PROGRAMS = {
 }
 
 
-def uses(program: str) -> pytest.MarkDecorator:
-    """Marks a test that is left out where a program is missing; the last line says so, and STRICT=1 makes it fail."""
-    return pytest.mark.uses(program)
+#: Where these are, also for the workers of xdist: tests that use none have less on their PATH.
+EVERYTHING = os.environ.setdefault("TEST_PATH", os.environ["PATH"])
+
+
+def uses(*programs: str) -> pytest.MarkDecorator:
+    """Marks a test that is left out where a program is missing; the last line says so, and STRICT=1 makes it fail.
+
+    Without a program, it is for a test that uses those that are `at_hand`.
+    """
+    return pytest.mark.uses(*programs)
 
 
 def nightly(what: str) -> pytest.MarkDecorator:

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from mipgen import model as m
 from reference import LINK, Manual, manual_of, number, places, tables, words
-from support import SPECS, heavy, need, uses
+from support import SPECS, need, small, uses
 
 with_node = uses("node")
 
@@ -196,7 +196,8 @@ def test_symbols_of_c(spec: str) -> None:
     assert listed(manual, "c") == {name for name in declared - of_sets - of_core if not name.endswith("_H")}
 
 
-@pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=heavy("g++"))])
+@uses("g++")
+@small("names of the real C++ library")
 def test_symbols_of_cpp(spec: str, tmp_path: Path) -> None:
     """Programs can use each: types, functions of fields, values of enumerations."""
     uses = []

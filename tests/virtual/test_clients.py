@@ -11,11 +11,13 @@ from typing import Any
 import pytest
 from mipgen import model as m
 from random_values import chance
-from support import NIGHTLY, OFFERS, at_hand, differences, driver, heavy, model, rounds
+from support import NIGHTLY, OFFERS, at_hand, differences, driver, heavy, model, rounds, uses
 from virtual.commands import Trial, commands, data_fields
 from virtual.ledger import OUTCOMES, check
 from virtual.scenario import everything, faulty, formats, prepare, silenced
 from virtual.session import KINDS, Session, Witness
+
+pytestmark = uses()  # the clients at hand
 
 #: Devices with a complete manual, and one of which little is known.
 DEVICES = ("3dm-cv7-gnss-ins", "3dm-gx5-15", "3dm-gx5-45", "3dm-gq7")
