@@ -26,7 +26,7 @@ QUICK = ("--target", "json", "--target", "kaitai")
 def test_the_same_from_anywhere(tmp_path: Path) -> None:
     """Another folder, home, locale, hash seed and time zone; a copy of the project in another place."""
     copy = tmp_path / "copy"
-    for part in ("generator", "templates", "runtime", "spec/schema", "tests/invented/spec"):
+    for part in ("generator", "templates", "runtime", "examples", "docs/parts", "spec/schema", "tests/invented/spec"):
         shutil.copytree(ROOT / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(ROOT / "LICENSE", copy)
     strange = {
