@@ -60,6 +60,7 @@ lock: ## pin the newest versions of the Python tools
 	@$(PIP_COMPILE) -o requirements.txt pyproject.toml
 	@$(PIP_COMPILE) -o requirements-dev.txt requirements-dev.in
 	@$(PIP_COMPILE) -o requirements-all.txt requirements-all.in
+	@$(OLDEST) tests/locks.py requirements.txt requirements-dev.txt requirements-all.txt
 
 # ----------------------------------------------------------------- what it is for
 
