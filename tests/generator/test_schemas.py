@@ -6,9 +6,12 @@ Editors complete units, frames and types from lists in the schema, which follow 
 
 from __future__ import annotations
 
+import copy
 import json
+import random
 import re
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -17,8 +20,14 @@ import pytest
 import yaml
 from bad_spec_files import BASE
 from mipgen.model import SCALARS
+from mipgen.read import loader, nodes
 from mipgen.read.loader import BESIDE, LAYOUT, WITNESSES
-from support import later, model
+from mipgen.read.nodes import Node
+from mipgen.read.position import Position
+from mipgen.read.problems import Problems
+from mipgen.read.schemas import _compiled as compiled
+from mipgen.read.schemas import fits
+from support import SEED, later, model, rounds
 
 jsonschema = later("jsonschema")
 
@@ -157,6 +166,71 @@ def test_parameters_are_written_in_one_style() -> None:
                     if bool(p.flow_style) != braces and not nested:
                         wrong.append(f"{path.name}:{p.start_mark.line + 1}")
     assert seen > 500 and not wrong, wrong
+
+
+#: Values to put into a file in place of others: of each type, and on both sides of each bound.
+ODD: list[Any] = [
+    None, True, False, -1, 0, 1, 2, 255, 256, 65536, 1.0, 0.5, "", "x", "x_1", "X", "x\n", "Words, and more.", [], [1],
+    ["x"], {}, {"x": 1}, {"include": "x"}, [{"name": "x", "type": "u8"}], "3dm-x", "0x0C", 1e9,
+]  # fmt: skip
+
+
+def node(value: Any) -> Node:
+    if isinstance(value, dict):
+        return Node({key: node(below) for key, below in value.items()}, Position("file", 1, 1))
+    return Node([*map(node, value)] if isinstance(value, list) else value, Position("file", 1, 1))
+
+
+def places(value: Any) -> Iterator[tuple[Any, Any]]:
+    """Every place of a value below this one: its container and its key."""
+    for key, below in value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ():
+        yield value, key
+        yield from places(below)
+
+
+def agree(kind: str, schema: Any, value: Any) -> bool:
+    """Both checks of a value by a part of a schema say the same; returns what they say."""
+    wanted = next(loader._validators()[kind].descend(value, schema), None) is None
+    assert compiled(schema, f"{kind}.schema.json")(node(value).value) == wanted, (kind, schema, value)
+    return wanted
+
+
+@pytest.mark.parametrize("path", schemas(), ids=lambda p: p.name)
+def test_each_part_of_a_schema_means_the_same_to_the_quick_check(path: Path) -> None:
+    kind, whole = path.name.removesuffix(".schema.json"), json.loads(path.read_text("utf-8"))
+    parts = {json.dumps(part): part for _, part in rules(whole) if "$schema" not in part}
+    seen = Counter[bool]()
+    for part in parts.values():
+        bounds = [rule for rule in part.values() if isinstance(rule, int)]
+        near = [bound + step for bound in bounds for step in (-1, 0, 1)]
+        known = {key: 1 for key in part.get("required", ())}
+        sized = [f for n in near if 0 <= n < 99 for f in ([0] * n, "x" * n, {f"x{i}": 0 for i in range(n)})]
+        for value in [*ODD, *near, known, *sized, *part.get("enum", ())]:
+            seen[agree(kind, part, value)] += 1
+    assert seen[True] and seen[False]
+
+
+def test_the_quick_check_agrees_with_the_library() -> None:
+    rng, counts = random.Random(SEED), Counter[bool]()
+    small = [(kind, nodes.read(path, path.name, Problems())) for kind, path in FILES if path.stat().st_size < 5000]
+    for _ in range(rounds(600, 20_000)):
+        kind, root = rng.choice(small)
+        assert root is not None
+        value, kind = root.plain(), loader._schema(kind, root, False)
+        for _ in range(rng.randint(1, 3)):
+            container, key = rng.choice([*places(value)])
+            if rng.randrange(4):
+                container[key] = copy.deepcopy(
+                    rng.choice([rng.choice(ODD), rng.choice([c[k] for c, k in places(value)])])
+                )
+            elif isinstance(container, dict):
+                container[rng.choice(["x", "X", "description", "name"])] = rng.choice(ODD)
+            else:
+                container *= rng.randrange(3)
+        wanted = loader._validators()[kind].is_valid(value)
+        assert fits(kind, node(value)) == wanted, (kind, value)
+        counts[wanted] += 1
+    assert min(counts.values()) > 50, counts
 
 
 def accept() -> None:

@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import functools
-import json
 import pickle
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from mipgen.base import cache, fingerprint, resources
+from mipgen.base import cache, fingerprint
 from mipgen.base.resources import MANIFEST
 
-from . import overlay
+from . import overlay, schemas
 from .documents import Document
 from .nodes import Node, read
 from .position import Position
 from .problems import Problems, close, nearest
 from .spelling import strange
-
-_SUFFIX = ".schema.json"
 
 #: Words that other YAML parsers read as true and false.
 BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
@@ -156,36 +153,31 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
 
 
 def _matches(_: Any, pattern: str, value: Any, schema: Any) -> Iterator[Any]:
-    """Matches `$` only at the end of a text, as JSON Schema does; Python also matches before a final line break."""
     import jsonschema
 
-    if isinstance(value, str) and not re.search(pattern.replace("$", r"\Z"), value):
+    if isinstance(value, str) and not schemas.pattern(pattern).search(value):
         yield jsonschema.ValidationError(f"{value!r} does not match {pattern!r}")
-
-
-def _is_integer(_: Any, value: Any) -> bool:
-    """Rejects 1.0 as an integer, which JSON Schema accepts: an author who writes 1.0 means a float."""
-    return isinstance(value, int) and not isinstance(value, bool)
 
 
 @functools.cache
 def _validators() -> dict[str, Any]:
-    """Builds a validator for each kind of file. Their library is slow to import; it is used only for changed files."""
+    """Builds a validator for each kind of file, which names all mistakes. Their library is slow to import."""
     import jsonschema
     import referencing
     from referencing.jsonschema import DRAFT7
 
-    types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
+    types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", lambda _, value: schemas.is_integer(value))
     extend: Any = jsonschema.validators.extend
     validator = extend(jsonschema.Draft7Validator, {"pattern": _matches}, type_checker=types)
-    folder = resources.root() / "spec/schema"
-    files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
-    for schema in files.values():
-        del schema["$schema"]  # with it, the library would use its own validator for references instead of this one
+    # With "$schema", the library would use its own validator for references instead of this one.
+    files = {
+        name: {key: rule for key, rule in schema.items() if key != "$schema"}
+        for name, schema in schemas.files().items()
+    }
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (name, DRAFT7.create_resource(schema)) for name, schema in files.items()
     )
-    return {name.removesuffix(_SUFFIX): validator(schema, registry=registry) for name, schema in files.items()}
+    return {name.removesuffix(schemas.SUFFIX): validator(schema, registry=registry) for name, schema in files.items()}
 
 
 # --------------------------------------------------------------------------- schema errors in words
@@ -193,6 +185,8 @@ def _validators() -> dict[str, Any]:
 
 def _valid(kind: str, root: Node, problems: Problems) -> bool:
     """Validates a file against its schema, and adds its mistakes to `problems`; True if there are none."""
+    if schemas.fits(kind, root):
+        return True
     errors = list(_validators()[kind].iter_errors(root.plain()))
     for error in errors:
         path = list(error.absolute_path)
