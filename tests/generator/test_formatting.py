@@ -36,6 +36,11 @@ def test_files_of_the_language_are_formatted(formatter: Formatter, made: dict[st
     assert formatted(formatter, made) == {**made, **{p: WELL[p] for p in made if p in WELL}}
 
 
+def test_what_is_in_its_final_layout_stays_as_it_is() -> None:
+    made = {**C, "b.c": C["a.c"]}
+    assert formatted(CLANG_FORMAT, made, {"b.c"}) == {**made, "a.c": WELL["a.c"]}
+
+
 @pytest.mark.parametrize(("formatter", "made"), [(CLANG_FORMAT, C), (RUFF, PYTHON)], ids=["c", "python"])
 def test_neither_the_folder_nor_the_path_matters(
     formatter: Formatter, made: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib
 import subprocess
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -68,17 +68,19 @@ RUFF = Formatter(
 )
 
 
-def formatted(formatter: Formatter, made: Mapping[str, bytes]) -> dict[str, bytes]:
-    """Returns the files of an output, formatted if they are in the formatter's language."""
+def formatted(formatter: Formatter, made: Mapping[str, bytes], final: Collection[str] = ()) -> dict[str, bytes]:
+    """Returns the files of an output, formatted if they are in the formatter's language and not in their final
+    layout."""
     if formatter.style not in made:
         raise FormatError(f"{formatter.package} needs {formatter.style} in the output, which defines the style")
     how = cache.key(formatter.package, formatter.version(), repr(formatter.steps), made[formatter.style])
-    keys = {path: cache.key(how, path, data) for path, data in made.items() if path.endswith(formatter.suffixes)}
+    files = [path for path in made if path.endswith(formatter.suffixes)]
+    keys = {path: cache.key(how, path, made[path]) for path in files if path not in final}
     known = {path: cache.get("formatted", name) for path, name in keys.items()}
     done = {path: text for path, text in known.items() if text is not None}
     wanted = sorted(known.keys() - done.keys())
     if wanted:
-        new = _run(formatter, {path: made[path] for path in (formatter.style, *keys)}, wanted)
+        new = _run(formatter, {path: made[path] for path in (formatter.style, *files)}, wanted)
         cache.put("formatted", {keys[path]: text for path, text in new.items()})
         done |= new
     return {**made, **done}

@@ -30,6 +30,8 @@ class File:
     path: str
     template: str
     context: Mapping[str, Any] = field(default_factory=dict)
+    #: True if the template writes the layout of the target's formatter, which then need not run on it.
+    final: bool = False
 
 
 def _no_filters(_: Model) -> Mapping[str, Callable[..., Any]]:

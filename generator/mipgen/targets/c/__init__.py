@@ -67,8 +67,9 @@ def code(model: m.Model) -> Iterator[File]:
     )
     for name in ("names", "profiles", "protocol", "types"):
         yield File(f"src/mip/{name}.h", f"{name}.h.j2")
-    for name in ("names", "profiles", "protocol", "reflection", "registry"):
+    for name in ("names", "profiles", "protocol", "registry"):
         yield File(f"src/mip/{name}.c", f"{name}.c.j2")
+    yield File("src/mip/reflection.c", "reflection.c.j2", final=True)
     if session := calls.session(model):
         for end in ("h", "c"):
             yield File(f"src/mip/connect.{end}", f"connect.{end}.j2", {"session": session})
@@ -211,9 +212,12 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "entries": lambda of: list(tables.entries(of)),
         "sets": lambda of: list(tables.sets(of)),
         "names": tables.names,
-        "parameter_row": tables.parameter,
-        "reflection_row": tables.reflection,
+        "array": tables.array,
+        "parameters": lambda r: [tables.parameter(p, r) for p in r.parameters],
+        "alternatives": lambda p, r: [tables.parameter(a, r, p) for a in p.alternatives],
+        "cases": tables.cases,
         "readings": tables.readings,
+        "reflection": tables.reflection,
         "numbers": tables.numbers,
         "labels": tables.labels,
         "letters": m.letters,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from mipgen import model as m
@@ -67,6 +67,8 @@ def entries(model: m.Model) -> Iterator[Entry]:
 
 # --------------------------------------------------------------------------- reflection
 
+_WIDTH = 100  # columns, as in .clang-format
+
 #: Kinds of parameters with a different name in C.
 _KINDS = {"scalar": "NUMBER", "switch": "UNION"}
 
@@ -85,15 +87,48 @@ def numbers(t: m.Enum) -> str:
     return ", ".join(literals.number(v.value, t.scalar.size) for v in t.values)
 
 
-def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None) -> str:
-    """Writes the members of struct mip_parameter; `union` is the union that contains the parameter, if one does."""
+def array(declaration: str, rows: Iterable[Sequence[str]]) -> str:
+    """Defines an array of structures in the layout of clang-format, which would take long for such tables.
+
+    >>> a, b, c = "a" * 60, "b" * 30, "c" * 60
+    >>> print(array("static const struct pair pairs[]", [[a, b, "1"], [b, f"f({a}, {c})", "2"]]))
+    static const struct pair pairs[] = {
+        {aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, bbbbbbbbbbbbbbbbbbbbbbbbbbbbbb,
+         1},
+        {bbbbbbbbbbbbbbbbbbbbbbbbbbbbbb,
+         f(aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa,
+           cccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc),
+         2},
+    };
+    """
+    begin, indent = (" = {", 4) if len(declaration) + len(" = {") <= _WIDTH else (" =\n    {", 8)
+    lines = [line for row in rows for line in _row(row, " " * indent)]
+    return "\n".join([declaration + begin, *lines, "};"])
+
+
+def _row(members: Sequence[str], indent: str) -> list[str]:
+    """Returns the lines of a structure: as many members on a line as fit, and a call on two lines if it is too long."""
+    lines = [f"{indent}{{{members[0]},"]
+    for text in (*(f"{each}," for each in members[1:-1]), f"{members[-1]}}},"):
+        if len(lines[-1]) + 1 + len(text) <= _WIDTH:
+            lines[-1] += f" {text}"
+        elif len(indent) + 1 + len(text) <= _WIDTH or ", " not in text:
+            lines.append(f"{indent} {text}")
+        else:
+            call, _, rest = text.partition(", ")
+            lines += [f"{indent} {call},", " " * (len(indent) + 2 + call.index("(")) + rest, indent]
+    return [line for line in lines if line.strip()]
+
+
+def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None) -> list[str]:
+    """Returns the members of struct mip_parameter; `union` is the union that contains the parameter, if one does."""
     item, full = p.leaf, bare(record)
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     by = p.tag or p.counts or p.counter
     scalar = upper(item.scalar.name) if item.kind in ("scalar", "constant", "counter") else "U8"
     length = {int: "FIXED", str: "REST" if p.fills else "COUNTED"}.get(type(p.length), "ONE")
     readings = () if union else p.readings
-    row = [
+    return [
         literals.string(p.name),
         literals.string(", ".join(p.units)),
         f"MIP_KIND_{_KINDS.get(item.kind, upper(item.kind))}",
@@ -111,23 +146,30 @@ def parameter(p: m.Parameter, record: m.Record, union: m.Parameter | None = None
         f"cases_{full}_{p.name}" if p.cases else "NULL",
         str(len(readings or p.cases)),
     ]
-    return ", ".join(row)
 
 
-def _place(p: m.Parameter, record: m.Record, union: m.Parameter | None) -> tuple[str, str]:
-    """Writes the location of a member, and the offset of its item count."""
+def _place(p: m.Parameter, record: m.Record, union: m.Parameter | None) -> tuple[str, ...]:
+    """Writes the offset and size of a member, and the offset of its item count."""
     if not union and p not in members(record):
-        return "0, 0", "0"
+        return "0", "0", "0"
     within = f"union {union_name(union, record)}" if union else f"struct {symbol(record)}"
     name = (home(p) if union else "") + member(p.name)
     size = "ONE" if p.length is None else "MANY"
     return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.fills else "0"
 
 
-def reflection(f: m.Field) -> str:
-    """Writes the members of struct mip_reflection."""
+def cases(p: m.Parameter, record: m.Record) -> Iterator[tuple[str, str]]:
+    """Yields the members of struct mip_case: the value of the tag, and the parameter that it selects."""
+    for case in p.cases:
+        place = p.alternatives.index(case.parameter) if case.parameter else 0
+        member = f"&members_{bare(record)}_{p.name}[{place}]" if case.parameter else "NULL"
+        yield literals.number(case.tag.value, 4), member
+
+
+def reflection(f: m.Field) -> list[str]:
+    """Returns the members of struct mip_reflection."""
     name, table = field_name(f), f"required_{bare(f)}"
-    row = [
+    return [
         f"&{name}_codec",
         f"&record_{bare(f)}",
         "true" if f.functions else "false",
@@ -136,14 +178,13 @@ def reflection(f: m.Field) -> str:
         f"sizeof({table})" if f.functions else "0",
         f"offsetof(struct {name}, present)" if f.optional else "0",
     ]
-    return ", ".join(row)
 
 
-def readings(p: m.Parameter, record: m.Record) -> Iterator[str]:
+def readings(p: m.Parameter, record: m.Record) -> Iterator[list[str]]:
     """Yields the members of struct mip_reading: device, or index and value of the selecting parameter; and the
     names."""
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     for v in p.readings:
         assert v.type is not None
         device = literals.string(v.key if v.by_device else None)
-        yield f"{device}, {numbers.get(v.by, 0)}, {v.value or 0}, &{names(v.type)}"
+        yield [device, str(numbers.get(v.by, 0)), str(v.value or 0), f"&{names(v.type)}"]
