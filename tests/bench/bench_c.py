@@ -188,7 +188,7 @@ def sizes() -> list[Row]:
     return [
         ["parser, walk and builder", f"{core / plain:.2f}", f"{core} B", f"{plain} B"],
         ["state of the parser, in RAM", f"{ours / theirs:.2f}", f"{ours} B", f"{theirs} B"],
-        [f"decode and encode all {len(codecs)} layouts, for each", f"{table / code:.2f}", f"{table:.1f} B",
+        ["decode and encode all layouts, for each", f"{table / code:.2f}", f"{table:.1f} B",
          f"{code:.1f} B"],
         ["of that, shared by all: the table reader", "", f"{reader} B", ""],
         ["names of one enumeration, the acknowledge codes", "", f"{names} B", ""],
