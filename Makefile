@@ -9,8 +9,8 @@ VENV := .venv
 RUN := $(VENV)/bin/python
 # What is compiled of the generator is kept, even where Python is told to keep nothing: it is a third of a short run.
 MIPGEN := PYTHONDONTWRITEBYTECODE= PYTHONPATH=generator $(RUN) -m mipgen
-# Processes of tests: some tests wait, so one more than a small machine has processors.
-JOBS ?= 3
+# Processes of tests: some tests wait, so one more than processors; each also collects the tests, so no more than nine.
+JOBS ?= $(shell n=$$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2); [ $$n -lt 8 ] || n=8; echo $$((n + 1)))
 TESTS ?= tests
 
 .DEFAULT_GOAL := help

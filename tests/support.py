@@ -149,7 +149,7 @@ class later:
 def need(tool: str) -> str:
     """The path of a tool, of this environment before others; a missing one is an error, never a skip."""
     path = shutil.which(tool, path=str(Path(sys.executable).parent)) or shutil.which(tool)
-    assert path is not None, f"{tool} is missing; `make test-all` says how to get it"
+    assert path is not None, f"{tool} is missing, or the test does not say that it `uses` it"
     return path
 
 
