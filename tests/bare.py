@@ -10,11 +10,14 @@ import shutil
 import sys
 from pathlib import Path
 
+#: What is used of the compiler's tools, of bash, git, make, procps and so on; and all of coreutils.
 PROGRAMS = """
-sh bash env make git cc gcc as ld ar nm ranlib size strip awk sed grep find xargs tar gzip diff cmp
-basename cat chmod cp cut date dd dirname echo expr false head id install kill ln ls mkdir mkfifo mktemp mv nproc od
-paste printf ps pwd readlink realpath rm rmdir seq sleep sort split stat stty tail tee test timeout touch tr true tty
-uname uniq wc
+sh bash make git cc gcc as ld ar nm ranlib size strip awk sed grep find xargs tar gzip diff cmp ps kill
+b2sum base32 base64 basename cat chgrp chmod chown cksum comm cp csplit cut date dd df dirname du echo env expand expr
+false fmt fold head hostid id install join link ln logname ls md5sum mkdir mkfifo mknod mktemp mv nice nl nohup nproc
+numfmt od paste pathchk pr printenv printf pwd readlink realpath rm rmdir seq sha1sum sha256sum sha512sum shuf sleep
+sort split stat stdbuf stty sum sync tac tail tee test timeout touch tr true truncate tsort tty uname unexpand uniq
+unlink wc who whoami
 """
 
 
