@@ -8,7 +8,7 @@ from functools import cached_property
 from random import Random
 from typing import Any
 
-from conformance.client_model import TIMEOUT, Client, Waiting, responses
+from conformance.client_model import TIMEOUT, Client, Waiting, responses, wanted_responses
 from mipgen import model as m
 from mipgen.lower import codec
 from random_values import field_values
@@ -155,142 +155,348 @@ def brief(event: dict[str, Any]) -> str:
 Scenario = tuple[str, list[Step], str]
 
 
+#: A rule in each row: its name, the steps, and the events. Steps: `send COMMAND ...`, `receive PACKET, ...`, `time`
+#: (until a command times out, or half of that, or a number of milliseconds) and `end`. A packet: its fields, that is
+#: `ack:COMMAND`, `nack:COMMAND:CODE`, `data:COMMAND` (the response that it asks for), or one of `Table.field`; `in`
+#: another set than that of the command; or one of `Table.packet`.
+RULES = [
+    ("acknowledged", "send plain; receive ack:plain; end", "sent 0; acknowledged 0; end [] 0"),
+    ("refused", "send plain read; receive nack:plain:4 nack:read:200", "sent 0 1; refused 0 4; refused 1 200"),
+    ("with a response", "send read; receive ack:read data:read", "sent 0; acknowledged 0 with data"),
+    ("a newer device sends more", "send read; receive ack:read more:read", "sent 0; acknowledged 0 with data"),
+    ("an acknowledge with more bytes", "send plain; receive ack+:plain", "sent 0; acknowledged 0"),
+    (
+        "time",
+        "send plain; half; send plain; time 499; time 1; half; end",
+        "sent 0; sent 1; timed_out 0; timed_out 1; end [] 0",
+    ),
+    ("too late", "send plain; time; receive ack:plain", "sent 0; timed_out 0; received 1"),
+    ("nothing waits", "receive ack:plain, measured, empty", "received 1; received 1; received 0"),
+    # The response is the field right behind the acknowledge.
+    (
+        "a foreign field in between",
+        "send read; receive ack:read foreign data:read",
+        "sent 0; missing_response 0; received 2",
+    ),
+    ("the response comes first", "send read; receive data:read ack:read", "sent 0; missing_response 0; received 1"),
+    (
+        "the response in a packet of its own",
+        "send read; receive ack:read, data:read",
+        "sent 0; missing_response 0; received 1",
+    ),
+    (
+        "a foreign field behind",
+        "send write read; receive ack:write foreign ack:read data:read foreign",
+        "sent 0 1; acknowledged 0; acknowledged 1 with data; received 2",
+    ),
+    (
+        "a response that no command has",
+        "send asking; receive ack:asking data:read",
+        "sent 0; missing_response 0; received 1",
+    ),
+    ("a refusal has no response", "send read; receive nack:read:3 data:read", "sent 0; refused 0 3; received 1"),
+    # Responses that are missing, broken, or those of another command.
+    ("missing", "send read asking; receive ack:read ack:asking", "sent 0 1; missing_response 0; missing_response 1"),
+    (
+        "undecodable",
+        "send read plain; receive ack:read cut:read ack:plain",
+        "sent 0 1; undecodable 0 truncated; acknowledged 1",
+    ),
+    (
+        "a response for somebody else is not the write's",
+        "send write; receive ack:read data:read; receive ack:write",
+        "sent 0; received 2; acknowledged 0",
+    ),
+    (
+        "the answer of the read, though that of the write is lost",
+        "send write read; receive ack:read data:read; time",
+        "sent 0 1; acknowledged 1 with data; timed_out 0",
+    ),
+    (
+        "the answer of the write, though that of the read is lost",
+        "send read save; receive ack:save; receive ack:read",
+        "sent 0 1; acknowledged 1; missing_response 0",
+    ),
+    (
+        "the response that the values select",
+        "send one; receive ack:one data:two; receive ack:one data:one",
+        "sent 0; received 2; acknowledged 0 with data",
+    ),
+    (
+        "both responses, each for its own command",
+        "send one two; receive ack:two data:two ack:one data:one",
+        "sent 0 1; acknowledged 1 with data; acknowledged 0 with data",
+    ),
+    (
+        "the layout that the values select",
+        "send short; receive ack:short data:long; receive ack:short data:short",
+        "sent 0; received 2; acknowledged 0 with data",
+    ),
+    (
+        "both layouts, each for its own command",
+        "send short long; receive ack:long data:long ack:short data:short",
+        "sent 0 1; acknowledged 1 with data; acknowledged 0 with data",
+    ),
+    ("a selector that nobody knows", "send odd; receive ack:odd", "sent 0; acknowledged 0"),
+    # After a command without an answer, a barrier: what comes before its own answer is late.
+    (
+        "a late acknowledge is not that of the next command",
+        "send write; time; send write; receive ack:write; receive barrier:2; receive ack:write",
+        "sent 0; timed_out 0; sent 1 behind 2; received 1; acknowledged 1",
+    ),
+    (
+        "a late refusal, a late response, and one for another command",
+        "send read plain; time; send read plain asking; receive ack:read data:read nack:plain:3; "
+        "receive barrier:3, nack:read:5 ack:plain ack:asking data:asking",
+        "sent 0 1; timed_out 0; timed_out 1; sent 2 3 4 behind 3; received 3; "
+        "refused 2 5; acknowledged 3; acknowledged 4 with data",
+    ),
+    (
+        "once it is answered, there is no other",
+        "send write; time; send plain; receive barrier:2, ack:plain; send read; receive ack:read data:read",
+        "sent 0; timed_out 0; sent 1 behind 2; acknowledged 1; sent 2; acknowledged 2 with data",
+    ),
+    (
+        "one barrier for what follows",
+        "send write; time; send write; send plain; receive ack:write; receive barrier:2, ack:write, ack:plain",
+        "sent 0; timed_out 0; sent 1 behind 2; sent 2; received 1; acknowledged 1; acknowledged 2",
+    ),
+    (
+        "it is not answered, though the command is",
+        "send write; time; send write; receive ack:write; time; send write; receive barrier:3, ack:write",
+        "sent 0; timed_out 0; sent 1 behind 2; received 1; timed_out 1; sent 2 behind 3; acknowledged 2",
+    ),
+    (
+        "the answer of an earlier one is late, too",
+        "send write; time; send write; time; send write; receive ack:write, barrier:2, ack:write; "
+        "receive barrier:3, ack:write",
+        "sent 0; timed_out 0; sent 1 behind 2; timed_out 1; sent 2 behind 3; received 1; received 2; received 1; "
+        "acknowledged 2",
+    ),
+    (
+        "late acknowledges of its own command do not make up its answer",
+        "send plain plain; time; send plain; "
+        "receive ack:plain ack:plain, ack:plain, ack:plain ack:plain ack:read; receive barrier:3, ack:plain",
+        "sent 0 1; timed_out 0; timed_out 1; sent 2 behind 3; received 2; received 1; received 3; acknowledged 2",
+    ),
+    (
+        "nor do those that may still come",
+        "send write; time; send plain; half; send plain plain; receive barrier:2; half; send plain; "
+        "receive ack:plain ack:plain",
+        "sent 0; timed_out 0; sent 1 behind 2; sent 2 3; timed_out 1; sent 4 behind 4; acknowledged 2; acknowledged 3",
+    ),
+    (
+        "a device that refuses it has answered it",
+        "send write; time; send plain; receive barrier:2:1, ack:plain",
+        "sent 0; timed_out 0; sent 1 behind 2; acknowledged 1",
+    ),
+    (
+        "what comes with its answer spoils it",
+        "send write; time; send plain; receive ack:plain ack:plain foreign, ack:plain; time",
+        "sent 0; timed_out 0; sent 1 behind 2; received 3; received 1; timed_out 1",
+    ),
+    (
+        "what was sent before it is not answered any more",
+        "send plain; half; send read; half; send read; receive barrier:3, ack:read data:read",
+        "sent 0; sent 1; timed_out 0; sent 2 behind 3; timed_out 1; acknowledged 2 with data",
+    ),
+    (
+        "what was sent before it is answered until then",
+        "send plain; half; send read; half; send read; receive ack:read data:read, barrier:3, ack:read data:read",
+        "sent 0; sent 1; timed_out 0; sent 2 behind 3; acknowledged 1 with data; acknowledged 2 with data",
+    ),
+    (
+        "a further one takes the place of one that is not answered",
+        "send write; time; send write; half; send plain; half; send write; receive barrier:2, ack:plain, ack:write; "
+        "receive barrier:4, ack:write; send plain",
+        "sent 0; timed_out 0; sent 1 behind 2; sent 2; timed_out 1; sent 3 behind 4; received 2; received 1; "
+        "received 1; timed_out 2; acknowledged 3; sent 4",
+    ),
+    (
+        "answered when nothing waits behind it any more",
+        "send write; time; send write; time; receive barrier:2, ack:write; send write; "
+        "receive ack:write, barrier:3, ack:write",
+        "sent 0; timed_out 0; sent 1 behind 2; timed_out 1; received 1; sent 2 behind 3; received 1; acknowledged 2",
+    ),
+    (
+        "the sizes of barriers begin again",
+        "; ".join(["send plain; time"] * 63),
+        "sent 0; timed_out 0; " + "; ".join(f"sent {i} behind {(i - 1) % 62 + 2}; timed_out {i}" for i in range(1, 63)),
+    ),
+    (
+        "none before what cannot be sent",
+        f"send write; time; send {'plain ' * 128}; send plain; receive barrier:2, ack:plain",
+        "sent 0; timed_out 0; not_sent length; sent 1 behind 2; acknowledged 1",
+    ),
+    # Several commands in one packet, answers in several packets.
+    (
+        "several at once",
+        "send plain read asking; receive ack:plain ack:read data:read ack:asking data:asking",
+        "sent 0 1 2; acknowledged 0; acknowledged 1 with data; acknowledged 2 with data",
+    ),
+    (
+        "one packet answers two packets, and one is answered by two",
+        "send plain read; send plain; receive ack:plain, measured, ack:read data:read ack:plain",
+        "sent 0 1; sent 2; acknowledged 0; received 1; acknowledged 1 with data; acknowledged 2",
+    ),
+    (
+        "equal commands in order",
+        "send plain; send plain plain; receive nack:plain:1; receive ack:plain nack:plain:2",
+        "sent 0; sent 1 2; refused 0 1; acknowledged 1; refused 2 2",
+    ),
+    (
+        "an answer that nobody waits for between others",
+        "send plain read; receive ack:asking data:asking ack:plain ack:read data:read",
+        "sent 0 1; acknowledged 0; acknowledged 1 with data; received 2",
+    ),
+    (
+        "a short acknowledge between others",
+        "send plain plain; receive ack:plain ack- ack:plain",
+        "sent 0 1; acknowledged 0; acknowledged 1; received 1",
+    ),
+    (
+        "a malformed field behind an answer",
+        "send plain plain; receive malformed:plain:05f101",
+        "sent 0 1; acknowledged 0; received 1",
+    ),
+    (
+        "a malformed field where the response should be",
+        "send read; receive malformed:read:01",
+        "sent 0; missing_response 0; received 1",
+    ),
+    # Sets, and commands that are not answered.
+    (
+        "an acknowledge of another set",
+        "send plain; receive ack:plain in other, ack:plain in data; receive ack:plain",
+        "sent 0; received 1; received 1; acknowledged 0",
+    ),
+    (
+        "a function without a reply",
+        "send silent spoken; receive ack:spoken; receive ack:spoken",
+        "sent 0 1; silent 0; acknowledged 1; received 1",
+    ),
+    ("silent if its values say so", "send told quiet; receive ack:quiet; time", "sent 0 1; silent 0; acknowledged 1"),
+    (
+        "what cannot be sent is not waited for",
+        f"send {'plain ' * 128}; send plain in other; send incomplete; send plain plain plain; receive ack:plain; end",
+        "not_sent length; not_sent unknown; not_sent missing; sent 0 1 2; acknowledged 0; end [1, 2] 0",
+    ),
+    # Noise.
+    (
+        "what comes behind the noise and is not whole is not given up",
+        "send plain; receive noise, ack:plain, begun; time; receive rest; end",
+        f"sent 0; acknowledged 0; received 1; end [] {len(LONG)}",
+    ),
+    (
+        "a packet that has begun to come when a command times out is not lost",
+        "send plain; receive begun; time; receive rest; end",
+        "sent 0; timed_out 0; received 1; end [] 0",
+    ),
+    (
+        "noise is given up when something whole is behind it, at the next time-out",
+        "send plain; receive noise, begun; time; send plain; receive rest; time; end",
+        f"sent 0; timed_out 0; sent 1 behind 2; received 1; timed_out 1; end [] {len(LONG)}",
+    ),
+    ("noise, and nothing behind it", "send plain; receive noise, measured; time", "sent 0; received 1; timed_out 0"),
+    ("nothing is late, so nothing is given up", "send plain; receive noise, measured; time 999", "sent 0"),
+    (
+        "the end gives up the rest",
+        "receive noise, measured; end; receive measured; end",
+        f"received 1; end [] {len(LONG)}; received 1; end [] {len(LONG)}",
+    ),
+]
+
+
+@dataclass
+class Table:
+    """What the words of the table stand for."""
+
+    w: Words
+
+    @cached_property
+    def commands(self) -> dict[str, Entry]:
+        w = self.w
+        silent = w.first(lambda f: "A" in w.letters(f))
+        forms = responses(w.of, w.layouts)
+        second = next(i for i, r in enumerate(forms) if r.when != forms[0].when)
+        told = {c.parameter: c.value for c in w.quiet.silent_when}
+        return {
+            "plain": (w.plain, values_of(w.plain)),
+            "asking": (w.asking, values_of(w.asking)),
+            **{name: (w.setting, values_of(w.setting, name[0].upper())) for name in ("read", "write", "save")},
+            "odd": (w.setting, values_of(w.setting, "R") | {"function": 99}),
+            "incomplete": (w.setting, {"function": 1}),
+            "one": (w.conditional, w.asked(w.conditional, 0)),
+            "two": (w.conditional, w.asked(w.conditional, 1)),
+            "short": (w.layouts, w.asked(w.layouts, 0)),
+            "long": (w.layouts, w.asked(w.layouts, second)),
+            "silent": (silent, values_of(silent, "A")),
+            "spoken": (silent, values_of(silent, "W")),
+            "told": (w.quiet, values_of(w.quiet, "", **told)),
+            "quiet": (w.quiet, values_of(w.quiet)),
+        }
+
+    def steps(self, text: str) -> list[Step]:
+        return [self.step(*step.strip().partition(" ")[::2]) for step in text.split(";")]
+
+    def step(self, kind: str, rest: str) -> Step:
+        if kind == "send":
+            names, _, other = rest.partition(" in ")
+            step = self.w.send(*(self.commands[name] for name in names.split()))
+            return {**step, "set": self.w.other_set} if other else step
+        if kind == "receive":
+            return receive(*map(self.packet, rest.split(", ")))
+        return END if kind == "end" else time(int(rest) if rest else TIMEOUT // 2 if kind == "half" else TIMEOUT)
+
+    def packet(self, text: str) -> bytes:
+        w, cut = self.w, len(self.w.data) // 2
+        known = {"measured": w.data, "begun": w.data[:cut], "rest": w.data[cut:], "noise": LONG, "empty": w.reply()}
+        kind, _, named = text.partition(":")
+        if kind == "barrier":
+            return w.barrier(*map(int, named.split(":")))
+        if kind == "malformed":
+            name, _, rest = named.partition(":")
+            return malformed(w, w.ack(self.commands[name][0]), bytes.fromhex(rest))
+        fields, _, where = text.partition(" in ")
+        first = next((name for field in fields.split() for name in field.split(":")[1:2]), "plain")
+        number = {"": self.commands[first][0].set, "other": w.other_set, "data": 0x80}[where]
+        return known.get(text) or w.reply(*map(self.field, fields.split()), number=number)
+
+    def field(self, text: str) -> Wire:
+        kind, *named = text.split(":")
+        command, values = self.commands[named[0]] if named else self.commands["plain"]
+        ack = self.w.ack(command, int(named[1]) if kind == "nack" else 0)
+        if kind in ("ack", "nack"):
+            return ack
+        if kind in ("ack+", "ack-"):  # with a byte more, or one less
+            return ack[0], ack[1] + b"\xff" if kind == "ack+" else b"\x01"
+        if kind == "foreign":
+            return UNKNOWN, b"\x01\x02"
+        layouts = wanted_responses(self.w.of, command, values)
+        descriptor, data = self.w.response(command, responses(self.w.of, command).index(layouts[0]))
+        return descriptor, {"data": data, "more": data + b"\x01\x02", "cut": data[:-1]}[kind]
+
+
 def scenarios(of: m.Model) -> Iterator[Scenario]:
     """Name, steps, and the events in a few words."""
-    w = Words(of)
-    plain, setting, asking = w.plain, w.setting, w.asking
-    read, write, save = ((setting, values_of(setting, letter)) for letter in "RWS")
-    ok, data = w.ack, w.response(setting)
-    foreign = (UNKNOWN, b"\x01\x02")
+    table = Table(Words(of))
+    yield from ((name, table.steps(steps), events) for name, steps, events in RULES)
+    yield from layouts_of_every_size(table.w)
+    yield from noise_in_pieces(table.w)
+    w = table.w
+    slow = round(1000 * (w.slow.timeout or 0))
+    yield "a command that takes longer", [w.send(w.slow), time(slow - 500), time(500)], "sent 0; timed_out 0"
+    for number in m.NO_SETS:
+        yield (
+            f"nothing waits for the rest of a packet of set {number}, which there is not",
+            [w.send(w.plain), receive(b"ue" + bytes([number, 0xFF]), w.data), END],
+            "sent 0; received 1; end [0] 4",
+        )
 
-    yield ("acknowledged", [w.send(plain), receive(w.reply(ok(plain))), END], "sent 0; acknowledged 0; end [] 0")
-    yield (
-        "refused",
-        [w.send(plain, read), receive(w.reply(ok(plain, 4), ok(setting, 200)))],
-        "sent 0 1; refused 0 4; refused 1 200",
-    )
-    yield ("with a response", [w.send(read), receive(w.reply(ok(setting), data))], "sent 0; acknowledged 0 with data")
-    yield (
-        "a newer device sends more",
-        [w.send(read), receive(w.reply(ok(setting), (data[0], data[1] + b"\x01\x02")))],
-        "sent 0; acknowledged 0 with data",
-    )
-    yield (
-        "an acknowledge with more bytes",
-        [w.send(plain), receive(w.reply((ok(plain)[0], ok(plain)[1] + b"\xff")))],
-        "sent 0; acknowledged 0",
-    )
-    yield (
-        "time",
-        [w.send(plain), time(500), w.send(plain), time(499), time(1), time(500), END],
-        "sent 0; sent 1; timed_out 0; timed_out 1; end [] 0",
-    )
-    yield (
-        "a command that takes longer",
-        [w.send(w.slow), time(round(1000 * (w.slow.timeout or 0)) - 500), time(500)],
-        "sent 0; timed_out 0",
-    )
-    yield ("too late", [w.send(plain), time(TIMEOUT), receive(w.reply(ok(plain)))], "sent 0; timed_out 0; received 1")
-    yield ("nothing waits", [receive(w.reply(ok(plain)), w.data, w.reply())], "received 1; received 1; received 0")
 
-    # The response is the field right behind the acknowledge.
-    yield (
-        "a foreign field in between",
-        [w.send(read), receive(w.reply(ok(setting), foreign, data))],
-        "sent 0; missing_response 0; received 2",
-    )
-    yield (
-        "the response comes first",
-        [w.send(read), receive(w.reply(data, ok(setting)))],
-        "sent 0; missing_response 0; received 1",
-    )
-    yield (
-        "the response in a packet of its own",
-        [w.send(read), receive(w.reply(ok(setting)), w.reply(data))],
-        "sent 0; missing_response 0; received 1",
-    )
-    yield (
-        "a foreign field behind",
-        [w.send(write, read), receive(w.reply(ok(setting), foreign, ok(setting), data, foreign))],
-        "sent 0 1; acknowledged 0; acknowledged 1 with data; received 2",
-    )
-    yield (
-        "a response that no command has",
-        [w.send(asking), receive(w.reply(ok(asking), data))],
-        "sent 0; missing_response 0; received 1",
-    )
-    yield (
-        "a refusal has no response",
-        [w.send(read), receive(w.reply(ok(setting, 3), data))],
-        "sent 0; refused 0 3; received 1",
-    )
-
-    # Responses that are missing, broken, or those of another command.
-    yield (
-        "missing",
-        [w.send(read, asking), receive(w.reply(ok(setting), ok(asking)))],
-        "sent 0 1; missing_response 0; missing_response 1",
-    )
-    yield (
-        "undecodable",
-        [w.send(read, plain), receive(w.reply(ok(setting), w.response(setting, 0, True), ok(plain)))],
-        "sent 0 1; undecodable 0 truncated; acknowledged 1",
-    )
-    yield (
-        "a response for somebody else is not the write's",
-        [w.send(write), receive(w.reply(ok(setting), data)), receive(w.reply(ok(setting)))],
-        "sent 0; received 2; acknowledged 0",
-    )
-    yield (
-        "the answer of the read, though that of the write is lost",
-        [w.send(write, read), receive(w.reply(ok(setting), data)), time(TIMEOUT)],
-        "sent 0 1; acknowledged 1 with data; timed_out 0",
-    )
-    yield (
-        "the answer of the write, though that of the read is lost",
-        [w.send(read, save), receive(w.reply(ok(setting))), receive(w.reply(ok(setting)))],
-        "sent 0 1; acknowledged 1; missing_response 0",
-    )
-    one, two = ((w.conditional, w.asked(w.conditional, i)) for i in (0, 1))
-    cond = w.conditional
-    yield (
-        "the response that the values select",
-        [
-            w.send(one),
-            receive(w.reply(ok(cond), w.response(cond, 1), number=cond.set)),
-            receive(w.reply(ok(cond), w.response(cond, 0), number=cond.set)),
-        ],
-        "sent 0; received 2; acknowledged 0 with data",
-    )
-    yield (
-        "both responses, each for its own command",
-        [
-            w.send(one, two),
-            receive(w.reply(ok(cond), w.response(cond, 1), ok(cond), w.response(cond, 0), number=cond.set)),
-        ],
-        "sent 0 1; acknowledged 1 with data; acknowledged 0 with data",
-    )
-    form = w.layouts
-    forms = responses(w.of, form)
-    second = next(i for i, r in enumerate(forms) if r.when != forms[0].when)
-    short, long = ((form, w.asked(form, i)) for i in (0, second))
-    yield (
-        "the layout that the values select",
-        [
-            w.send(short),
-            receive(w.reply(ok(form), w.response(form, second), number=form.set)),
-            receive(w.reply(ok(form), w.response(form, 0), number=form.set)),
-        ],
-        "sent 0; received 2; acknowledged 0 with data",
-    )
-    yield (
-        "both layouts, each for its own command",
-        [
-            w.send(short, long),
-            receive(w.reply(ok(form), w.response(form, second), ok(form), w.response(form, 0), number=form.set)),
-        ],
-        "sent 0 1; acknowledged 1 with data; acknowledged 0 with data",
-    )
+def layouts_of_every_size(w: Words) -> Iterator[Scenario]:
+    """A response may be longer than its layout, and as short as the shortest one that its command asks for."""
+    form, forms = w.layouts, responses(w.of, w.layouts)
     for i, f in enumerate(forms):
         descriptor, layout = w.response(form, i)
         shortest = min(r.min_size for r in forms if r.when == f.when)
@@ -298,328 +504,25 @@ def scenarios(of: m.Model) -> Iterator[Scenario]:
             answer = (descriptor, layout[:size].ljust(size, b"\0"))
             yield (
                 f"{f.name} with {size} bytes",
-                [w.send((form, w.asked(form, i))), receive(w.reply(ok(form), answer, number=form.set))],
+                [w.send((form, w.asked(form, i))), receive(w.reply(w.ack(form), answer, number=form.set))],
                 f"sent 0; {'acknowledged 0 with data' if size >= shortest else 'undecodable 0 truncated'}",
             )
-    yield (
-        "a selector that nobody knows",
-        [w.send((setting, values_of(setting, "R") | {"function": 99})), receive(w.reply(ok(setting)))],
-        "sent 0; acknowledged 0",
-    )
 
-    # After a command without an answer, a barrier: what comes before its own answer is late.
-    late = w.reply(ok(setting))
-    missed = [w.send(write), time(TIMEOUT)]
-    yield (
-        "a late acknowledge is not that of the next command",
-        [*missed, w.send(write), receive(late), receive(w.barrier(2)), receive(late)],
-        "sent 0; timed_out 0; sent 1 behind 2; received 1; acknowledged 1",
-    )
-    yield (
-        "a late refusal, a late response, and one for another command",
-        [
-            w.send(read, plain),
-            time(TIMEOUT),
-            w.send(read, plain, asking),
-            receive(w.reply(ok(setting), data, ok(plain, 3))),
-            receive(w.barrier(3), w.reply(ok(setting, 5), ok(plain), ok(asking), w.response(asking))),
-        ],
-        "sent 0 1; timed_out 0; timed_out 1; sent 2 3 4 behind 3; received 3; "
-        "refused 2 5; acknowledged 3; acknowledged 4 with data",
-    )
-    yield (
-        "once it is answered, there is no other",
-        [
-            *missed,
-            w.send(plain),
-            receive(w.barrier(2), w.reply(ok(plain))),
-            w.send(read),
-            receive(w.reply(ok(setting), data)),
-        ],
-        "sent 0; timed_out 0; sent 1 behind 2; acknowledged 1; sent 2; acknowledged 2 with data",
-    )
-    yield (
-        "one barrier for what follows",
-        [*missed, w.send(write), w.send(plain), receive(late), receive(w.barrier(2), late, w.reply(ok(plain)))],
-        "sent 0; timed_out 0; sent 1 behind 2; sent 2; received 1; acknowledged 1; acknowledged 2",
-    )
-    yield (
-        "it is not answered, though the command is",
-        [*missed, w.send(write), receive(late), time(TIMEOUT), w.send(write), receive(w.barrier(3), late)],
-        "sent 0; timed_out 0; sent 1 behind 2; received 1; timed_out 1; sent 2 behind 3; acknowledged 2",
-    )
-    yield (
-        "the answer of an earlier one is late, too",
-        [
-            *missed,
-            w.send(write),
-            time(TIMEOUT),
-            w.send(write),
-            receive(late, w.barrier(2), late),
-            receive(w.barrier(3), late),
-        ],
-        "sent 0; timed_out 0; sent 1 behind 2; timed_out 1; sent 2 behind 3; received 1; received 2; received 1; "
-        "acknowledged 2",
-    )
-    yield (
-        "late acknowledges of its own command do not make up its answer",
-        [
-            w.send(plain, plain),
-            time(TIMEOUT),
-            w.send(plain),
-            receive(w.reply(ok(plain), ok(plain)), w.reply(ok(plain)), w.reply(ok(plain), ok(plain), ok(setting))),
-            receive(w.barrier(3), w.reply(ok(plain))),
-        ],
-        "sent 0 1; timed_out 0; timed_out 1; sent 2 behind 3; received 2; received 1; received 3; acknowledged 2",
-    )
-    yield (
-        "nor do those that may still come",
-        [
-            *missed,
-            w.send(plain),
-            time(TIMEOUT // 2),
-            w.send(plain, plain),
-            receive(w.barrier(2)),
-            time(TIMEOUT // 2),
-            w.send(plain),
-            receive(w.reply(ok(plain), ok(plain))),
-        ],
-        "sent 0; timed_out 0; sent 1 behind 2; sent 2 3; timed_out 1; sent 4 behind 4; acknowledged 2; acknowledged 3",
-    )
-    yield (
-        "a device that refuses it has answered it",
-        [*missed, w.send(plain), receive(w.barrier(2, 1), w.reply(ok(plain)))],
-        "sent 0; timed_out 0; sent 1 behind 2; acknowledged 1",
-    )
-    yield (
-        "what comes with its answer spoils it",
-        [*missed, w.send(plain), receive(w.reply(ok(plain), ok(plain), foreign), w.reply(ok(plain))), time(TIMEOUT)],
-        "sent 0; timed_out 0; sent 1 behind 2; received 3; received 1; timed_out 1",
-    )
-    yield (
-        "what was sent before it is not answered any more",
-        [
-            w.send(plain),
-            time(TIMEOUT // 2),
-            w.send(read),
-            time(TIMEOUT // 2),
-            w.send(read),
-            receive(w.barrier(3), w.reply(ok(setting), data)),
-        ],
-        "sent 0; sent 1; timed_out 0; sent 2 behind 3; timed_out 1; acknowledged 2 with data",
-    )
-    yield (
-        "what was sent before it is answered until then",
-        [
-            w.send(plain),
-            time(TIMEOUT // 2),
-            w.send(read),
-            time(TIMEOUT // 2),
-            w.send(read),
-            receive(w.reply(ok(setting), data), w.barrier(3), w.reply(ok(setting), data)),
-        ],
-        "sent 0; sent 1; timed_out 0; sent 2 behind 3; acknowledged 1 with data; acknowledged 2 with data",
-    )
-    yield (
-        "a further one takes the place of one that is not answered",
-        [
-            *missed,
-            w.send(write),
-            time(TIMEOUT // 2),
-            w.send(plain),
-            time(TIMEOUT // 2),
-            w.send(write),
-            receive(w.barrier(2), w.reply(ok(plain)), late),
-            receive(w.barrier(4), late),
-            w.send(plain),
-        ],
-        "sent 0; timed_out 0; sent 1 behind 2; sent 2; timed_out 1; sent 3 behind 4; received 2; received 1; "
-        "received 1; timed_out 2; acknowledged 3; sent 4",
-    )
-    yield (
-        "answered when nothing waits behind it any more",
-        [
-            *missed,
-            w.send(write),
-            time(TIMEOUT),
-            receive(w.barrier(2), late),
-            w.send(write),
-            receive(late, w.barrier(3), late),
-        ],
-        "sent 0; timed_out 0; sent 1 behind 2; timed_out 1; received 1; sent 2 behind 3; received 1; acknowledged 2",
-    )
-    yield (
-        "the sizes of barriers begin again",
-        [step for _ in range(63) for step in (w.send(plain), time(TIMEOUT))],
-        "sent 0; timed_out 0; " + "; ".join(f"sent {i} behind {(i - 1) % 62 + 2}; timed_out {i}" for i in range(1, 63)),
-    )
-    yield (
-        "none before what cannot be sent",
-        [*missed, w.send(*[plain] * 128), w.send(plain), receive(w.barrier(2), w.reply(ok(plain)))],
-        "sent 0; timed_out 0; not_sent length; sent 1 behind 2; acknowledged 1",
-    )
 
-    # Several commands in one packet, answers in several packets.
-    yield (
-        "several at once",
-        [w.send(plain, read, asking), receive(w.reply(ok(plain), ok(setting), data, ok(asking), w.response(asking)))],
-        "sent 0 1 2; acknowledged 0; acknowledged 1 with data; acknowledged 2 with data",
-    )
-    yield (
-        "one packet answers two packets, and one is answered by two",
-        [
-            w.send(plain, read),
-            w.send(plain),
-            receive(w.reply(ok(plain)), w.data, w.reply(ok(setting), data, ok(plain))),
-        ],
-        "sent 0 1; sent 2; acknowledged 0; received 1; acknowledged 1 with data; acknowledged 2",
-    )
-    yield (
-        "equal commands in order",
-        [
-            w.send(plain),
-            w.send(plain, plain),
-            receive(w.reply(ok(plain, 1))),
-            receive(w.reply(ok(plain), ok(plain, 2))),
-        ],
-        "sent 0; sent 1 2; refused 0 1; acknowledged 1; refused 2 2",
-    )
-    yield (
-        "an answer that nobody waits for between others",
-        [w.send(plain, read), receive(w.reply(ok(asking), w.response(asking), ok(plain), ok(setting), data))],
-        "sent 0 1; acknowledged 0; acknowledged 1 with data; received 2",
-    )
-    yield (
-        "a short acknowledge between others",
-        [w.send(plain, plain), receive(w.reply(ok(plain), (ok(plain)[0], b"\x01"), ok(plain)))],
-        "sent 0 1; acknowledged 0; acknowledged 1; received 1",
-    )
-    malformed = plain_payload(w, ok(plain), b"\x05\xf1\x01")
-    yield (
-        "a malformed field behind an answer",
-        [w.send(plain, plain), receive(malformed)],
-        "sent 0 1; acknowledged 0; received 1",
-    )
-    malformed = plain_payload(w, ok(setting), b"\x01")
-    yield (
-        "a malformed field where the response should be",
-        [w.send(read), receive(malformed)],
-        "sent 0; missing_response 0; received 1",
-    )
-
-    # Sets, and commands that are not answered.
-    yield (
-        "an acknowledge of another set",
-        [
-            w.send(plain),
-            receive(w.reply(ok(plain), number=w.other_set), w.reply(ok(plain), number=0x80)),
-            receive(w.reply(ok(plain))),
-        ],
-        "sent 0; received 1; received 1; acknowledged 0",
-    )
-    silent = next(f for f in of.fields if "A" in w.letters(f))
-    yield (
-        "a function without a reply",
-        [
-            w.send((silent, values_of(silent, "A")), (silent, values_of(silent, "W"))),
-            receive(w.reply(ok(silent), number=silent.set)),
-            receive(w.reply(ok(silent), number=silent.set)),
-        ],
-        "sent 0 1; silent 0; acknowledged 1; received 1",
-    )
-    told = {c.parameter: c.value for c in w.quiet.silent_when}
-    yield (
-        "silent if its values say so",
-        [
-            w.send((w.quiet, values_of(w.quiet, "", **told)), w.quiet),
-            receive(w.reply(ok(w.quiet), number=w.quiet.set)),
-            time(TIMEOUT),
-        ],
-        "sent 0 1; silent 0; acknowledged 1",
-    )
-    yield (
-        "what cannot be sent is not waited for",
-        [
-            w.send(*[plain] * 128),
-            {"step": "send", "set": w.other_set, "fields": w.send(plain)["fields"]},
-            w.send((setting, {"function": 1})),
-            w.send(*[plain] * 3),
-            receive(w.reply(ok(plain))),
-            END,
-        ],
-        "not_sent length; not_sent unknown; not_sent missing; sent 0 1 2; acknowledged 0; end [1, 2] 0",
-    )
-
-    # Noise.
-    for name, noise in {
-        "the beginning of a packet": LONG,
-        "one sync byte": b"u",
-        "two of them": b"ue",
-        "NMEA": NMEA,
-        "noise behind noise": LONG + b"\x80ue\x80\xf0" + LONG,
-    }.items():
+def noise_in_pieces(w: Words) -> Iterator[Scenario]:
+    half = time(TIMEOUT // 2)
+    for noise in (LONG, b"u", b"ue", NMEA, LONG + b"\x80ue\x80\xf0" + LONG):
         for chunk in (1, 3, 1000):
             yield (
-                f"{name} before an acknowledge, in pieces of {chunk}",
-                [
-                    w.send(plain),
-                    time(TIMEOUT // 2),
-                    receive(noise, w.reply(ok(plain)), w.data, chunk=chunk),
-                    time(TIMEOUT // 2),
-                    END,
-                ],
+                f"{noise!r} before an acknowledge, in pieces of {chunk}",
+                [w.send(w.plain), half, receive(noise, w.reply(w.ack(w.plain)), w.data, chunk=chunk), half, END],
                 f"sent 0; acknowledged 0; received 1; end [] {len(noise)}",
             )
-    cut = len(w.data) // 2
-    yield (
-        "what comes behind the noise and is not whole is not given up",
-        [w.send(plain), receive(LONG, w.reply(ok(plain)), w.data[:cut]), time(TIMEOUT), receive(w.data[cut:]), END],
-        f"sent 0; acknowledged 0; received 1; end [] {len(LONG)}",
-    )
-    yield (
-        "a packet that has begun to come when a command times out is not lost",
-        [w.send(plain), receive(w.data[:cut]), time(TIMEOUT), receive(w.data[cut:]), END],
-        "sent 0; timed_out 0; received 1; end [] 0",
-    )
-    yield (
-        "noise is given up when something whole is behind it, at the next time-out",
-        [
-            w.send(plain),
-            receive(LONG, w.data[:cut]),
-            time(TIMEOUT),
-            w.send(plain),
-            receive(w.data[cut:]),
-            time(TIMEOUT),
-            END,
-        ],
-        f"sent 0; timed_out 0; sent 1 behind 2; received 1; timed_out 1; end [] {len(LONG)}",
-    )
-    yield (
-        "noise, and nothing behind it",
-        [w.send(plain), receive(LONG, w.data), time(TIMEOUT)],
-        "sent 0; received 1; timed_out 0",
-    )
-    for number in m.NO_SETS:
-        yield (
-            f"nothing waits for the rest of a packet of set {number}, which there is not",
-            [w.send(plain), receive(b"ue" + bytes([number, 0xFF]), w.data), END],
-            "sent 0; received 1; end [0] 4",
-        )
-    yield (
-        "nothing is late, so nothing is given up",
-        [w.send(plain), receive(LONG, w.data), time(TIMEOUT - 1)],
-        "sent 0",
-    )
-    yield (
-        "the end gives up the rest",
-        [receive(LONG, w.data), END, receive(w.data), END],
-        f"received 1; end [] {len(LONG)}; received 1; end [] {len(LONG)}",
-    )
 
 
-def plain_payload(w: Words, field: Wire, rest: bytes) -> bytes:
-    """A packet with a field and bytes behind it that are no field."""
-    payload = bytes((len(field[1]) + 2, field[0])) + field[1] + rest
+def malformed(w: Words, ack: Wire, rest: bytes) -> bytes:
+    """A packet with an acknowledge and bytes behind it that are no field."""
+    payload = bytes((len(ack[1]) + 2, ack[0])) + ack[1] + rest
     head = b"ue" + bytes((w.plain.set, len(payload))) + payload
     return head + codec.checksum(head)
 

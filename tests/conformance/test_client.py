@@ -9,8 +9,9 @@ from typing import Any
 
 import pytest
 from conformance.scenarios import END, Step, Words, brief, random_steps, scenarios
+from conformance.small import each_of_the_small_one
 from random_values import chance
-from support import SPECS, differences, driver, each, expected, model, offering, rounds
+from support import SPECS, differences, driver, expected, model, offering, rounds
 
 
 def request(steps: list[Step]) -> dict[str, Any]:
@@ -24,12 +25,12 @@ def test_the_model_keeps_every_rule(spec: str) -> None:
         assert "; ".join(brief(e) for e in answer["events"]) == events, name
 
 
-@each("client")
+@each_of_the_small_one("client")
 def test_every_rule(language: str, spec: str) -> None:
     compare(language, spec, [steps for _, steps, _ in scenarios(model(spec))])
 
 
-@each("client")
+@each_of_the_small_one("client")
 def test_random_steps(language: str, spec: str) -> None:
     requests = [request(steps) for steps in drawn(spec)]
     kinds = {e["event"] for answer in events(spec, json.dumps(requests)) for e in answer["events"]}

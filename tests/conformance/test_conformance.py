@@ -9,11 +9,13 @@ from functools import cache
 from typing import Any
 
 import pytest
+from conformance.small import each_of_the_small_one
 from mipgen import model as m
 from mipgen.lower import codec
 from random_values import chance as chance_of
 from random_values import drawn
 from support import (
+    NIGHTLY,
     all_fields,
     decode_request,
     differences,
@@ -23,7 +25,6 @@ from support import (
     expected,
     model,
     offering,
-    rounds,
     set_of,
 )
 
@@ -40,11 +41,6 @@ def compare(language: str, spec: str, requests: list[dict[str, Any]]) -> list[di
 def wanted(spec: str, requests: str) -> list[dict[str, Any]]:
     """The same for every language."""
     return [expected(model(spec), r) for r in json.loads(requests)]
-
-
-def usual(spec: str, small: int, real: int) -> int:
-    """How often something is tried: of the real specification, which has ten times as many fields, less often."""
-    return rounds(real, 2 * small) if spec == "real" else small
 
 
 # --------------------------------------------------------------------------- printed packets
@@ -78,7 +74,7 @@ def test_examples_encode_to_their_bytes(language: str, spec: str) -> None:
         assert answer == {"packet": example.packet.hex()}, example.id
 
 
-@each("decode")
+@each_of_the_small_one("decode")
 def test_every_prefix_of_every_packet_is_refused(language: str, spec: str) -> None:
     packets = {e.packet for e in model(spec).examples}
     prefixes = sorted({p[:n] for p in packets for n in range(len(p))})
@@ -86,7 +82,7 @@ def test_every_prefix_of_every_packet_is_refused(language: str, spec: str) -> No
         assert answer["error"] in ("sync", "length")
 
 
-@each("decode")
+@each_of_the_small_one("decode")
 def test_every_changed_byte_is_refused(language: str, spec: str) -> None:
     packets = sorted({e.packet for e in model(spec).examples})
     changed = [p[:i] + bytes([p[i] ^ 0x10]) + p[i + 1 :] for p in packets for i in range(len(p))]
@@ -118,7 +114,7 @@ def test_random_values_of_every_field_decode(language: str, spec: str) -> None:
         assert got["name"] == f.name_in(set_of(f, of)) and got["trailing"] == 0
 
 
-@each("decode")
+@each_of_the_small_one("decode")
 def test_every_field_decodes_in_each_of_its_sets(language: str, spec: str) -> None:
     """Its name begins with that of the set, the values are the same; in a set without it, it is unknown."""
     of = model(spec)
@@ -130,7 +126,7 @@ def test_every_field_decodes_in_each_of_its_sets(language: str, spec: str) -> No
     assert len({f.name_in(number) for f, number, _ in places}) > len(all_fields(of))
 
 
-@each("encode")
+@each_of_the_small_one("encode")
 def test_every_field_encodes_in_each_of_its_sets(language: str, spec: str) -> None:
     """In a set in which it does not occur, and with a name that it has in another one, it is unknown."""
     of, requests, wanted = model(spec), [], []
@@ -172,10 +168,11 @@ def random_packets(spec: str) -> list[str]:
 @cache
 def random_values(spec: str) -> list[tuple[m.Field, dict[str, Any]]]:
     """Values for every field, drawn first and sent in one batch: a process for each would take minutes."""
-    return [(f, values) for f in all_fields(model(spec)) for values in drawn(f, usual(spec, 8, 4))]
+    examples = 1 if spec == "real" and not NIGHTLY else 8
+    return [(f, values) for f in all_fields(model(spec)) for values in drawn(f, examples)]
 
 
-@each("decode")
+@each_of_the_small_one("decode")
 def test_every_prefix_of_every_field(language: str, spec: str) -> None:
     """A field that is too short is an error, unless what is there is a shorter form."""
     of, chance = model(spec), chance_of(1)
@@ -187,7 +184,7 @@ def test_every_prefix_of_every_field(language: str, spec: str) -> None:
     compare(language, spec, requests)
 
 
-@each("decode")
+@each_of_the_small_one("decode")
 def test_every_length_of_several_layouts(language: str, spec: str) -> None:
     """Constants tell layouts of one descriptor apart, as far as the data reach, then the size."""
     of, requests, wanted = model(spec), [], []
@@ -199,7 +196,7 @@ def test_every_length_of_several_layouts(language: str, spec: str) -> None:
             head[at : at + len(constant)] = constant
         wrong = [head[:at] + bytes([head[at] ^ 0x40]) + head[at + 1 :] for at, _ in f.signature]
         for start in (head, *wrong):
-            for n in lengths(spec, f, of):
+            for n in range(m.MAX_FIELD_DATA + 1):
                 data = bytes(start[:n].ljust(n, b"\1"))
                 requests.append(decode_request(codec.build(of, f.set, [(f.descriptor, data)])))
                 wanted.append(f.name_in(f.set) if start is head and n in of.sizes(f) and n >= f.min_size else None)
@@ -209,21 +206,12 @@ def test_every_length_of_several_layouts(language: str, spec: str) -> None:
         assert name is None or answer["fields"][0]["name"] == name
 
 
-def lengths(spec: str, f: m.Field, of: m.Model) -> list[int]:
-    """Numbers of bytes: of the invented specification all, of the real one those around its own, and some others."""
-    every = range(m.MAX_FIELD_DATA + 1)
-    ends = [0, m.MAX_FIELD_DATA, *(at + len(constant) for at, constant in f.signature)]
-    ends += [n for layout in of.layouts(f) for n in (*of.sizes(layout), layout.min_size, layout.max_size)]
-    near = {n for end in ends for n in every if abs(n - end) <= 1}
-    return sorted({*near, *chance_of(f.full_name).sample(every, usual(spec, len(every), 12))})
-
-
-@each("decode")
+@each_of_the_small_one("decode")
 def test_random_bytes_in_every_field(language: str, spec: str) -> None:
     compare(language, spec, random_bytes(spec))
 
 
-@each("encode")
+@each_of_the_small_one("encode")
 def test_what_random_bytes_decode_to_encodes_to_them(language: str, spec: str) -> None:
     answers = [expected(model(spec), r) for r in random_bytes(spec)]
     back = [
@@ -240,13 +228,13 @@ def random_bytes(spec: str) -> list[dict[str, Any]]:
     of, chance = model(spec), chance_of(2)
     requests = []
     for f in all_fields(of):
-        for _ in range(usual(spec, 12, 5)):
+        for _ in range(12):
             data = mutated(chance, samples(f, chance)[0], f)
             requests.append(decode_request(codec.build(of, set_of(f, of), [(f.descriptor, data)])))
     return requests
 
 
-@each("decode")
+@each_of_the_small_one("decode")
 def test_counts_at_and_beyond_what_a_field_holds(language: str, spec: str) -> None:
     """The fullest field decodes; one element more is a wrong count, though its bytes are there."""
     of, requests, wanted = model(spec), [], []
@@ -296,7 +284,7 @@ def mutated(chance: random.Random, data: bytes, f: Any) -> bytes:
 # --------------------------------------------------------------------------- wrong values
 
 
-@each("encode")
+@each_of_the_small_one("encode")
 def test_wrong_values_are_refused(language: str, spec: str) -> None:
     """One fault at a time; the reference says which it is."""
     of, chance = model(spec), chance_of(3)
@@ -313,7 +301,7 @@ def test_wrong_values_are_refused(language: str, spec: str) -> None:
     assert kinds >= {"missing", "range", "count", "unknown"}
 
 
-@each("encode")
+@each_of_the_small_one("encode")
 def test_a_shorter_text_of_fixed_length_ends_with_spaces(language: str, spec: str) -> None:
     """Whether it is empty or only one character short; a longer one is rejected. Decoding returns the spaces."""
     of, chance, requests, wanted = model(spec), chance_of(5), [], list[str | None]()
@@ -400,7 +388,7 @@ def test_what_does_not_fit_is_refused(language: str) -> None:
     assert [a.get("error") for a in answers] == [None, "length", None, None, "length", "unknown"]
 
 
-@each("encode")
+@each_of_the_small_one("encode")
 def test_only_a_set_that_has_a_field_is_built_with_it(language: str, spec: str) -> None:
     """No packet is built of sets 0 and 0xFF; fields of several sets, shared ones, acknowledges only in their own."""
     of, requests, errors = model(spec), [], []
@@ -473,7 +461,7 @@ def streams(spec: str) -> list[bytes]:
     return found
 
 
-@each("parse")
+@each_of_the_small_one("parse")
 def test_streams_in_many_chunkings(language: str, spec: str) -> None:
     requests = []
     for stream in streams(spec):
@@ -493,7 +481,7 @@ def test_no_packet_has_descriptor_set_0_or_255(language: str) -> None:
     assert compare(language, "invented", requests) == [{"packets": [], "skipped": 6}] * 4
 
 
-@each("parse")
+@each_of_the_small_one("parse")
 def test_every_intact_packet_comes_out(language: str, spec: str) -> None:
     """The noise between the packets contains no packet itself, so all of these must be found."""
     packets = sorted({e.packet for e in model(spec).examples})
