@@ -18,7 +18,7 @@ from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.lower import codec
 from mipgen.resolve.load import load_model
-from mipgen.targets.c import direct, literals, members, names
+from mipgen.targets.c import direct, literals, members, names, runtime
 from support import ROOT, SPECS, heavy, model, need, sent, small
 
 COMPILERS = ("cc", pytest.param("clang", marks=heavy("clang")))
@@ -137,19 +137,20 @@ def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
 
 
 def test_names_of_the_core_are_taken() -> None:
-    """language.yaml lists all of them, so that no name of a specification becomes one."""
-    found, constants = set(), set()
-    headers = [p.name for p in (ROOT / "runtime/c/src/mip").glob("*.h")]
-    for header in ("constants.h", "connect.h", *headers, "../../ports/mip/line.h", "../../ports/open.h"):
-        text = (folder("real") / "src/mip" / header).read_text("utf-8")
-        text = re.sub(r"/\*.*?\*/|#include[^\n]*", "", text, flags=re.S)
-        if header == "connect.h":  # also names commands of the specification
-            found |= set(re.findall(r"\bmip_(rate|device_(?:connect|profile|stream))\b", text))
-            continue
-        header = Path(header).name
-        found |= set(re.findall(r"\bmip_(\w+)", text)) - {"ack_code"}
-        constants |= set(re.findall(r"^(?: *#define| {3}) MIP_(\w+)", text, re.M)) - {header.upper().replace(".", "_")}
-    assert set(names.LANGUAGE["runtime"]) == found and set(names.LANGUAGE["constants"]) == constants
+    """Every macro, type, constant and function of the headers that are the same for all specifications, as the compiler
+    lists them, and every name that a program finds in the namespace of C++."""
+    source = folder("real") / "src"
+    inner = {"checksum.h", "export.h", "program.h"}
+    headers = [f"mip/{p.name}" for p in sorted((ROOT / "runtime/c/src/mip").glob("*.h")) if p.name not in inner]
+    text = run(need("cc"), "-std=c99", "-E", "-dD", f"-I{source}", *(f"-include{name}" for name in headers), "-x", "c",
+               "/dev/null")  # fmt: skip
+    parts = re.split(r"^# \d+ ", text, flags=re.M)
+    own = [p.partition("\n")[2] for p in parts if re.match(rf'"{source}/mip/(?!types|protocol)', p)]
+    found = set(re.findall(r"\bmip_\w+", " ".join(own))) - {"mip_ack_code"}
+    found |= set(re.findall(r"^#define (MIP_\w+) \S", "\n".join(own), re.M))
+    assert len(found) > 200 and found - set(runtime.names()) == set()
+    assert {"to_string", "basic_result", "print_to", "detail", "layout", "outcome"} <= runtime.in_namespace()
+    assert not {"value", "data", "type", "Response", "count"} & runtime.in_namespace()
 
 
 @both

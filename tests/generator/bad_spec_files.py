@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 import yaml
-from mipgen.emit import discovery, naming
+from mipgen.emit import build, discovery
 from mipgen.read import loader, nodes
 from mipgen.read.problems import Problems, SpecError
 from mipgen.resolve.load import load_model
@@ -118,10 +118,7 @@ def problems(spec: Path, target: str | None = None) -> list[str]:
     try:
         model = load_model(spec)
         if target is not None:
-            found = Problems()
-            of = discovery.sources([TARGETS])[target].load()
-            naming.judge(target, of.identifiers(model), of.grammar, found)
-            found.raise_if_any()
+            build.check_names(model, [discovery.sources([TARGETS])[target]])
     except SpecError as error:
         return [str(p).replace(f"{spec}/", "").replace(str(spec), ".") for p in error.problems]
     return []

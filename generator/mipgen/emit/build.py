@@ -25,8 +25,8 @@ class Output:
 
 def check_names(model: Model, sources: Sequence[Source]) -> None:
     """Raises SpecError if two things in the model get the same name in a language, or a name is too long."""
-    unfit = parallel.each(lambda source: _unfit(model, source), sources)
-    _raise([problem for problems in unfit for problem in problems])
+    found = parallel.each(lambda source: unfit(model, source), sources)
+    _raise([problem for problems in found for problem in problems])
 
 
 def make(model: Model, sources: Sequence[Source]) -> list[Output]:
@@ -36,7 +36,7 @@ def make(model: Model, sources: Sequence[Source]) -> list[Output]:
         return [one(source) for source in group]
 
     def one(source: Source) -> Output:
-        problems = _unfit(model, source)
+        problems = unfit(model, source)
         files = {} if problems else render.render(source, model)
         target = source.load()
         rename = target.renaming(model.protocol.package)
@@ -61,14 +61,17 @@ def make(model: Model, sources: Sequence[Source]) -> list[Output]:
     return [made[source.name] for source in sources]
 
 
-def _unfit(model: Model, source: Source) -> list[Problem]:
+def unfit(model: Model, source: Source) -> list[Problem]:
+    """Returns the problems of the names and paths that a target makes."""
     problems = Problems()
     target = source.load()
-    identifiers = target.identifiers(model)
+    identifiers, paths = target.identifiers(model), render.paths(source, model)
     rename = target.renaming(model.protocol.package)
     if rename is not None:
         identifiers = (replace(i, name=rename(i.name)) for i in identifiers)
+        paths = (replace(i, name=rename(i.name)) for i in paths)
     naming.judge(source.name, identifiers, target.grammar, problems)
+    naming.judge_paths(source.name, paths, problems)
     return problems.sorted()
 
 

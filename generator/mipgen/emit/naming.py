@@ -123,6 +123,29 @@ def lengths(target: str, identifiers: Iterable[Identifier], longest: int, proble
             )
 
 
+#: The names that Windows reserves for devices, whatever their case and what follows a point.
+_DEVICES = {"aux", "con", "nul", "prn", *(f"{port}{n}" for port in ("com", "lpt") for n in range(10))}
+
+
+def judge_paths(target: str, paths: Iterable[Identifier], problems: Problems) -> None:
+    """Reports files that get the same path, on any system, and paths that Windows does not allow."""
+    seen: dict[str, Identifier] = {}
+    for i in paths:
+        other = seen.setdefault(i.name.casefold(), i)
+        if other is not i:
+            same = f"both become {i.name} in the files of the target {target}"
+            differ = f"become {i.name} and {other.name} in the files of the target {target}, which are the same file "
+            how = same if i.name == other.name else f"{differ}where case makes no difference"
+            problems.add(i.position, f"'{i.what}' and '{other.what}' {how}; rename one")
+        for part in i.name.split("/"):
+            if part.partition(".")[0].casefold() in _DEVICES:
+                problems.add(
+                    i.position,
+                    f"'{i.what}' becomes {i.name} in the files of the target {target}, but Windows reserves {part}; "
+                    "rename it",
+                )
+
+
 def collisions(target: str, identifiers: Iterable[Identifier], problems: Problems) -> None:
     """Reports things in the specification that get the same name in a language."""
     seen: dict[tuple[str, str], Identifier] = {}
@@ -130,6 +153,6 @@ def collisions(target: str, identifiers: Iterable[Identifier], problems: Problem
         other = seen.setdefault((i.scope, i.name), i)
         if other is not i:
             problems.add(
-                i.position,
+                i.position or other.position,
                 f"'{i.what}' and '{other.what}' both become {i.name} in {i.scope} of the target {target}; rename one",
             )

@@ -5,7 +5,8 @@ Everything is made in memory first, so that a failed run leaves nothing half-wri
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
@@ -15,7 +16,12 @@ from mipgen.model import Model
 
 from . import discovery, formatting, output
 from .discovery import Source
+from .naming import Identifier
 from .target import File, Target
+
+if TYPE_CHECKING:
+    from mipgen.model import Device, Family, Field, Set, Struct
+    from mipgen.model.guides import Guide
 
 
 def names() -> list[str]:
@@ -60,6 +66,26 @@ def render(source: Source | str, model: Model) -> dict[str, bytes]:
     if target.formatter is not None:
         made = formatting.formatted(target.formatter, made, final)
     return output.finished(made, place)
+
+
+def paths(source: Source, model: Model) -> Iterator[Identifier]:
+    """Yields the path of each file of a target, first of those that are the same for every specification."""
+    target, whole = source.load(), model.protocol.position
+    if source.program is not None:
+        return
+    files = [file for file in target.files(model) if isinstance(file, File)]
+    for path in ("LICENSE", *target.runtime(_runtime(source), model), *(f.path for f in files if f.of is None)):
+        yield Identifier("files", path, f"{path} of every package", whole, word=False)
+    for file in files:
+        if file.of is not None:
+            yield Identifier("files", file.path, _named(file.of), file.of.position, word=False)
+
+
+def _named(thing: Family | Set | Field | Struct | Device | Guide) -> str:
+    """Writes which part of the specification it is, for a message."""
+    if hasattr(thing, "full_name"):
+        return thing.full_name
+    return f"{type(thing).__name__.lower()} {getattr(thing, 'id', None) or thing.name}".replace("family", "set")
 
 
 def _runtime(source: Source) -> dict[str, bytes]:

@@ -11,7 +11,8 @@ from .formatting import Formatter
 from .naming import Grammar, Identifier
 
 if TYPE_CHECKING:
-    from mipgen.model import Model
+    from mipgen.model import Device, Family, Field, Model, Set, Struct
+    from mipgen.model.guides import Guide
 
 __all__ = ["OPERATIONS", "File", "Grammar", "Identifier", "Target", "WrongTarget"]
 
@@ -25,11 +26,13 @@ class WrongTarget(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class File:
-    """A file to make: its path, its template, and the template's variables."""
+    """A file to make: its path, its template, and the template's variables; and the part of the specification after
+    which it is named, if there is one."""
 
     path: str
     template: str
     context: Mapping[str, Any] = field(default_factory=dict)
+    of: Family | Set | Field | Struct | Device | Guide | None = None
     #: True if the template writes the layout of the target's formatter, which then need not run on it.
     final: bool = False
 

@@ -126,4 +126,5 @@ class Protocol:
     session: Session | None = None
     barrier: tuple[int, int] = (0, 0)  # set and descriptor of the barrier's command; 0: none
     url: str = ""  # the public repository
+    position: Position | None = field(default=None, compare=False)  # of the name of the package
     leap_seconds: tuple[tuple[str, int], ...] = ()  # day -> seconds that clocks with an epoch are ahead of UTC

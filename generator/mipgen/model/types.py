@@ -148,13 +148,11 @@ class Vector(_Type):
     description: str
     uncertain: tuple[str, ...] = ()
     kind: Literal["vector"] = "vector"
+    position: Position | None = field(default=None, compare=False)
 
     @property
     def owner(self) -> None:
-        """None: vectors belong to no set. They also have no sources and no position in a file."""
-
-    @property
-    def position(self) -> None: ...
+        """None: vectors belong to no set. They also have no sources."""
 
     @property
     def sources(self) -> tuple[Source, ...]:

@@ -155,6 +155,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         title=root.scalar("title", f"{root['name'].value} protocol"),
         package=root.scalar("package", m.OWN_PACKAGE),
         keywords=_names(root.get("keywords")),
+        position=(root.get("package") or root["name"]).position,
         version=root["version"].value,
         sync=(first, second),
         max_payload=root["max_payload"].value,

@@ -136,7 +136,8 @@ class Types:
             if entry.value in elements[:i]:
                 self.problems.add(entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one")
         scalar, description = m.SCALARS[node["vector"].value], node.scalar("description", "")
-        return m.Vector(name, scalar, tuple(elements), description, sentences(node, "uncertain"))
+        uncertain = sentences(node, "uncertain")
+        return m.Vector(name, scalar, tuple(elements), description, uncertain, position=node.position)
 
     def _values(self, node: Node) -> tuple[m.EnumValue, ...]:
         places = node["values"].keys

@@ -76,18 +76,18 @@ def code(model: m.Model) -> Iterator[File]:
     yield from inline("protocol", [model.protocol.acknowledge])
     for x in model.families:
         name = names.module(x.name)
-        yield File(f"src/mip/{name}.h", "family.h.j2", {"family": x})
-        yield from inline(name, in_order(x))
+        yield File(f"src/mip/{name}.h", "family.h.j2", {"family": x}, x)
+        yield from inline(name, in_order(x), x)
         if calls.commands(x):
-            yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"family": x})
+            yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"family": x}, x)
         if x.fields:
-            yield File(f"src/mip/{name}.c", "family.c.j2", {"family": x})
+            yield File(f"src/mip/{name}.c", "family.c.j2", {"family": x}, x)
 
 
-def inline(header: str, fields: Iterable[m.Field]) -> Iterator[File]:
+def inline(header: str, fields: Iterable[m.Field], of: m.Family | None = None) -> Iterator[File]:
     """Yields a separate file with the straight-line code for a header's fields, because it compiles slowly."""
     if plain := [f for f in fields if direct.direct(f)]:
-        yield File(f"src/mip/{header}_inline.h", "inline.h.j2", {"header": header, "fields": plain})
+        yield File(f"src/mip/{header}_inline.h", "inline.h.j2", {"header": header, "fields": plain}, of)
 
 
 def in_cpp(model: m.Model) -> Iterator[File]:
@@ -95,9 +95,9 @@ def in_cpp(model: m.Model) -> Iterator[File]:
     yield File("src/mip/types.hpp", "types.hpp.j2")
     for x in model.families:
         name = names.module(x.name)
-        yield File(f"src/mip/{name}.hpp", "family.hpp.j2", {"family": x})
+        yield File(f"src/mip/{name}.hpp", "family.hpp.j2", {"family": x}, x)
         if calls.commands(x):
-            yield File(f"src/mip/{name}_commands.hpp", "commands.hpp.j2", {"family": x})
+            yield File(f"src/mip/{name}_commands.hpp", "commands.hpp.j2", {"family": x}, x)
 
 
 def everything(made: list[File]) -> list[str]:

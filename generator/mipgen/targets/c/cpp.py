@@ -9,7 +9,7 @@ from mipgen import model as m
 from mipgen.emit.naming import Escape, Identifier
 from mipgen.lower.memory import members
 
-from . import calls, names
+from . import calls, names, runtime
 from .members import constructors, takes_enum
 
 _KEYWORDS = frozenset(names.LANGUAGE["keywords"])
@@ -212,16 +212,22 @@ def _passed(p: m.Parameter, arrays: dict[str, m.Parameter]) -> list[str]:
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     """Yields every name that the C++ headers define in a namespace."""
-    for name in names.LANGUAGE["cpp_runtime"]:
+    used = {*names.LANGUAGE["cpp_used"], *names.LANGUAGE["scalars"].values()} - _KEYWORDS
+    yield Identifier("namespace mip", "mip", "the package", None)
+    for name in sorted(used | runtime.in_namespace()):
         yield Identifier("namespace mip", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
         yield from _of_type(t, "namespace mip")
-    yield Identifier("namespace mip", bare(model.protocol.acknowledge), "the acknowledge", None)
+    acknowledge = model.protocol.acknowledge
+    yield Identifier("namespace mip", bare(acknowledge), "the acknowledge", acknowledge.position)
     for s in model.sets:
         yield Identifier("namespace mip", f"{namespace(s.name)}_set", f"set {s.name}", s.position)
     for x in model.families:
         yield Identifier("namespace mip", namespace(x.name), f"set {x.name}", x.position)
         scope = f"namespace mip::{namespace(x.name)}"
+        yield Identifier(scope, "mip", "the package", None)
+        for name in sorted(used):
+            yield Identifier(scope, name, f"{name}, which the headers use", None)
         for t in x.types:
             yield from _of_type(t, scope)
         for f in x.fields:

@@ -8,17 +8,15 @@ from mipgen import model as m
 from mipgen.emit.naming import Identifier
 from mipgen.lower.memory import members
 
-from . import calls, cpp, tables
+from . import calls, cpp, runtime, tables
 from .direct import direct
 from .members import constructors, has_accessor, last_present
 from .names import (  # fmt: skip
-    LANGUAGE,
     accessor,
     constant,
     field_name,
     macro,
     member,
-    module,
     set_constant,
     symbol,
     type_name,
@@ -27,7 +25,7 @@ from .names import (  # fmt: skip
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
-    for name in (*(f"mip_{n}" for n in LANGUAGE["runtime"]), *(f"MIP_{n}" for n in LANGUAGE["constants"])):
+    for name in runtime.names():
         yield Identifier("C", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
         yield from of_type(t)
@@ -35,11 +33,6 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     for s in model.sets:
         yield Identifier("C", set_constant(s), f"set {s.name}", s.position)
     for x in model.families:
-        yield Identifier("src/mip", module(x.name), f"set {x.name}", x.position, word=False)
-        if any(direct(f) for f in x.fields):
-            yield Identifier("src/mip", f"{module(x.name)}_inline", f"set {x.name}", x.position, word=False)
-        if calls.commands(x):
-            yield Identifier("src/mip", f"{module(x.name)}_commands", f"set {x.name}", x.position, word=False)
         for t in x.types:
             yield from of_type(t)
         for f in x.fields:

@@ -6,6 +6,8 @@ from mipgen import model as m
 from mipgen.emit.naming import Escape, Grammar, upper
 from mipgen.emit.render import language
 
+from . import runtime
+
 LANGUAGE = language("c")
 _KEYWORDS = frozenset(LANGUAGE["keywords"])
 _SCALARS: dict[str, str] = LANGUAGE["scalars"]
@@ -14,7 +16,7 @@ _SCALARS: dict[str, str] = LANGUAGE["scalars"]
 GRAMMAR = Grammar(r"[A-Za-z_]\w*", _KEYWORDS, longest=63)
 
 member = Escape(_KEYWORDS | frozenset(LANGUAGE["members"]), digit_prefix="n")
-module = Escape(frozenset(LANGUAGE["modules"]), digit_prefix="")
+module = Escape(runtime.modules(), digit_prefix="")
 macro = upper
 _argument = Escape(frozenset(LANGUAGE["arguments"]), digit_prefix="n")
 

@@ -47,8 +47,8 @@ def files(model: m.Model) -> Iterator[File]:
     for name in ("session.mjs", "session.d.mts"):
         yield File(name, f"{name}.j2", {"session": session.of(model)})
     for x in model.families:
-        yield File(f"{names.module(x.name)}.mjs", "set.mjs.j2", {"family": x})
-        yield File(f"{names.module(x.name)}.d.mts", "set.d.mts.j2", {"family": x})
+        yield File(f"{names.module(x.name)}.mjs", "set.mjs.j2", {"family": x}, x)
+        yield File(f"{names.module(x.name)}.d.mts", "set.d.mts.j2", {"family": x}, x)
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
@@ -93,8 +93,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     yield from json.identifiers(model)  # fields and types are also found by the names that they have in JSON
-    for x in model.families:
-        yield Identifier("package", names.module(x.name), f"set {x.name}", x.position, word=False)
     yield from names.identifiers(model, _attributes)
 
 

@@ -45,8 +45,8 @@ def files(model: m.Model) -> Iterator[File]:
     starts = start.starts(model)
     lists = {"comparison": comparisons, "indexes": places.INDEXES, "starts": starts}
 
-    def page(path: str, template: str, **context: Any) -> File:
-        return File(path, template, {"page": Page(path, index), **lists, **context})
+    def page(path: str, template: str, of: Any = None, **context: Any) -> File:
+        return File(path, template, {"page": Page(path, index), **lists, **context}, of)
 
     printed, wrong = examples.parts(model), sources.parts(model)
     navigation = {"page": Page(places.INDEX, index), **lists, "examples": printed, "errata": wrong}
@@ -78,17 +78,17 @@ def _things(model: m.Model, page: Callable[..., File]) -> Iterator[File]:
     for tool in tools.TOOLS:
         yield page(places.tool_page(tool), "tool.md.j2", tool=tool)
     for s in model.sets:
-        yield page(places.set_page(s.name), "set.md.j2", set=s, family=model.family(s.family))
+        yield page(places.set_page(s.name), "set.md.j2", s, set=s, family=model.family(s.family))
     yield page(places.TYPES, "types.md.j2", family=None)
     for x in model.families:
         if x.types:
-            yield page(places.types_page(x.name), "types.md.j2", family=x)
+            yield page(places.types_page(x.name), "types.md.j2", x, family=x)
         for f in fields.asked(x.fields):
-            yield page(places.field_page(f), "field.md.j2", field=f)
+            yield page(places.field_page(f), "field.md.j2", f, field=f)
     for d in model.devices:
-        yield page(places.device_page(d), "device.md.j2", device=d)
+        yield page(places.device_page(d), "device.md.j2", d, device=d)
     for g in model.guides:
-        yield page(places.guide_page(g), "guide.md.j2", guide=g)
+        yield page(places.guide_page(g), "guide.md.j2", g, guide=g)
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:

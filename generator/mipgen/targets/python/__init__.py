@@ -43,14 +43,14 @@ def files(model: m.Model) -> Iterator[File]:
     yield _meaning("protocol", [protocol.function_selector], [protocol.acknowledge])
     yield File(f"{PACKAGE}/simulation.json", "verbatim.j2", {"text": simulation.document(model)})
     for x in model.families:
-        yield File(f"{PACKAGE}/{names.module(x.name)}.py", "set.py.j2", {"family": x})
-        yield _meaning(names.module(x.name), x.types, x.fields)
+        yield File(f"{PACKAGE}/{names.module(x.name)}.py", "set.py.j2", {"family": x}, x)
+        yield _meaning(names.module(x.name), x.types, x.fields, x)
 
 
-def _meaning(module: str, types: Sequence[m.Type], fields: Sequence[m.Field] = ()) -> File:
+def _meaning(module: str, types: Sequence[m.Type], fields: Sequence[m.Field] = (), of: m.Family | None = None) -> File:
     """Returns the file with the facts about a module's types and fields."""
     known = {"module": module, "kinds": types, "fields": fields}
-    return File(f"{PACKAGE}/_meaning/{module}.py", "meaning.py.j2", known)
+    return File(f"{PACKAGE}/_meaning/{module}.py", "meaning.py.j2", known, of)
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:

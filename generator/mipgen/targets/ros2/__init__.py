@@ -26,7 +26,7 @@ def files(model: m.Model) -> Iterator[File]:
         yield File(name, f"{name}.j2", {"messages": made, "shown": data[0] if data else None})
     for record in records:
         known = {"record": record, "header": isinstance(record, m.Field)}
-        yield File(f"msg/{names.message(record)}.msg", "message.msg.j2", known)
+        yield File(f"msg/{names.message(record)}.msg", "message.msg.j2", known, record)
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:

@@ -55,7 +55,7 @@ def files(model: m.Model) -> Iterable[File]:
     for path in ("types", "protocol", "devices/known", "registry/fields"):
         yield File(f"src/{path}.rs", f"{path}.rs.j2")
     for family in model.families:
-        yield File(f"src/sets/{module(family.name)}.rs", "family.rs.j2", {"family": family})
+        yield File(f"src/sets/{module(family.name)}.rs", "family.rs.j2", {"family": family}, family)
 
 
 def keywords(model: m.Model) -> list[str]:
