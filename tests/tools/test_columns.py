@@ -26,8 +26,9 @@ from mipgen import model as m
 from mipgen.lower import codec
 from packages import REAL, real
 from packages import mip as invented
+from pairs import pairwise
 from random_values import chance, drawn
-from support import PYTHONPATH, ROOT, SPECS, all_fields, heavy, later, model, need, packaging, rounds
+from support import ROOT, all_fields, heavy, later, model, need, packaging, rounds
 
 np, pyarrow, dataset, parquet = (later(name) for name in ("numpy", "pyarrow", "pyarrow.dataset", "pyarrow.parquet"))
 
@@ -68,7 +69,10 @@ def use(monkeypatch: pytest.MonkeyPatch, path: Path | None) -> None:
         monkeypatch.setattr(package.mip_tools.columns.native, "kernel", kernel)
 
 
-@pytest.fixture(params=["numpy", "compiled"])
+WAYS = ["numpy", "compiled"]
+
+
+@pytest.fixture(params=WAYS)
 def way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
     use(monkeypatch, request.getfixturevalue("built") if request.param == "compiled" else None)
 
@@ -193,10 +197,10 @@ def fields(spec: str, examples: int) -> list[tuple[int, bytes]]:
     return found
 
 
-def streams(spec: str, seed: int, count: int) -> bytes:
+def streams(spec: str, seed: int, count: int, examples: int = 8) -> bytes:
     """Packets with random fields, many of them damaged, with noise in between."""
     rng, out = chance(seed), bytearray()
-    every = fields(spec, 8)
+    every = fields(spec, examples)
     by_set: dict[int, list[bytes]] = {}
     for number, field in every:
         by_set.setdefault(number, []).append(field)
@@ -228,11 +232,10 @@ def streams(spec: str, seed: int, count: int) -> bytes:
 
 
 @pytest.mark.usefixtures("way")
-@pytest.mark.parametrize("spec", sorted(SPECS))
-def test_columns_equal_objects_on_damaged_streams(spec: str) -> None:
+def test_columns_equal_objects_on_damaged_streams() -> None:
     """Value by value, bit by bit."""
     count = rounds(240, 3000)
-    assert compare(PACKAGES[spec], streams(spec, seed=1, count=count)) > 2 * count
+    assert compare(invented, streams("invented", seed=1, count=count)) > 2 * count
 
 
 @pytest.mark.usefixtures("way")
@@ -249,7 +252,7 @@ def test_fields_at_the_end_of_full_packets() -> None:
     full = [(1, b"")] * 124 + [(1, bytes(5))]
     ends = [[*full[:124], (1, b""), (2, bytes(3))], [*full[:124], (2, bytes(3)), (1, b"")], [(1, b"")] * 127]
     assert all(250 < len(packet(0x01, *fields)) - 6 <= 255 for fields in ends)
-    compare(real, b"".join(packet(0x01, *fields) for fields in ends * 100))
+    compare(real, b"".join(packet(0x01, *fields) for fields in ends * 10))
     column = real.mip_tools.columns.read_log(packet(0x01, *[(1, b"")] * 127) + packet(0x01, (1, b"")))["base.ping"]
     assert column.packet.tolist() == [0] * 127 + [1]
 
@@ -278,11 +281,11 @@ def test_layouts_that_are_sorted_alike() -> None:
 
 
 @pytest.mark.usefixtures("way")
-@pytest.mark.parametrize("spec", sorted(SPECS))
-def test_columns_equal_objects_for_every_field(spec: str) -> None:
-    package = PACKAGES[spec]
-    stream = b"".join(packet(number, (field[1], field[2:])) for number, field in fields(spec, 8))
-    assert compare(package, stream) > 1000
+@pytest.mark.parametrize(("spec", "examples"), [("real", 1), ("invented", 8)])
+def test_columns_equal_objects_for_every_field(spec: str, examples: int) -> None:
+    every = fields(spec, rounds(examples, 8))
+    stream = b"".join(packet(number, (field[1], field[2:])) for number, field in every)
+    assert compare(PACKAGES[spec], stream) > 1000
 
 
 @pytest.mark.usefixtures("way")
@@ -316,7 +319,7 @@ def nested() -> bytes:
 
 
 STREAMS = {
-    "damaged": lambda: streams("real", seed=3, count=150),
+    "damaged": lambda: streams("real", seed=3, count=100),
     "nested": nested,
     "text": lambda: b"$GPGGA,1,2*33\r\n" * 50 + packet(0x80, (4, bytes(12))) + b"u" * 300,
     "syncs": lambda: b"ue" * 400 + packet(0x80, (4, bytes(12))) + b"\x75\x65\x01\xff" * 300,
@@ -326,16 +329,14 @@ STREAMS = {
 }
 
 
-@pytest.mark.usefixtures("way")
-@pytest.mark.parametrize("name", sorted(STREAMS))
-@pytest.mark.parametrize("piece", [7, 300, 1 << 22])
+@pairwise(indirect=["way"], way=WAYS, name=sorted(STREAMS), piece=[7, 300, 1 << 22])
 def test_packets_are_those_of_the_parser_however_a_log_is_cut(
-    name: str, piece: int, monkeypatch: pytest.MonkeyPatch
+    way: None, name: str, piece: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     columns = real.mip_tools.columns
     monkeypatch.setattr(columns.log, "_PIECE", piece)
     monkeypatch.setattr(columns.scan, "_PART", 64)
-    stream = STREAMS[name]()[: piece * rounds(400, 10_000)]
+    stream = STREAMS[name]()[: piece * rounds(150, 10_000)]
     places = [at for at, _ in parsed(real, stream)]
 
     def found(log: Any) -> list[int]:
@@ -357,40 +358,10 @@ def test_packets_are_those_of_the_parser_however_a_log_is_cut(
     assert sum(sizes) == len(places)
 
 
-def test_a_part_inside_of_a_packet_skips_nothing() -> None:
-    stream = packet(0x80, (4, bytes(12)))
-    parts = [real.mip_tools.columns.read_log(stream, a, b) for a, b in ((0, 5), (5, 9), (9, len(stream)))]
-    assert [(part.packets, part.skipped) for part in parts] == [(1, 0), (0, 0), (0, 0)]
-
-
-@pytest.mark.usefixtures("way")
-def test_a_part_begins_right_behind_packets_that_overlap_far_back(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whether a packet counts depends on the one it overlaps, and on the one before that one, and so on."""
-    columns = real.mip_tools.columns
-    step, count = 20, 400
-    ends = {at: at + 30 for at in range(0, step * count, step)}
-
-    def candidates(data: Any, first: int, limit: int, length: int) -> tuple[Any, Any]:
-        begin = step * count - length if length else 0  # the data end where the part begins
-        at = [a - begin for a in ends if first <= a - begin < limit]
-        return np.array(at, np.intp), np.array([a + 30 for a in at], np.intp)
-
-    monkeypatch.setattr(columns.scan, "candidates", candidates)
-    kept = [at for at in ends if at % (2 * step) == 0]
-    begin = step * count
-    for length in range(100, begin, 300):
-        data = np.zeros(length, np.uint8)
-        found = columns.scan.clear(data, length, length, False)
-        assert found is None  # there is no place where it begins anew
-    found = columns.scan.clear(np.zeros(begin, np.uint8), begin, begin, True)
-    assert found == max(begin, kept[-1] + 30)
-
-
-@pytest.mark.parametrize("copies", [1 << 18, 1 << 20])
-def test_noise_takes_little_memory(copies: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_noise_takes_little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
     """Headers of long packets, one every four bytes, all of which NumPy checks."""
     use(monkeypatch, None)
-    noise = b"\x75\x65\x01\xff" * copies
+    noise = b"\x75\x65\x01\xff" * (1 << 20)
     tracemalloc.start()
     try:
         assert real.mip_tools.columns.read_log(noise).packets == 0
@@ -559,16 +530,6 @@ def test_times_and_rates_are_the_same_for_every_way_of_cutting(monkeypatch: pyte
         assert np.concatenate([p.own for p in parts]).tolist() == whole.own.tolist()
 
 
-def test_rates() -> None:
-    stream = b"".join(
-        packet(0x80, reference(i * 10_000_000), gps(1), ACCEL, *([(5, bytes(12))] if i % 4 == 0 else []))
-        for i in range(101)
-    )
-    rates = {c.name: c.rate for c in real.mip_tools.columns.read_log(stream).types()}
-    assert rates["sensor.scaled_accel"] == pytest.approx(100)
-    assert rates["sensor.scaled_gyro"] == pytest.approx(25)
-
-
 # --------------------------------------------------------------------------- frames
 
 
@@ -607,48 +568,19 @@ def test_frames(library: str) -> None:
     assert wide["time_own"] == [True, True, False]
 
 
-def cell_kind(values: Any) -> str:
-    while hasattr(values, "values"):
-        values = values.values
-    return str(np.asarray(values).dtype.kind)
-
-
-def none_or_numbers(cell: Any) -> Any:
-    """Lists of one size have null elements instead of being null."""
-    if cell is None or (isinstance(cell, list) and cell and all(item is None for item in cell)):
-        return None
-    return np.asarray(cell).tolist()
-
-
-@pytest.mark.parametrize("spec", sorted(SPECS))
 @pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
-def test_a_frame_of_every_type(spec: str, library: str) -> None:
-    package = PACKAGES[spec]
-    log = package.mip_tools.columns.read_log(streams(spec, seed=8, count=300))
+def test_a_frame_of_every_type(library: str) -> None:
+    """Lists, texts and unions among them."""
+    log = invented.mip_tools.columns.read_log(streams("invented", seed=8, count=150))
     for column in log.columns():
-        frame = log.frame(column.type, library=library, invalid="mask", position=True)
-        assert len(frame) == len(column)
-        again = cells(frame)
-        for name in column.names:
-            if name in again:
-                values = column[name]
-                numbers = [cell(values, i) for i in range(len(column))]
-                assert len(again[name]) == len(numbers)
-                if (
-                    np.asarray(getattr(values, "values", values)).dtype.kind in "iu"
-                    and not column.parameters[name].valid
-                ):
-                    assert [none_or_numbers(v) for v in again[name]] == numbers
-    kinds = [column.type for column in log.columns()]
-    assert len(log.frame(kinds, library=library)) >= max(map(len, log.columns()))
-
-
-def test_what_arrow_knows_of_columns() -> None:
-    table = real.mip_tools.columns.read_log(flagged()).frame("filter_data.euler_angles", library="pyarrow")
-    facts = {field.name: {k.decode(): v.decode() for k, v in (field.metadata or {}).items()} for field in table.schema}
-    assert facts["time"] == {"clock": "reference"}
-    assert facts["roll"]["unit"] == "rad"
-    assert facts["valid_flags"]["type"] == "EulerAnglesFlags" or facts["valid_flags"]["type"]
+        found = cells(log.frame(column.type, library=library, invalid="mask", units=False, position=True))
+        assert found["offset"] == column.offset.tolist()
+        for name in set(column.names) & found.keys():
+            values = column[name]
+            if isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype.kind in "iu":
+                kept = [None if x is np.ma.masked else x for x in values.tolist()]
+                assert column.parameters[name].valid or found[name] == kept, name
+    assert len(log.columns()) > 20
 
 
 @pytest.mark.parametrize("choice", [{"library": "excel"}, {"invalid": "hide"}, {"time": "noon"}], ids=lambda c: str(*c))
@@ -659,55 +591,15 @@ def test_choices_that_a_frame_does_not_have(choice: dict[str, Any]) -> None:
         real.mip_tools.columns.read_log(b"").frame([])
 
 
-@pytest.mark.parametrize("missing", ["numpy", "pandas", "polars", "pyarrow"])
-def test_a_missing_library_is_named_with_its_extra(missing: str) -> None:
-    code = f"""
-import sys
-sys.modules[{missing!r}] = None
-import mip_tools
-from mip_tools import *
-assert "numpy" not in sys.modules or sys.modules["numpy"] is None
-try:
-    mip_tools.read_log(b"").frame("sensor.scaled_accel", library={missing!r})
-except ImportError as error:
-    assert error.name == {missing!r}
-    print(error)
-"""
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
-    assert done.stdout.endswith(f"{missing} is missing; pip install {missing}\n"), done.stderr
+@pytest.mark.parametrize("missing", ["pandas", "polars", "pyarrow"])
+def test_a_missing_library_is_named(missing: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, missing, None)
+    with pytest.raises(ImportError, match=f"^{missing} is missing; pip install {missing}$") as caught:
+        real.mip_tools.columns.read_log(b"").frame("sensor.scaled_accel", library=missing)
+    assert caught.value.name == missing
 
 
 # --------------------------------------------------------------------------- compiled code
-
-
-def same(a: Any, b: Any) -> bool:
-    """Are two columns the same, bit by bit?"""
-    if not isinstance(a, np.ndarray):
-        return type(a) is type(b) and all(same(x, y) for x, y in zip(a, b, strict=True)) if a is not None else b is None
-    masks = [np.ma.getmaskarray(x).tobytes() for x in (a, b)]
-    held = [x.tolist() if x.dtype == object else np.ascontiguousarray(x).tobytes() for x in map(np.ma.getdata, (a, b))]
-    return a.dtype == b.dtype and a.shape == b.shape and masks[0] == masks[1] and held[0] == held[1]
-
-
-@pytest.mark.parametrize("piece", [100, 5000, 1 << 20])
-@pytest.mark.parametrize("spec", sorted(SPECS))
-def test_compiled_code_gives_the_same_arrays(
-    spec: str, piece: int, built: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    package = PACKAGES[spec]
-    monkeypatch.setattr(package.mip_tools.columns.log, "_PIECE", piece)
-    stream = streams(spec, seed=piece, count=900)
-    found = []
-    for path in (None, built):
-        use(monkeypatch, path)
-        assert package.mip_tools.columns.compiled() is (path is not None)
-        log = package.mip_tools.columns.read_log(stream)
-        columns = log.columns()
-        arrays = [[c.packet, c.offset, c.set, *c.time()[1:], *(c[name] for name in c.names)] for c in columns]
-        found.append(([c.type for c in columns], log.packets, log.skipped, log.types(), arrays))
-    assert found[0][:4] == found[1][:4]
-    assert all(same(a, b) for one, other in zip(found[0][4], found[1][4], strict=True) for a, b in zip(one, other))
 
 
 def test_more_kinds_of_fields_than_compiled_code_tells_apart(built: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -744,22 +636,22 @@ def test_bytes_that_change_while_compiled_code_reads_them(built: Path) -> None:
         read(rng.randbytes(len(before)))
 
 
+@packaging
 def test_a_package_in_a_zip_file(tmp_path: Path) -> None:
     """There is no source of compiled code beside it."""
     for name, folder in (("mip_protocol", REAL), ("mip_tools", ROOT / "tools")):
         shutil.make_archive(str(tmp_path / name), "zip", folder, name)
     (tmp_path / "log.bin").write_bytes(packet(0x80, ACCEL) * 3)
     environment = {**os.environ, "PYTHONPATH": f"{tmp_path}/mip_tools.zip{os.pathsep}{tmp_path}/mip_protocol.zip"}
-
-    def python(*words: str) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, *words]
-        return subprocess.run(command, capture_output=True, text=True, env=environment, cwd=tmp_path)
-
-    code = "import mip_tools.columns as c; print('.zip' in c.__file__, c.compiled(), c.read_log('log.bin').packets)"
-    done = python("-c", code)
-    assert done.stdout == "True False 3\n", done.stderr
-    done = python("-m", "mip_tools", "info", "log.bin")
-    assert done.returncode == 0 and "scaled_accel" in done.stdout, done.stderr
+    code = """
+import mip_tools.columns as c
+from mip_tools.__main__ import main
+print('.zip' in c.__file__, c.compiled(), c.read_log('log.bin').packets)
+main(['info', 'log.bin'])
+"""
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, cwd=tmp_path)
+    assert done.stdout.startswith("True False 3\n") and "scaled_accel" in done.stdout, done.stderr
 
 
 def installed(folder: Path, pure: bool) -> tuple[str, str]:
@@ -807,14 +699,9 @@ def test_wheels_bring_compiled_code_or_none(tmp_path: Path) -> None:
     )
 
 
-def test_the_version_without_numpy(tmp_path: Path) -> None:
-    (tmp_path / "numpy.py").write_text("raise ImportError")
-    environment = {**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{PYTHONPATH}"}
-    command = [sys.executable, "-m", "mip_tools"]
-    done = subprocess.run([*command, "--version"], capture_output=True, text=True, env=environment)
-    assert done.stdout.endswith("; logs are read with nothing: NumPy is missing\n"), done
-    done = subprocess.run([*command, "info", __file__], capture_output=True, text=True, env=environment)
-    assert (done.returncode, done.stderr) == (1, "mip info: numpy is missing; pip install numpy\n")
+def test_the_version_without_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, f"{real.mip_tools.name}.columns.native", None)
+    assert real.mip_tools.__getattr__("__main__")._version().endswith("; logs are read with nothing: NumPy is missing")
 
 
 @pytest.mark.parametrize("content", [b"", b"no library"])
@@ -895,12 +782,12 @@ def test_what_is_no_field(wrong: Any) -> None:
 
 
 @pytest.mark.parametrize("page", ["docs/columns.md", "tools/README.md"])
-def test_the_code_in_the_documentation_runs(page: str, tmp_path: Path) -> None:
+def test_the_code_in_the_documentation_runs(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     stream = b"".join(packet(0x80, gps(i / 10), ACCEL, (5, bytes(12))) for i in range(50))
     (tmp_path / "drive.bin").write_bytes(stream)
+    monkeypatch.chdir(tmp_path)
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text("utf-8"), re.DOTALL)
-    code = "\n".join(b for b in blocks if "read_log" in b or "log.parts" in b)
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path, env=environment)
-    assert done.returncode == 0, done.stderr
-    assert "sensor.scaled_accel 50 10" in done.stdout.replace("9.999", "10")
+    exec("\n".join(b for b in blocks if "read_log" in b or "log.parts" in b), {"__name__": "__main__"})
+    assert "sensor.scaled_accel 50 10" in capsys.readouterr().out.replace("9.999", "10")

@@ -17,7 +17,7 @@ import pytest
 import yaml
 from mipgen import cli
 from packages import Package, mip, real
-from support import PYTHONPATH, ROOT, SPECS
+from support import PYTHONPATH, ROOT, SPECS, rounds
 
 GENERATED = {"invented": mip, "real": real}
 
@@ -102,11 +102,11 @@ def test_tables_and_devices_are_those_of_the_generated_package(spec: str) -> Non
         assert sessions[0].older.keys() == sessions[1].older.keys()
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
-def test_random_data_have_the_same_values(spec: str) -> None:
+@pytest.mark.parametrize(("spec", "examples"), [("real", 1), ("invented", 4)])
+def test_random_data_have_the_same_values(spec: str, examples: int) -> None:
     ours, theirs, chance, decoded = made(spec), GENERATED[spec], random.Random(3), 0
     for (set, a), (_, b) in zip(ours.registry.all_types(), theirs.registry.all_types()):
-        for _ in range(4):
+        for _ in range(rounds(examples, 4)):
             data = chance.choice((chance.randbytes, bytes))(chance.choice((0, 1, 4, 12, 13, 24, 60, 200)))
             assert a.matches(data) == b.matches(data)
             results = []
@@ -157,10 +157,10 @@ def log(packets: int = 3) -> bytes:
 def test_an_own_field_in_dump_export_and_columns(definitions: Path, tmp_path: Path) -> None:
     code, out, error = tool("dump", "--definitions", definitions, "-", data=log(1))
     assert (code, error) == (0, "") and "illuminance=250.0 lx" in out and "lamp=on" in out
-    assert "illuminance" not in tool("dump", "-", data=log(1))[1]
     file = tmp_path / "log.bin"
     file.write_bytes(log())
-    code, out, error = tool("export", "--definitions", definitions, file, "ambient_light", "scaled_accel", "-o", "-")
+    words = ("export", file, "ambient_light", "scaled_accel", "-o", "-")
+    code, out, error = tool(*words, MIP_PACKAGE=str(definitions))
     assert (code, error) == (0, ""), error
     heading, *rows = out.splitlines()
     assert "sensor.ambient_light.bend.x [rad]" in heading and len(rows) == 3 and "250.0,0.5,0.25,0.125" in rows[0]
@@ -168,7 +168,6 @@ def test_an_own_field_in_dump_export_and_columns(definitions: Path, tmp_path: Pa
     code += "print(log['sensor.ambient_light']['illuminance'].tolist(), log['sensor.scaled_accel']['scaled_accel'][0])"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=ENVIRONMENT)
     assert (done.stdout, done.stderr) == ("[250.0, 250.0, 250.0] [1. 2. 3.]\n", "")
-    assert tool("info", file, MIP_PACKAGE=str(definitions))[1].count("sensor.ambient_light") == 1
 
 
 def test_an_own_command_is_sent_to_a_virtual_device(definitions: Path) -> None:
@@ -178,14 +177,9 @@ def test_an_own_command_is_sent_to_a_virtual_device(definitions: Path) -> None:
     ) as process:
         assert process.stdout is not None
         place = process.stdout.readline().decode().strip()
-        for words, said in (
-            (["payload.lamp", "write", "state=on"], ""),
-            (["payload.lamp", "read"], "state = on"),
-        ):
-            code, out, error = tool("send", place, *words, "--definitions", definitions)
+        for words, said in (["write", "state=on"], ""), (["read"], "state = on"):
+            code, out, error = tool("send", place, "payload.lamp", *words, "--definitions", definitions)
             assert (code, error) == (0, "") and said in out
-        code, _, error = tool("send", place, "payload.lamp", "read")
-        assert code != 0 and "payload.lamp" in error
         process.kill()
 
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 from mip_protocol import Parser, gnss_data, registry
-from mip_tools.__main__ import main
 from mip_tools.columns import read_log
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.facts import VALUES, FieldValues, shown
+from program import run
 
 Dop = gnss_data.Dop
 ONE, TWO = 0x91, 0x92
@@ -36,15 +36,6 @@ def log(tmp_path: Path) -> Path:
     path = tmp_path / "log.bin"
     path.write_bytes(stream(ONE, TWO))
     return path
-
-
-def mip(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:
-    try:
-        code = main([str(word) for word in words])
-    except SystemExit as left:
-        code = int(left.code or 0)
-    out, error = capsys.readouterr()
-    return code, out, error
 
 
 # --------------------------------------------------------------------------- columns
@@ -83,61 +74,41 @@ def test_a_class_alone_finds_the_only_set() -> None:
     assert not len(read_log(b"")[Dop])
 
 
-def test_a_name_and_another_set() -> None:
-    log = read_log(stream(ONE, TWO))
-    with pytest.raises(KeyError, match=r"set 0x91 has no field gnss_2\.dop"):
-        log.column("gnss_2.dop", ONE)
-    with pytest.raises(KeyError, match=r"set 0x80 has no field gnss_data\.dop"):
-        log.column(Dop, 0x80)
-
-
-def test_a_frame_has_both_receivers() -> None:
-    frame = read_log(stream(ONE, TWO)).frame(["gnss_1.dop", "gnss_2.dop"], time=None)
-    assert frame["gnss_1.dop.gdop"].dropna().tolist() == [145, 145.25, 145.5]
-    assert frame["gnss_2.dop.gdop"].dropna().tolist() == [146, 146.25, 146.5]
-
-
 # --------------------------------------------------------------------------- the command line
 
 
 @pytest.mark.parametrize("align", [[], ["--align", "gnss_2.dop"]], ids=["rows", "aligned"])
 def test_an_export_has_both_receivers(align: list[str], log: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    code, out, error = mip(capsys, "export", log, "-o", "-", *align)
+    code, out, error = run(capsys, "export", log, "-o", "-", *align)
     assert (code, error) == (0, "")
     rows = list(csv.DictReader(out.splitlines()))
     assert [r["gnss_2.dop.gdop"] for r in rows if r["gnss_2.dop.gdop"]] == ["146.0", "146.25", "146.5"]
     assert [r["gnss_1.dop.gdop"] for r in rows if r["gnss_1.dop.gdop"]] == ["145.0", "145.25", "145.5"]
-    code, out, error = mip(capsys, "export", log, "-o", "-", "--format", "jsonl", *align)
+    code, out, error = run(capsys, "export", log, "-o", "-", "--format", "jsonl", *align)
     found = [json.loads(line) for line in out.splitlines()]
     for name, wanted in (("gnss_1.dop.gdop", [145, 145.25, 145.5]), ("gnss_2.dop.gdop", [146, 146.25, 146.5])):
         assert [line[name] for line in found if name in line] == wanted
 
 
-@pytest.mark.parametrize("form", ["csv", "npz", "parquet"])
-def test_each_receiver_has_its_own_file(form: str, log: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert mip(capsys, "export", log, "--split", "-o", log.with_name(f"t.{form}"))[0] == 0
-    assert sorted(p.name for p in log.parent.glob("t.*")) == [f"t.gnss_1.dop.{form}", f"t.gnss_2.dop.{form}"]
-
-
 def test_an_export_of_one_receiver(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for words in (["gnss_2"], ["gnss_2.dop"], ["0x92:0x07"], ["--without", "gnss_1.dop"]):
-        out = mip(capsys, "export", log, "-o", "-", "--time", "none", *words)[1]
+        out = run(capsys, "export", log, "-o", "-", "--time", "none", *words)[1]
         assert [line.split(",")[0] for line in out.splitlines()] == ["gdop", "146.0", "146.25", "146.5"]
 
 
 def test_reports_have_both_receivers(log: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    report = json.loads(mip(capsys, "info", log, "--json")[1])
+    report = json.loads(run(capsys, "info", log, "--json")[1])
     assert [(f["name"], f["count"]) for f in report["fields"]] == [("gnss_1.dop", 3), ("gnss_2.dop", 3)]
-    lines = mip(capsys, "dump", log)[1].splitlines()
+    lines = run(capsys, "dump", log)[1].splitlines()
     assert "gnss_1: dop(gdop=145.0" in lines[0] and "gnss_2: dop(gdop=146.0" in lines[1]
-    assert "gnss_2.dop (0x92,0x07)" in mip(capsys, "dump", log, "--tree")[1]
-    assert mip(capsys, "fields", "gnss_2.dop")[1].startswith("gnss_2.dop (0x92,0x07), data\n")
-    out = mip(capsys, "fields", "gnss_2")[1]
+    assert "gnss_2.dop (0x92,0x07)" in run(capsys, "dump", log, "--tree")[1]
+    assert run(capsys, "fields", "gnss_2.dop")[1].startswith("gnss_2.dop (0x92,0x07), data\n")
+    out = run(capsys, "fields", "gnss_2")[1]
     assert "0x92,0x07  gnss_2.dop " in out and "gnss_1" not in out
-    out = mip(capsys, "bandwidth", "gnss_1.dop@1", "gnss_2.dop@2")[1]
+    out = run(capsys, "bandwidth", "gnss_1.dop@1", "gnss_2.dop@2")[1]
     assert "  gnss_1.dop " in out and "  gnss_2.dop " in out
-    assert "gnss_2.dop " in mip(capsys, "bandwidth", "gnss_2:dop@2")[1]
-    assert "gnss_2.dop" in mip(capsys, "completion", "words", "--", "fields", "gnss_2.do")[1]
+    assert "gnss_2.dop " in run(capsys, "bandwidth", "gnss_2:dop@2")[1]
+    assert "gnss_2.dop" in run(capsys, "completion", "words", "--", "fields", "gnss_2.do")[1]
 
 
 @pytest.mark.parametrize(
@@ -146,7 +117,7 @@ def test_reports_have_both_receivers(log: Path, capsys: pytest.CaptureFixture[st
 def test_a_name_of_both_receivers_is_refused(words: list[str], log: Path, capsys: pytest.CaptureFixture[str]) -> None:
     if words[0] == "plot":
         words = [*words, "-o", str(log.with_name("t.png"))]
-    code, out, error = mip(capsys, *[str(log) if word == "LOG" else word for word in words])
+    code, out, error = run(capsys, *[str(log) if word == "LOG" else word for word in words])
     assert (code, out) == (2, "") and "in several sets; write gnss_data.dop or gnss_1.dop or gnss_2.dop" in error
 
 

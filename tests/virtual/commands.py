@@ -9,12 +9,12 @@ from typing import Any
 
 from mipgen import model as m
 from mipgen.lower import codec
-from support import model, sent
+from support import model, rounds, sent
 
 Values = dict[str, Any]
 
 #: How many values of one parameter are tried beside the first.
-MOST = 12
+MOST = rounds(3, 12)
 
 #: Plain numbers of which a device defines a few, by the name of the parameter.
 KNOWN: dict[str, Callable[[m.Device], Iterable[int]]] = {

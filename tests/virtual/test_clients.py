@@ -14,7 +14,7 @@ from random_values import chance
 from support import NIGHTLY, OFFERS, at_hand, differences, driver, heavy, model, rounds, uses
 from virtual.commands import Trial, commands, data_fields
 from virtual.ledger import OUTCOMES, check
-from virtual.scenario import everything, faulty, formats, prepare, silenced
+from virtual.scenario import everything, faulty, formats, silenced
 from virtual.session import KINDS, Session, Witness
 
 pytestmark = uses()  # the clients at hand
@@ -138,7 +138,9 @@ def test_all_devices_and_faults(seed: int) -> None:
 
 @cache
 def spoiled_session() -> Session:
-    return faulty(device("3dm-gx5-15"), 5, lose=0.05, double_packet=0.05, lose_answer=0.05)
+    session = faulty(device("3dm-gx5-15"), 5, lose=0.05, double_packet=0.05, lose_answer=0.05)
+    check(session)
+    return session
 
 
 def changed(session: Session, events: list[dict[str, Any]], **more: Any) -> Session:
@@ -193,7 +195,6 @@ SPOILED = (
 @pytest.mark.parametrize("name", SPOILED)
 def test_the_ledger_sees(name: str) -> None:
     session = spoiled_session()
-    check(session)
     events = spoil(name, session.client.events)
     assert events != session.client.events
     with pytest.raises(AssertionError):
@@ -217,12 +218,3 @@ def test_answers_in_several_packets() -> None:
     assert ends(session) == {"acknowledged": 3}
     assert len(session.witness.packets) > 1
     repeat([session])
-
-
-def test_all_data_take_several_packets() -> None:
-    """The scenarios contain continuation packets."""
-    session = Session(device("3dm-cv7-gnss-ins"), Witness())
-    prepare(session)
-    session.wait(1000)
-    sets = Counter(packet[2] for packet, _ in session.witness.packets if packet[2] >= 0x80)
-    assert max(sets.values()) > 2

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from conformance.client_model import TIMEOUT, Client
-from support import heavy, model, rounds
+from support import model, rounds
 from virtual.commands import Trial, commands
 from virtual.session import Session, Witness
 from virtual.test_clients import device, repeat
@@ -69,14 +69,6 @@ def test_none_is_taken_for_the_answer_of_a_later_command(faults: str) -> None:
 
 def test_without_a_barrier_they_are() -> None:
     assert Pairs(100, barrier=False, **FAULTS["late"]).wrong > 0
-
-
-@heavy("a thousand pairs in each language")
-@pytest.mark.parametrize("faults", sorted(FAULTS))
-def test_a_thousand_pairs(faults: str) -> None:
-    pairs = Pairs(1000, **FAULTS[faults])
-    assert pairs.missed > 100 and pairs.wrong == 0
-    repeat([pairs.session])
 
 
 if __name__ == "__main__":  # the figures of docs/conformance.md

@@ -3,12 +3,7 @@
 from __future__ import annotations
 
 import json
-import os
 import socket
-import subprocess
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from threading import Thread
 from typing import Any
@@ -16,30 +11,13 @@ from typing import Any
 import pytest
 from mipgen import model as m
 from mipgen.lower import codec
-from support import PATIENCE, PYTHONPATH, driver, expected_decode, heavy, model, offering
+from support import driver, expected_decode, heavy, model, offering, simulated
 from virtual.commands import Trial, commands
 from virtual.ledger import OUTCOMES
 from virtual.scenario import few, formats, write
 
 DEVICE = "3dm-gx5-45"
 FAULTS = "change=0.01,lose=0.01,noise=0.05,nmea=0.05,false_header=0.02,double_packet=0.02,delay=0.05:0.02"
-
-
-@contextmanager
-def simulated(*arguments: str, device: str = DEVICE) -> Iterator[str]:
-    """Runs a device; yields its address."""
-    command = [sys.executable, "-m", "mip_tools", "simulate", device, *arguments]
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    try:
-        assert process.stdout is not None
-        place = process.stdout.readline().strip()
-        assert place, process.communicate()
-        yield place
-    finally:
-        process.terminate()
-        _, complaints = process.communicate(timeout=PATIENCE)
-    assert "Traceback" not in complaints, complaints
 
 
 def device() -> m.Device:
@@ -83,7 +61,9 @@ def test_real_ports(language: str, port: str, tmp_path: Path) -> None:
     log = tmp_path / "faults.jsonl"
     place = ["--tcp", "localhost:0"] if port == "tcp" else ["--pty", str(tmp_path / "port")]
     run = driver(language, "real")
-    with simulated(*place, "--fault", FAULTS, "--fault-log", str(log), "--log-packets", "--seed", "4") as found:
+    with simulated(
+        *place, "--fault", FAULTS, "--fault-log", str(log), "--log-packets", "--seed", "4", device=DEVICE
+    ) as found:
         at = found if port == "tcp" else str(tmp_path / "port")
         answer = run.ask([{"op": "live", "port": at, "steps": steps()}])[0]
     events = answer["events"]

@@ -7,6 +7,7 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -63,7 +64,8 @@ class At:
 
     @contextmanager
     def _opened(self, name: str, options: argparse.Namespace, **more: Any) -> Iterator[Device]:
-        with Device(self.wire or LivePort(self.device, speed=50), **more) as link:
+        timeout = {"timeout": 1.0} if self.wire else {}  # some lines carry no reply
+        with Device(self.wire or LivePort(self.device, speed=50), **timeout, **more) as link:
             yield link
 
     @property
@@ -87,13 +89,21 @@ def pulled(path: Path) -> Path:
     return path
 
 
+@cache
+def fresh() -> str:
+    """The file of a device as it comes."""
+    with pytest.MonkeyPatch.context() as patch:
+        At(patch)
+        return mip("config", "pull", "PORT")[1]
+
+
 def edited(tmp_path: Path, *changes: tuple[str, str]) -> Path:
     """The settings of the device, changed in the file."""
-    path = pulled(tmp_path / "settings.yaml")
-    text = path.read_text("utf-8")
+    text = fresh()
     for old, new in changes:
         assert text.count(old) >= 1, old
         text = text.replace(old, new, 1)
+    path = tmp_path / "settings.yaml"
     path.write_text(text, "utf-8")
     return path
 
@@ -383,7 +393,7 @@ def test_protocols_are_taken_back(at: At, tmp_path: Path) -> None:
 
 
 def test_differences_in_words(at: At, tmp_path: Path) -> None:
-    old = pulled(tmp_path / "old.yaml")
+    old = edited(tmp_path).rename(tmp_path / "old.yaml")
     pin = ("feature: unused, behavior: unused", "feature: gpio, behavior: input")
     new = edited(tmp_path, ("setting: 3", "setting: 2"), pin)
     text = (

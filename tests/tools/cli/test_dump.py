@@ -135,7 +135,7 @@ def test_any_bytes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rng = random.Random(7)
     base = log(0.3)
     path = tmp_path / "log"
-    for turn in range(rounds(16, 200)):
+    for turn in range(rounds(8, 200)):
         data = bytearray(base[: rng.randrange(1, 2000)])
         for _ in range(rng.randrange(30)):
             data[rng.randrange(len(data))] = rng.choice((0, 0x75, 0x65, 0xFF, rng.randrange(256)))

@@ -18,7 +18,7 @@ import pytest
 from mip_tools import fleet, read_log
 from mip_tools.errors import Failure, Misuse
 from mip_tools.fleet import dataset, pack, run, sources
-from program import ENVIRONMENT, command, log, mip
+from program import ENVIRONMENT, command, log, mip, until
 from support import NIGHTLY, SEED, SPECS, heavy, later
 
 arrow = later("pyarrow")
@@ -189,7 +189,7 @@ def test_workers_and_the_parent_are_killed(tmp_path: Path) -> None:
             [sys.executable, "-c", PROGRAM, folder, out], env=ENVIRONMENT, stderr=subprocess.DEVNULL
         )
         process = psutil.Process(started.pid)
-        wait_for(out, "_work/*.*" if turn % 2 == 0 else "_work/*.*/*")
+        until(lambda turn=turn: any(out.glob("_work/*.*/*" if turn % 2 else "_work/*.*")))
         time.sleep(random_.random() * 0.5)
         family = process.children(recursive=True) if started.poll() is None else []
         victims = [one for one in family if "spawn_main" in " ".join(cmdline(one))]
@@ -217,13 +217,6 @@ def cmdline(process: Any) -> list[str]:
         return []
 
 
-def wait_for(out: Path, pattern: str) -> None:
-    end = time.monotonic() + 60
-    while not any(out.glob(pattern)):
-        assert time.monotonic() < end
-        time.sleep(0.02)
-
-
 @heavy("Dask")
 def test_a_scheduler_elsewhere_by_its_address(tmp_path: Path) -> None:
     """A scheduler and a worker that others have started; the worker makes the package of own definitions, too."""
@@ -234,7 +227,7 @@ def test_a_scheduler_elsewhere_by_its_address(tmp_path: Path) -> None:
         where = [sys.executable, "-m", f"distributed.cli.dask_{name}", *words, *more]
         started.append(subprocess.Popen(where, env=ENVIRONMENT, cwd=tmp_path, stderr=subprocess.DEVNULL))
     try:
-        wait_for(tmp_path, "scheduler.json")
+        until(lambda: known.exists() and known.read_text("utf-8"))
         address = json.loads(known.read_text("utf-8"))["address"]
         definitions = SPECS["real"][1] / "json/mip.json"
         done = subprocess.run(

@@ -7,7 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from program import ENVIRONMENT, simulated
+import pytest
+from program import ENVIRONMENT, printed, simulated
 from support import SPECS
 
 PORT = "/dev/ttyACM0"
@@ -25,17 +26,11 @@ def section(title: str) -> tuple[list[str], str]:
     return commands, program
 
 
-def shell(command: str, folder: Path) -> str:
-    words = re.sub(r"^mip ", f"'{sys.executable}' -m mip_tools ", command)
-    done = subprocess.run(["sh", "-c", words], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
-    assert done.returncode == 0, (command, done.stderr)
-    return done.stdout
-
-
-def python(program: str, folder: Path) -> str:
-    done = subprocess.run([sys.executable, "-c", program], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+def run(program: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> str:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        exec(program, {"__name__": "__main__"})
+    return capsys.readouterr().out
 
 
 def test_it_begins_with_what_people_come_for() -> None:
@@ -44,13 +39,13 @@ def test_it_begins_with_what_people_come_for() -> None:
     assert re.findall(r"^## (.*)$", PAGE, re.M)[:3] == ["Install", "Common tasks", "How to import"]
 
 
-def test_one_packet_explained(tmp_path: Path) -> None:
+def test_one_packet_explained(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (command,), program = section("One packet explained")
-    assert "scaled_accel = (x=0.24452066, y=-0.0043405485, z=nan) g" in shell(command, tmp_path)
-    assert python(program, tmp_path).startswith("sensor.scaled_accel: scaled_accel = (x=0.24452066")
+    assert "scaled_accel = (x=0.24452066, y=-0.0043405485, z=nan) g" in printed(command, tmp_path)
+    assert run(program, tmp_path, capsys).startswith("sensor.scaled_accel: scaled_accel = (x=0.24452066")
 
 
-def test_from_live_data_to_a_data_frame(tmp_path: Path) -> None:
+def test_from_live_data_to_a_data_frame(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A recording of the commands under *Live data* is the log of the others."""
     with simulated() as port:
         assert re.fullmatch(r"\w+:\d+", port)
@@ -60,8 +55,8 @@ def test_from_live_data_to_a_data_frame(tmp_path: Path) -> None:
             return text.replace(PORT, port)
 
         commands, program = section("Live data")
-        printed = [shell(at_port(c), tmp_path) for c in commands]
-        assert "scaled_gyro = " in printed[2] and len(commands) == 4
+        shown = [printed(at_port(c), tmp_path) for c in commands]
+        assert "scaled_gyro = " in shown[2] and len(commands) == 4
         process = subprocess.Popen(
             [sys.executable, "-uc", at_port(program)], env=ENVIRONMENT, stdout=subprocess.PIPE, text=True
         )
@@ -72,16 +67,16 @@ def test_from_live_data_to_a_data_frame(tmp_path: Path) -> None:
         assert all(re.fullmatch(r"\d{10}\.\d+ -?\d+\.\d+(e-\d+)? g\n", line) for line in lines), lines
 
         (fields, send), program = section("One command")
-        assert "descriptor" in shell(fields, tmp_path) and "3DM-CV7-GNSS/INS" in shell(at_port(send), tmp_path)
-        assert python(at_port(program), tmp_path) == "3DM-CV7-GNSS/INS\n"
+        assert "descriptor" in printed(fields, tmp_path) and "3DM-CV7-GNSS/INS" in printed(at_port(send), tmp_path)
+        assert run(at_port(program), tmp_path, capsys) == "3DM-CV7-GNSS/INS\n"
     (info, whole, some), program = section("A log to CSV")
-    assert not program and "sensor.scaled_gyro" in shell(info, tmp_path)
-    shell(whole, tmp_path)
-    shell(some, tmp_path)
+    assert not program and "sensor.scaled_gyro" in printed(info, tmp_path)
+    printed(whole, tmp_path)
+    printed(some, tmp_path)
     rows = (tmp_path / "imu.csv").read_text().splitlines()
     assert rows[0].startswith("time,") and "scaled_gyro.z" in rows[0] and len(rows) > 50
     assert len((tmp_path / "drive.csv").read_text().splitlines()) == len(rows)
     commands, program = section("A log to a DataFrame")
-    frame, mean = python(program, tmp_path).split("[8 rows x 6 columns]\n")
+    frame, mean = run(program, tmp_path, capsys).split("[8 rows x 6 columns]\n")
     assert not commands and f"{len(rows) - 1:.6f}" in frame.splitlines()[1]
     assert re.match(r"\[.* -(0\.9|1\.0)\S*\]$", mean), mean

@@ -39,6 +39,15 @@ def view(events: list[Any], end: Failure | None = None) -> Any:
     return MonitorScreen(options, Latest(Selection(), None), pieces)
 
 
+def test_the_rate_is_that_of_the_arrivals() -> None:
+    latest = Latest(Selection(["sensor.scaled_accel"]), None)
+    pieces = [p for p in Scanner().feed(log(1.0)) if p.packet is not None and p.packet.set == 0x80]
+    for i, piece in enumerate(pieces):
+        latest.add(piece, 0.02 * i)
+    (one,) = latest.shown(0.02 * len(pieces))
+    assert (one.name, one.hertz, one.old) == ("scaled_accel", "50 Hz", "")
+
+
 async def seen(pilot: Any, true: Callable[[], bool]) -> None:
     limit = time.monotonic() + PATIENCE
     while not true():

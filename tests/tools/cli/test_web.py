@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import os
+import argparse
 import socket
 import threading
 import time
@@ -16,10 +16,11 @@ from mip_tools.errors import Failure
 from mip_tools.simulator import LivePort, VirtualDevice
 from mip_tools.web.frames import BINARY, CLOSE, LONGEST, PING, PONG, TEXT, Frames, Wrong, frame
 from mip_tools.web.server import Connection, Server
-from program import DEVICE, PATIENCE, mip, running, simulated
+from program import DEVICE, PATIENCE, mip, running, simulated, until
 
 PING_COMMAND = bytes(base.Ping().packet())
 ACKNOWLEDGE = bytes.fromhex("7565010404f10100d56a")
+KEY = "dGhlIHNhbXBsZSBub25jZQ=="
 
 
 def masked(kind: int, data: bytes = b"", final: bool = True, mask: bytes = b"\1\2\3\4") -> bytes:
@@ -38,7 +39,7 @@ class Page:
         server: Any,
         path: str,
         host: str = "",
-        key: str = "dGhlIHNhbXBsZSBub25jZQ==",
+        key: str = KEY,
         method: str = "GET",
         protocol: str = "websocket",
     ) -> None:
@@ -111,17 +112,20 @@ def test_a_page_that_knows_the_token_uses_the_device() -> None:
 
 
 @pytest.mark.parametrize(
-    ("path", "host", "key", "status"),
+    ("path", "host", "status", "more"),
     [
-        ("/", "", "x", "403"),
-        ("/guess", "", "x", "403"),
-        ("/{token}x", "", "x", "403"),
-        ("/{token}", "evil.example:{number}", "x", "403"),  # a name that was made to lead here
-        ("/{token}", "evil.example", "x", "403"),
-        ("/{token}", "localhost:{number}", "dGhlIHNhbXBsZSBub25jZQ==", "101"),
+        ("/", "", "403", {}),
+        ("/guess", "", "403", {}),
+        ("/{token}x", "", "403", {}),
+        ("/{token}", "evil.example:{number}", "403", {}),  # a name that was made to lead here
+        ("/{token}", "evil.example", "403", {}),
+        ("/{token}", "", "426", {"method": "POST"}),
+        ("/{token}", "", "426", {"protocol": "h2c"}),
+        ("/{token}", "", "426", {"key": ""}),
+        ("/{token}", "localhost:{number}", "101", {"key": KEY}),
     ],
 )
-def test_nobody_else_does(path: str, host: str, key: str, status: str) -> None:
+def test_nobody_else_does(path: str, host: str, status: str, more: dict[str, str]) -> None:
     opened: list[Any] = []
     device = VirtualDevice(DEVICE)
 
@@ -131,7 +135,7 @@ def test_nobody_else_does(path: str, host: str, key: str, status: str) -> None:
 
     with serving(open_port) as server:
         known = {"token": server.token, "number": server.number}
-        page = Page(server, path.format(**known), host.format(**known), key)
+        page = Page(server, path.format(**known), host.format(**known), **{"key": "x", **more})
         assert page.status == status
         if status == "101":
             page.send(masked(BINARY, PING_COMMAND))
@@ -139,16 +143,6 @@ def test_nobody_else_does(path: str, host: str, key: str, status: str) -> None:
         else:
             assert page.socket.recv(1) == b"" and opened == []
             assert server.token not in "".join(server.said)
-        page.close()
-
-
-@pytest.mark.parametrize(
-    ("method", "protocol", "key"), [("POST", "websocket", "x"), ("GET", "h2c", "x"), ("GET", "websocket", "")]
-)
-def test_only_a_web_socket_is_opened(method: str, protocol: str, key: str) -> None:
-    with serving() as server:
-        page = Page(server, f"/{server.token}", "", key, method, protocol)
-        assert page.status == "426" and page.socket.recv(1) == b""
         page.close()
 
 
@@ -170,8 +164,7 @@ def test_one_page_at_a_time() -> None:
         assert kind == CLOSE and data[2:] == b"another page is connected; disconnect it first"
         first.close()
         second.close()
-        while server._taken.locked():  # until the first has left
-            os.sched_yield()
+        until(lambda: not server._taken.locked())  # until the first has left
         third = Page(server, f"/{server.token}")
         third.send(masked(BINARY, PING_COMMAND))
         third.receive(ACKNOWLEDGE)
@@ -196,8 +189,7 @@ def test_a_port_that_is_lost_or_cannot_be_opened_is_reported_to_the_page() -> No
         kind, data = page.message()
         assert kind == CLOSE and data[2:].startswith(b"the port is lost: ")
         page.close()
-        while server._taken.locked():
-            os.sched_yield()
+        until(lambda: not server._taken.locked())
         page = Page(server, f"/{server.token}")
         assert page.message() == (CLOSE, b"\x03\xf5it is gone")
         page.close()
@@ -273,12 +265,7 @@ def test_the_command() -> None:
         assert address.startswith("ws://127.0.0.1:")
         number, _, token = address.rpartition(":")[2].partition("/")
 
-        class At:
-            number = 0
-
-        at = At()
-        at.number = int(number)
-        page = Page(at, f"/{token}")
+        page = Page(argparse.Namespace(number=int(number)), f"/{token}")
         page.send(masked(BINARY, PING_COMMAND))
         page.receive(ACKNOWLEDGE)
         process.terminate()

@@ -123,11 +123,11 @@ ELSEWHERE = {
 }
 
 
-def row(device: str, command: Any, noise: float) -> str:
+def row(device: str, command: Any, changed: list[str]) -> str:
     """The row of the table, with the fields that this device sends."""
     virtual = VirtualDevice(device)
     found: dict[str, list[str]] = {}
-    for x in changed(device, command, noise):
+    for x in changed:
         if virtual.sends(SETS[x], TYPES[x].DESCRIPTOR):
             set_, _, name = x.partition(".")
             found.setdefault(set_, []).append(f"`{name}`")
@@ -142,5 +142,5 @@ def block(text: str, begin: str) -> str:
 
 if __name__ == "__main__":
     page = PAGE.read_text("utf-8")
-    table = HEAD + "".join(row(*x) for x in COMMANDS)
+    table = HEAD + "".join(row(x[0], x[1], changed(*x)) for x in COMMANDS)
     PAGE.write_text(page.replace(BEGIN + block(page, BEGIN), BEGIN + table), "utf-8")

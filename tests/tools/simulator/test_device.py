@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import random
 from itertools import groupby
@@ -21,7 +20,6 @@ from mip_protocol import (
     checksum,
     devices,
     filter,
-    gnss_data,
     mip_3dm,
     protocol,
     registry,
@@ -31,12 +29,12 @@ from mip_protocol import (
     types,
 )
 from mip_tools.errors import Failure
-from mip_tools.simulator import VirtualDevice, effects, formats, knowledge
+from mip_tools.simulator import VirtualDevice, effects, formats
 from mip_tools.simulator.facts import COMMANDS
 from mip_tools.simulator.settings import command_type, keys
 from mip_tools.simulator.streams import Stream
 from simulator_host import Host
-from support import model
+from support import model, rounds
 
 CV7, GX5 = "3dm-cv7-gnss-ins", "3dm-gx5-15"
 OK, UNKNOWN, INVALID, FAILED, UNKNOWN_SET = 0, 1, 3, 4, 6
@@ -69,10 +67,6 @@ def test_every_effect_is_implemented_and_no_other() -> None:
     assert set(effects.EFFECTS) == {e.name for e in model("real").simulation.effects}
 
 
-def test_what_the_device_knows_is_declared() -> None:
-    assert set(knowledge.QUANTITIES) <= {q.name for q in model("real").simulation.quantities}
-
-
 @pytest.mark.parametrize("name", sorted(COMMANDS))
 def test_the_arguments_of_effects_are_those_that_are_declared(name: str) -> None:
     behavior = COMMANDS[name]
@@ -95,18 +89,6 @@ def test_a_device_says_who_it_is(name: str) -> None:
         assert devices.identify(info) is device.profile
 
 
-def test_the_descriptors_are_those_of_the_profile(host: Host) -> None:
-    first = host.ok(base.GetDeviceDescriptors()).descriptors
-    more = host.ok(base.GetExtendedDescriptors()).descriptors
-    assert {(x >> 8, x & 0xFF) for x in (*first, *more)} == host.device.known
-    assert more, "the first response does not hold them all"
-
-
-def test_an_unknown_device_is_named_with_the_nearest() -> None:
-    with pytest.raises(Failure, match="do you mean 3dm-gx5-15"):
-        VirtualDevice("gx5-15")
-
-
 # --------------------------------------------------------------------------- settings
 
 
@@ -126,14 +108,6 @@ def test_a_setting_is_remembered_by_function(host: Host) -> None:
     assert host.ok(kind.read()) == factory
     host.ok(kind.load())
     assert host.ok(kind.read()).threshold == 0.25, "the default does not remove what is saved"
-
-
-def test_instances_are_apart(host: Host) -> None:
-    kind = filter.MultiAntennaOffset
-    host.ok(kind.write(1, (1.0, 2.0, 3.0)))
-    host.ok(kind.write(2, (4.0, 5.0, 6.0)))
-    assert host.ok(kind.read(1)).antenna_offset == (1.0, 2.0, 3.0)
-    assert host.ok(kind.read(2)).antenna_offset == (4.0, 5.0, 6.0)
 
 
 def test_zero_means_all_instances(host: Host) -> None:
@@ -160,14 +134,6 @@ def test_saved_settings_survive_a_reset_and_others_do_not(host: Host) -> None:
     host.device.advance(1.0)
     assert host.ok(kind.read()).threshold == 0.25
     assert host.ok(mip_3dm.MessageFormat.read(0x80)).descriptors == ()
-
-
-def test_a_saved_format_streams_after_a_reset(host: Host) -> None:
-    host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x04, 10))))
-    host.ok(mip_3dm.DeviceSettings.save())
-    host.ok(base.SetIdle())
-    host.ok(base.SoftReset())
-    assert len(received(host, 1.5)) == 100, "for the second behind the start"
 
 
 def test_saved_settings_survive_in_a_file(tmp_path: Path) -> None:
@@ -230,16 +196,6 @@ def test_a_file_that_cannot_be_written_is_named(tmp_path: Path) -> None:
 def test_apply_without_reply(old: Host) -> None:
     assert old.ask(mip_3dm.GyroBias.apply((0.1, 0.2, 0.3))) == []
     assert old.ok(mip_3dm.GyroBias.read()).bias == pytest.approx((0.1, 0.2, 0.3))
-
-
-def test_all_settings_of_every_device_fit_into_its_file(tmp_path: Path) -> None:
-    path = tmp_path / "settings.json"
-    host = Host(VirtualDevice(GX5, storage=path))
-    host.ok(mip_3dm.ImuMessageFormat.write(rates((0x04, 5))))
-    host.ok(mip_3dm.DeviceSettings.save())
-    kept = json.loads(path.read_text())
-    assert kept["device"] == GX5 and [x["command"] for x in kept["settings"]] == ["3dm.imu_message_format"]
-    assert formats.of_set(VirtualDevice(GX5, storage=path), 0x80) == [(0x04, 5)]
 
 
 # --------------------------------------------------------------------------- refusals
@@ -375,14 +331,6 @@ def test_data_that_do_not_fit_come_in_continuation_packets(host: Host) -> None:
     assert [x for x, _ in groupby(sent)] == wanted[1:], "a field may be sent once for each of several items"
 
 
-def action(number: int) -> mip_3dm.FactoryStreamingAction:
-    return mip_3dm.FactoryStreamingAction(number)
-
-
-def mode(number: int) -> types.EventTriggerMode:
-    return types.EventTriggerMode(number)
-
-
 # --------------------------------------------------------------------------- streams
 
 
@@ -466,9 +414,9 @@ def test_a_poll_answers_the_host_that_asks_and_a_stream_all(host: Host) -> None:
 
 def test_factory_streaming(host: Host) -> None:
     host.ok(mip_3dm.MessageFormat.write(0x80, rates((0x17, 500))))
-    host.ok(mip_3dm.FactoryStreaming(action(2), 0))
+    host.ok(mip_3dm.FactoryStreaming(mip_3dm.FactoryStreamingAction(2), 0))
     assert formats.of_set(host.device, 0x80)[0] == (0x17, 500) and len(formats.of_set(host.device, 0x80)) == 5
-    host.ok(mip_3dm.FactoryStreaming(action(0), 0))
+    host.ok(mip_3dm.FactoryStreaming(mip_3dm.FactoryStreamingAction(0), 0))
     assert len(formats.of_set(host.device, 0x80)) == 4
     assert {p.set for p in received(host, 2.0)} == {s for s, _ in host.device.profile.fields if 0x80 <= s < 0xFF}
 
@@ -497,11 +445,6 @@ def test_the_mounting_is_one_setting_in_three_forms(host: Host) -> None:
     angles = host.ok(mip_3dm.SensorToVehicleTransformEuler.read())
     assert (angles.roll, angles.pitch, angles.yaw) == pytest.approx((0, 0, 0), abs=1e-6)
     assert host.refused(mip_3dm.SensorToVehicleTransformDcm.write((0.0,) * 9)) == INVALID
-
-
-def test_the_older_mounting_is_the_inverse(old: Host) -> None:
-    old.ok(filter.SensorToVehicleRotationEuler.write(0.0, 0.0, 1.5707963705062866))
-    assert old.device.world.sensor_to_vehicle == pytest.approx((0, 1, 0, -1, 0, 0, 0, 0, 1), abs=1e-6)
 
 
 def test_a_frame_is_read_in_the_form_that_is_asked_for(host: Host) -> None:
@@ -566,29 +509,6 @@ def test_the_baud_rate_of_the_main_port(old: Host) -> None:
     assert old.link.baud == 460800
 
 
-def test_the_gyro_bias_takes_its_time(old: Host) -> None:
-    before = old.now
-    assert 0 < max(map(abs, old.ok(mip_3dm.CaptureGyroBias(5000)).bias)) < 1e-3
-    assert old.now - before >= 5.0
-
-
-def test_events_are_configured_enabled_and_shown(host: Host) -> None:
-    trigger = types.EventTriggerGpio(1, types.EventTriggerGpioMode.WHILE_HIGH)
-    assert host.refused(mip_3dm.EventControl.write(3, mode(1))) == FAILED
-    host.ok(mip_3dm.EventTriggerConfig.write(3, types.EventTriggerType.GPIO, trigger))
-    host.ok(mip_3dm.EventControl.write(3, mode(2)))
-    action = types.EventActionGpio(2, types.EventActionGpioMode.TOGGLE)
-    host.ok(mip_3dm.EventActionConfig.write(5, 3, types.EventActionType.GPIO, action))
-    (status,) = host.ok(mip_3dm.GetEventTriggerStatus((3,))).triggers
-    assert (status.type, int(status.status)) == (types.EventTriggerType.GPIO, 7)
-    every = host.ok(mip_3dm.GetEventActionStatus(())).actions
-    assert [(int(x.action_type), x.trigger_id) for x in every] == [(0, 0)] * 4 + [(1, 3)] + [(0, 0)] * 7
-    support = host.ok(mip_3dm.GetEventSupport(mip_3dm.EventSupportQuery.TRIGGER_TYPES))
-    assert support.max_instances == 12 and [(x.type, x.count) for x in support.entries] == [(1, 4), (2, 8), (3, 8)]
-    host.ok(mip_3dm.EventTriggerConfig.write(3, types.EventTriggerType.GPIO, trigger))
-    assert host.ok(mip_3dm.EventControl.read(3)).mode == 0, "a trigger is disabled after its configuration"
-
-
 def test_an_output_keeps_its_level(host: Host) -> None:
     assert host.refused(mip_3dm.GpioState.write(1, True)) == FAILED
     host.ok(mip_3dm.GpioConfig.write(1, types.GpioFeature.GPIO, 3, types.GpioPinMode(0)))
@@ -628,32 +548,6 @@ def test_the_device_status_has_the_layout_of_the_device(name: str, layout: str) 
 # --------------------------------------------------------------------------- time, seeds, any input
 
 
-def session(cuts: list[float], seed: int) -> bytes:
-    device = VirtualDevice(CV7, seed=seed)
-    link = device.connect()
-    link.write(bytes(mip_3dm.MessageFormat.write(0x80, rates((0x04, 7), (0xD3, 3))).packet()))
-    link.write(
-        bytes(
-            mip_3dm.MessageFormat.write(
-                0x91,
-                rates(
-                    (gnss_data.Dop.DESCRIPTOR, 1),
-                ),
-            ).packet()
-        )
-    )
-    found = b""
-    for cut in cuts:
-        device.advance(cut)
-        found += link.read()
-    return found
-
-
-def test_the_bytes_do_not_depend_on_how_time_is_cut() -> None:
-    whole = session([2.0], 5)
-    assert session([0.001] * 2000, 5) == whole == session([0.25, 1.0, 0.75], 5)
-
-
 def test_a_stream_that_starts_anew_at_a_tick_does_not_repeat_it() -> None:
     """At 3 Hz, most ticks are not at a whole nanosecond."""
     for tick in range(1, 100):
@@ -680,7 +574,7 @@ def test_any_bytes_are_taken() -> None:
     for name in (CV7, GX5, "3dm-gx5-45", "3dm-gq7"):
         host = Host(VirtualDevice(name))
         known = sorted(host.device.known)
-        for _ in range(1500):
+        for _ in range(rounds(300, 1500)):
             set, descriptor = chance.choice(known) if chance.random() < 0.9 else (chance.randrange(1, 128), 1)
             data = bytes(chance.choice((0, 1, 2, 3, 4, 5, 0x80, 0xFF)) for _ in range(chance.randrange(24)))
             if set < 0x80 and (set, descriptor) != (0x01, 0x7E):

@@ -197,17 +197,6 @@ def test_pins_follow_triggers_in_each_mode(host: Host) -> None:
     assert not level(host, 2)
 
 
-def test_a_latch_of_two_triggers(host: Host) -> None:
-    """As in the manual: set by trigger 1, reset by trigger 2, and its own state as the third input."""
-    setup(host, gpio(1, 1), gpio(2, 1), on_pin(1, 1, HIGH), on_pin(2, 2, HIGH), combined(4, 0xBABA, 1, 2, 4, 0))
-    setup(host, enable(1), enable(2), enable(4))
-    steps = [(False, False, False), (True, False, True), (False, False, True), (False, True, False)]
-    for set, reset, expected in steps:
-        host.device.drive(1, set)
-        host.device.drive(2, reset)
-        assert active(host, 4) == expected
-
-
 def test_inputs_of_a_combination_are_bits_of_a_row(host: Host) -> None:
     setup(host, gpio(1, 1), gpio(2, 1), on_pin(1, 1, HIGH), on_pin(2, 2, HIGH), enable(1), enable(2))
     for table in (0x0001, 0x0002, 0x0004, 0x0008, 0x6666):
@@ -250,12 +239,6 @@ def test_saved_events_work_after_a_restart(host: Host) -> None:
     host.ok(mip_3dm.DeviceSettings.default())
     sent(host, 0)
     assert sent(host, 0.5) == 0
-
-
-def test_a_square_wave_at_a_pin(host: Host) -> None:
-    setup(host, gpio(1, 1), on_pin(1, 1, HIGH), sending(1, 1, 0, 0xD5), enable(1))
-    host.device.wave(1, 25.0)
-    assert sent(host, 1.0) == 25
 
 
 def test_only_so_many_triggers_and_actions_of_each_type(host: Host) -> None:

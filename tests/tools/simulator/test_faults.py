@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import json
 from collections import Counter
 from collections.abc import Callable
 from functools import cached_property
-from itertools import pairwise
 from random import Random
 from typing import Any
 
@@ -14,7 +14,7 @@ import pytest
 from mip_protocol import DecodeError, Packet, PacketBuilder, Parser, RawField, base, mip_3dm, registry, sensor, types
 from mip_tools.errors import Failure
 from mip_tools.simulator.device import VirtualDevice
-from mip_tools.simulator.fault_kinds import CHANCES, KINDS, parse_faults, plan, table
+from mip_tools.simulator.fault_kinds import KINDS, parse_faults, plan
 from mip_tools.simulator.faults import Faults, Injected, json_log
 from random_values import chance
 from support import rounds
@@ -77,10 +77,23 @@ class Run:
 # --------------------------------------------------------------------------- packets
 
 
-def test_without_faults_nothing_happens() -> None:
-    run = Run(stream(50))
-    assert run.bytes == b"".join(run.sent) and not run.log
-    assert {time % MILLISECOND for time, _ in run.parts} == {0}
+def _sentence(data: bytes) -> bool:
+    """NMEA with a right checksum."""
+    text, _, check = data.decode("ascii").partition("*")
+    value = 0
+    for byte in text[1:].encode():
+        value ^= byte
+    return text[0] == "$" and check == f"{value:02X}\r\n"
+
+
+#: What a fault puts between the packets.
+ADDED: dict[str, Callable[[bytes], bool]] = {
+    "noise": lambda data: 1 <= len(data) <= 64,
+    "nmea": _sentence,
+    "false_header": lambda data: data[:2] == b"ue" and data[2] in registry.MODULES and 4 <= len(data) <= 6,
+    "unknown_set": lambda data: Packet(data).set not in registry.MODULES and len(list(Packet(data))) >= 1,
+    "double_packet": bool,
+}
 
 
 @pytest.mark.parametrize("kind", kinds("packet"))
@@ -98,9 +111,11 @@ def test_each_fault_of_packets_happens_and_is_logged(kind: str) -> None:
     else:
         assert not run.damaged
         assert sum((run.intact + run.added).values()) == len(run.found)
-    if kind in ("noise", "nmea", "false_header", "unknown_set", "double_packet"):
-        assert all(entry.added for entry in log)
+    if kind in ADDED:
+        assert all(ADDED[kind](entry.added) for entry in log)
         assert len(run.bytes) == sum(map(len, run.sent)) + sum(len(entry.added) for entry in run.log)
+    if kind == "false_header":
+        assert max(entry.added[3] for entry in run.log) > 200  # some hold back several packets
 
 
 def test_all_intact_packets_are_found() -> None:
@@ -129,36 +144,6 @@ def test_delays_keep_the_order(kind: str) -> None:
     assert late > 0 and max(times) > 0
     waits = [float(entry.detail.split(" s late")[0].split()[-1]) for entry in run.log]
     assert waits and all(0 < wait <= 0.02 for wait in waits)
-
-
-def test_noise_is_no_longer_than_wanted_and_no_packet() -> None:
-    run = Run(stream(300), noise=(0.5, 5))
-    assert {len(entry.added) for entry in run.log if "inserted" in entry.detail} == {1, 2, 3, 4, 5}
-    assert run.found == run.sent
-
-
-def test_nmea_has_a_right_checksum() -> None:
-    run = Run(stream(200), nmea=0.5)
-    for entry in run.log:
-        text, _, check = entry.added.decode("ascii").rstrip("\r\n").lstrip("$").partition("*")
-        value = 0
-        for byte in text.encode():
-            value ^= byte
-        assert int(check, 16) == value and entry.added.endswith(b"\r\n")
-
-
-def test_false_headers_look_like_packets() -> None:
-    run = Run(stream(200), false_header=0.5)
-    for entry in run.log:
-        assert entry.added[:2] == b"ue" and entry.added[2] in registry.MODULES and 4 <= len(entry.added) <= 6
-    assert max(entry.added[3] for entry in run.log) > 200  # some hold back several packets
-
-
-def test_unknown_sets_are_right_packets() -> None:
-    run = Run(stream(100), unknown_set=0.5)
-    for entry in run.log:
-        packet = Packet(entry.added)
-        assert packet.set not in registry.MODULES and len(list(packet)) >= 1
 
 
 def test_sentences_of_the_device_pass_unharmed() -> None:
@@ -214,26 +199,13 @@ def test_the_log_holds_every_packet_on_request() -> None:
     assert run.damaged and not any(entry.damaged for entry in run.log if entry.kind == "sent")
 
 
-class Lines:
-    def __init__(self) -> None:
-        self.text = ""
-        self.flushed = ""
-
-    def write(self, text: str) -> int:
-        self.text += text
-        return len(text)
-
-    def flush(self) -> None:
-        self.flushed = self.text
-
-
 def test_the_log_as_json() -> None:
-    file: Any = Lines()
+    file = io.StringIO()
     log = json_log(file)
     log(Injected(1_500_000_000, "cut", "2 bytes", packet=b"\x75\x65", damaged=True))
     log(Injected(0, "noise", "1 byte", added=b"\x00"))
     log(Injected(0, "lose_answer", "missing", command=RawField(1, 2, b"\x03")))
-    assert [json.loads(line) for line in file.flushed.splitlines()] == [
+    assert [json.loads(line) for line in file.getvalue().splitlines()] == [
         {"time": 1.5, "kind": "cut", "detail": "2 bytes", "packet": "7565", "damaged": True},
         {"time": 0.0, "kind": "noise", "detail": "1 byte", "added": "00"},
         {"time": 0.0, "kind": "lose_answer", "detail": "missing",
@@ -285,12 +257,8 @@ ANSWERS: dict[str, Callable[[int, list[RawField]], bool]] = {
 }  # fmt: skip
 
 
-def test_every_fault_of_answers_has_a_case() -> None:
-    assert sorted(ANSWERS) == sorted(kinds("answer", "response"))
-
-
-@pytest.mark.parametrize("kind", sorted(ANSWERS))
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("kind", sorted(kinds("answer", "response")))
+@pytest.mark.parametrize("seed", range(rounds(2, 20)))
 def test_each_fault_of_answers(kind: str, seed: int) -> None:
     delay, fields, log = wrong(kind, seed)
     assert ANSWERS[kind](delay, fields), fields
@@ -319,16 +287,6 @@ def test_the_response_of_another_command_is_one_that_was_sent() -> None:
     other = RawField(0x01, 0x83, b"\x00" * 4)
     faults.answer(0, RawField(0x01, 0x05, b""), [ACK, other])
     assert faults.answer(0, COMMAND, [ACK, RESPONSE]) == (0, [ACK, other])
-
-
-def test_all_faults_of_answers_at_once_are_fields_of_a_packet() -> None:
-    faults = Faults(**dict.fromkeys(kinds("answer", "response"), 0.4))
-    for number in range(500):
-        _, fields = faults.answer(number, COMMAND, [ACK, RESPONSE])
-        builder = PacketBuilder(0x01)
-        for raw in fields:
-            builder.add(raw.descriptor, raw.data)
-        assert [tuple(f) for f in builder.build()] == [tuple(f) for f in fields]
 
 
 # --------------------------------------------------------------------------- data, commands, events
@@ -435,69 +393,28 @@ def test_code_is_checked_in_the_same_way() -> None:
         Faults(noise=3)
 
 
-def test_the_table_names_every_kind() -> None:
-    text = table()
-    assert all(f"  {name} " in text and kind.description in text for name, kind in KINDS.items())
-    assert {kind.of for kind in KINDS.values()} == set(CHANCES)
-
-
 # --------------------------------------------------------------------------- a device
-
-
-def drive(seed: int, script: tuple[str, ...] = (), **rates: float) -> tuple[list[Injected], list[bytes], list[int]]:
-    """A device under faults, with streams and commands, and a host that connects again: log, packets, times of them."""
-    log: list[Injected] = []
-    faults = Faults(seed=seed, log=log.append, every_packet=True, script=script, **rates)
-    device = VirtualDevice("3dm-cv7-gnss-ins", seed=seed, faults=faults)
-    fields = tuple(types.DescriptorRate(d, 10) for d in (0xD3, 0x04, 0x05))
-    wanted = mip_3dm.MessageFormat.write(0x80, fields).packet(), mip_3dm.DataStreamControl.write(0x80, True).packet()
-    found: list[bytes] = []
-    times: list[int] = []
-    parser, link = Parser(), device.connect()
-    for step in range(400):
-        for command in (*wanted, base.GetDeviceInfo().packet()) if step % 40 == 0 else ():
-            link.write(bytes(command))
-        device.advance(0.02)
-        got = [bytes(p) for p in parser.feed(link.read())]
-        if link.closed:
-            got += [bytes(p) for p in parser.flush()]
-            parser, link = Parser(), device.connect()
-        found += got
-        times += [device.now] * len(got)
-    faults.forget(device.now, link)
-    return log, found + [bytes(p) for p in parser.flush()], times
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_a_device_with_all_faults_loses_what_the_log_says_and_no_more(seed: int) -> None:
-    rates = dict.fromkeys(kinds("packet", "data", "answer", "response"), 0.03)
-    log, found, _ = drive(seed, **rates, **dict.fromkeys(kinds("byte"), 0.002), **dict.fromkeys(kinds("tick"), 0.03))
-    sent = Counter(entry.packet for entry in log if entry.kind == "sent")
-    damaged = Counter(entry.packet for entry in log if entry.damaged)
-    added = Counter(entry.added for entry in log if entry.kind in ("double_packet", "unknown_set"))
-    assert not sent - damaged - Counter(found), "an intact packet was lost"
-    assert not Counter(found) - sent - added, "a packet came that was not sent"
-    assert {entry.kind for entry in log} >= set(kinds("packet", "data", "tick")) | {"sent"}
-    assert damaged.total() > 50 and sent.total() > 300
-    assert drive(seed, **rates) == drive(seed, **rates)
 
 
 def test_a_late_answer_does_not_hold_back_data() -> None:
     """It comes later than data that are sent after it, and never inside a packet whose rest is delayed."""
-    log, found, times = drive(0, ("late_answer@3",), delay=0.3)
+    log: list[Injected] = []
+    faults = Faults(log=log.append, every_packet=True, script=("late_answer@3",), delay=0.3)
+    device = VirtualDevice("3dm-cv7-gnss-ins", faults=faults)
+    fields = tuple(types.DescriptorRate(d, 10) for d in (0xD3, 0x04, 0x05))
+    link, parser = device.connect(), Parser()
+    found: list[tuple[bytes, float]] = []
+    for command in (
+        mip_3dm.MessageFormat.write(0x80, fields), mip_3dm.DataStreamControl.write(0x80, True), base.GetDeviceInfo()
+    ):  # fmt: skip
+        link.write(bytes(command.packet()))
+    for _ in range(200):
+        device.advance(0.02)
+        found += [(bytes(p), device.now / 1e9) for p in parser.feed(link.read())]
     (late,) = [entry for entry in log if entry.kind == "late_answer"]
-    seconds = float(late.detail.split()[0])
-    answers = [(p, t) for p, t in zip(found, times) if p[2] == 0x01]
-    assert answers[0][1] / 1e9 >= seconds > 0.2
-    before = [t for p, t in zip(found, times) if p[2] == 0x80 and t < answers[0][1]]
-    assert len(before) > 20
-    assert {entry.kind for entry in log if entry.damaged} <= {"disconnect"}  # at the end of the test
-    cut = Counter(entry.packet for entry in log if entry.damaged)
-    assert Counter(found) == Counter(entry.packet for entry in log if entry.kind == "sent") - cut
-
-
-def test_a_reset_device_keeps_what_was_saved_only() -> None:
-    log, found, times = drive(0, ("reset@5",))
-    quiet = [b - a for a, b in pairwise(times)]
-    assert max(quiet) > 2 * 10**8  # until the host asks again
-    assert [entry.kind for entry in log if entry.kind != "sent"] == ["reset"] and found
+    (answered,) = [time for packet, time in found if packet[2] == 0x01]
+    assert answered >= float(late.detail.split()[0]) > 0.2
+    assert sum(packet[2] == 0x80 and time < answered for packet, time in found) > 20
+    came = [packet for packet, _ in found if packet[2] == 0x80]
+    sent = [entry.packet for entry in log if entry.kind == "sent" and entry.packet and entry.packet[2] == 0x80]
+    assert came == sent[: len(came)], "the last ones are on the way"

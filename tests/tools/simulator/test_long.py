@@ -9,7 +9,7 @@ from mip_protocol import mip_3dm, types
 from mip_tools.simulator import VirtualDevice
 from mip_tools.simulator.endpoints import tcp_at
 from soak import soak
-from support import heavy, nightly
+from support import nightly
 from test_serve import Client, serving
 
 CV7 = "3dm-cv7-gnss-ins"
@@ -46,22 +46,6 @@ def test_memory_does_not_grow() -> None:
     device = streaming(FORMATS, 1)
     device.advance(2.0)
     assert grown(device, 6 * SECOND) < SOME, "8,000 packets and more"
-
-
-@heavy("a simulated year")
-def test_a_year_neither_drifts_nor_grows() -> None:
-    device = streaming({0x80: (0xD5, 0x04)}, 60_000)
-    last = count = 0
-
-    def note(what: str, data: bytes) -> None:
-        nonlocal last, count
-        count += what == "data"
-        last = device.now
-
-    device.trace = note
-    device.run_until(DAY)
-    assert grown(device, 365 * DAY) < SOME
-    assert count == 365 * 1440 and last == 365 * DAY
 
 
 def test_two_sets_of_thirteen_fields_arrive_whole() -> None:

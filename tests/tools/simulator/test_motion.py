@@ -23,7 +23,8 @@ from mip_tools.simulator.motion import (
     Waypoint,
     parse_motion,
 )  # fmt: skip
-from mip_tools.simulator.state import between, euler, matrix, quaternion, rotation, rotation_vector
+from mip_tools.simulator.state import euler, matrix, quaternion, rotation, rotation_vector
+from support import rounds
 
 A, F = 6378137.0, 1 / 298.257223563
 YEAR = 365 * 86_400.0
@@ -92,7 +93,7 @@ STEP = 1e-3
 
 def times(motion: Motion) -> list[float]:
     """Irregular moments, and some a year later."""
-    early = [0.37 * i + 0.011 for i in range(1, 600)]
+    early = [1.37 * i + 0.011 for i in range(1, rounds(160, 600))]
     return early + [YEAR + t for t in early[:40]]
 
 
@@ -162,27 +163,19 @@ def test_vehicles_point_where_they_go(name: str) -> None:
 def test_tracks_are_smooth_and_within_limits(name: str) -> None:
     """The plane of the track stretches by less than 1 %, and with it speeds and accelerations."""
     track, last, speeds = made(name), None, []
-    for i in range(60_000):
-        s = track.at(i * 0.005)
+    step = 0.02
+    for i in range(round(300 / step)):
+        s = track.at(i * step)
         heading = euler(s.dcm)[2]
         along = s.acceleration[0] * cos(heading) + s.acceleration[1] * sin(heading)
         across = s.acceleration[1] * cos(heading) - s.acceleration[0] * sin(heading)
         assert max(abs(along), abs(across)) < LIMIT * 1.01 and abs(s.acceleration[2]) < LIMIT * 1.3
         speeds.append(hypot(*s.velocity[:2]))
         if last is not None:
-            assert dist(last.velocity, s.velocity) < 2 * LIMIT * 0.005
-            assert hypot(*rotation_vector(last.quaternion, s.quaternion)) < 0.005 * 1.0
+            assert dist(last.velocity, s.velocity) < 2 * LIMIT * step
+            assert hypot(*rotation_vector(last.quaternion, s.quaternion)) < step * 1.0
         last = s
     assert speeds[0] == 0 and isclose(max(speeds), 14.0, rel_tol=0.01), "it reaches its fastest speed"
-
-
-def test_steep_climbs_are_driven_slowly() -> None:
-    """So that the vehicle is not accelerated upwards by more than the limit."""
-    track = Track([Waypoint(47, 8, 0), Waypoint(47.001, 8, 30), Waypoint(47.003, 8, 30)], 30, acceleration=1.0)
-    states = places(track, track.duration or 0)
-    climbing = [s for s in states if 0.1 < s.height < 29.9]
-    assert 0.6 < max(abs(s.acceleration[2]) for s in climbing) < 1.3
-    assert max(hypot(*s.velocity) for s in climbing) < 10 < max(hypot(*s.velocity) for s in states)
 
 
 def places(motion: Motion, end: float) -> list[State]:
@@ -220,13 +213,6 @@ def test_loops_come_back() -> None:
         a, b = loop.at(t), loop.at(t + 1000 * lap)
         assert dist(a.velocity, b.velocity) < 1e-6 and dist(a.quaternion, b.quaternion) < 1e-6
         assert isclose(a.latitude, b.latitude, abs_tol=1e-13) and isclose(a.height, b.height, abs_tol=1e-6)
-
-
-def test_between_two_attitudes() -> None:
-    a, b = rotation(0.1, -0.2, 0.3)[0], rotation(-0.4, 0.5, 2.6)[0]
-    half = between(a, b, 0.5)
-    assert dist(rotation_vector(a, half), rotation_vector(half, b)) < 1e-12
-    assert dist(between(a, tuple(-x for x in b), 0.5), half) < 1e-12  # type: ignore[arg-type]
 
 
 # --------------------------------------------------------------------------- descriptions
@@ -305,11 +291,6 @@ def test_tracks_that_are_wrong(tmp_path: Path, rows: str, options: str, message:
     assert message in str(error.value) and "\n" not in str(error.value)
 
 
-def test_a_track_that_cannot_be_read(tmp_path: Path) -> None:
-    with pytest.raises(MotionError, match=r"track: cannot read .*none\.csv"):
-        parse_motion(f"track:file={tmp_path}/none.csv")
-
-
 def test_a_trajectory_passes_its_rows() -> None:
     motion = made("trajectory")
     for t, latitude, longitude, height, roll, pitch, yaw in FLIGHT:
@@ -370,7 +351,7 @@ def test_trajectories_that_are_wrong(tmp_path: Path, rows: str, message: str) ->
     assert f"t.csv{message}" in str(error.value) and "\n" not in str(error.value)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(rounds(10, 40)))
 def test_any_track_is_smooth(seed: int) -> None:
     """Random waypoints, short legs and sharp corners among them; errors of rejected ones state why."""
     source = Random(seed)

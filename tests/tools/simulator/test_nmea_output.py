@@ -134,7 +134,8 @@ def test_satellites_in_view(shown: Shown) -> None:
 
 
 @pytest.mark.parametrize("talker, letters", {"GNSS": "GN", "GPS": "GP", "GALILEO": "GA", "GLONASS": "GL"}.items())
-def test_talkers(shown: Shown, talker: str, letters: str) -> None:
+def test_talkers(talker: str, letters: str) -> None:
+    shown = Shown(Standing()).at(1)
     for name in (*FREE, "ZDA"):
         assert one(shown, name, GNSS_2, NmeaTalkerId[talker])[0] == letters + name
 
@@ -163,10 +164,3 @@ def test_what_there_is() -> None:
 def test_the_checksums_of_the_manual() -> None:
     assert nmea.checksum("PMSRA,221336.93,-0.172,-0.681,3.072") == "5D"
     assert nmea.checksum("PMSRR,221336.93,-0.012996,0.004631,-1.000471,0.280331,0.130576,0.207637") == "4D"
-
-
-def test_several_sentences_in_the_order_of_the_format() -> None:
-    shown = Shown(Standing()).at(1)
-    entries = [NmeaMessage(NmeaMessageId[name], NmeaTalkerId.GPS, GNSS_1, 1) for name in ("VTG", "GGA", "VTG")]
-    lines = nmea.sentences(entries, shown.world).decode().split("\r\n")
-    assert [line[:6] for line in lines] == ["$GPVTG", "$GPGGA", "$GPVTG", ""]

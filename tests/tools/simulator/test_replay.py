@@ -94,14 +94,6 @@ def test_other_forms_of_the_motion(log: Path, names: list[str]) -> None:
     assert (dist(a.velocity, b.velocity) < 1e-3) if "filter_data.ned_velocity" in names else a.velocity == (0, 0, 0)
 
 
-def test_gnss_alone_gives_position_and_velocity(log: Path) -> None:
-    circle = Circle(40, 6)
-    record(log, circle, {"g": ["gnss_1.gps_time", "gnss_1.llh_position", "gnss_1.ned_velocity"]}, rate=4)
-    a, b = Replay(log).at(5.0), circle.at(5.0)
-    assert abs(a.latitude - b.latitude) * 6.4e6 < 0.6 and dist(a.velocity, b.velocity) < 0.5, "that of the antenna"
-    assert a.quaternion == (1, 0, 0, 0)
-
-
 def test_a_log_without_a_motion_is_at_rest(log: Path) -> None:
     record(log, Circle(), {"s": ["shared.reference_timestamp", "sensor.scaled_mag"]})
     replay = Replay(log)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import select
 import socket
 from pathlib import Path
 from typing import Any
@@ -14,15 +13,15 @@ import yaml
 from mip_protocol import Parser, base, gnss_data, mip_3dm, sensor, types
 from mip_tools.errors import Failure
 from mip_tools.simulator import Faults, Injected, ScriptedEvent, VirtualDevice
-from mip_tools.simulator.endpoints import Udp, pty_at, tcp_at, udp_at
+from mip_tools.simulator.endpoints import pty_at, tcp_at, udp_at
 from mip_tools.simulator.scenario import SCHEMA, read_scenario
 from mip_tools.simulator.script import KINDS
 from mip_tools.simulator.trajectory import COLUMNS
+from program import DEVICE, run, running, until
 from support import ROOT, later
-from test_serve import ACKNOWLEDGE, PING, Client, program, run, serving, stream, until
+from test_serve import ACKNOWLEDGE, PING, Client, serving, stream
 
 jsonschema = later("jsonschema")
-DEVICE = "3dm-cv7-gnss-ins"
 
 EVERYTHING = """\
 # yaml-language-server: $schema=scenario.schema.json
@@ -62,11 +61,6 @@ def test_what_a_file_says(tmp_path: Path) -> None:
     assert first.events[:-1] == second.events and first.events[-1].faults == "lose=0.1,noise=0.1:16"
     assert second.events[2] == ScriptedEvent("unplug", 60, 2, 100)
     assert {e.event for e in first.events} == set(KINDS)
-
-
-def test_a_file_of_events_only(tmp_path: Path) -> None:
-    scenario = read_scenario(written(tmp_path, "events: [{at: 1, event: restart}]"))
-    assert scenario.devices == () and scenario.events == (ScriptedEvent("restart", 1),)
 
 
 #: A file, its first mistake, and whether the schema for editors finds it, too.
@@ -249,15 +243,6 @@ def test_the_ports_of_an_unplugged_device_are_gone(tmp_path: Path) -> None:
                 until(lambda again=again: (again.send(PING), again.read(), ACKNOWLEDGE in again.packets)[2])
 
 
-def test_nobody_connects_to_an_unplugged_device(tmp_path: Path) -> None:
-    path = tmp_path / "mip"
-    device = VirtualDevice(DEVICE, events=(ScriptedEvent("disconnect", 0),))
-    with serving(device, pty_at(str(path)), tcp_at("0")) as server:
-        until(lambda: not path.is_symlink())
-        with pytest.raises(ConnectionRefusedError):
-            Client(server.places[1])
-
-
 def test_time_passes_while_unplugged_at_any_speed(tmp_path: Path) -> None:
     """Nobody can read then, so it must not wait for readers."""
     path = tmp_path / "mip"
@@ -303,16 +288,6 @@ def test_udp() -> None:
         first.socket.close()
 
 
-def test_a_datagram_ends_with_a_packet() -> None:
-    port = Udp("127.0.0.1", 0)
-    client = UdpClient(str(port))
-    client.socket.send(PING)
-    assert until(lambda: select.select([port], [], [], 0)[0]) and port.read() == PING
-    assert port.write((PING + ACKNOWLEDGE) * 100) == 77 * 18 + 8 == len(client.receive())
-    client.socket.close()
-    port.close()
-
-
 def test_a_udp_port_in_use(capsys: pytest.CaptureFixture[str]) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind(("127.0.0.1", 0))
@@ -330,7 +305,7 @@ events:
   - {{at: 0, event: restart}}
 """
     log = tmp_path / "log"
-    with program("simulate", "--scenario", written(tmp_path, text), "--fault-log", log) as process:
+    with running("simulate", "--scenario", written(tmp_path, text), "--fault-log", log, text=True) as process:
         assert process.stdout is not None
         places = [process.stdout.readline().strip() for _ in range(3)]
         assert re.fullmatch(r"localhost:\d+", places[0]) and places[2] == f"{tmp_path}/gx5"

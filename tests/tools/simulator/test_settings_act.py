@@ -6,25 +6,25 @@ from typing import Any
 
 import pytest
 from mip_protocol import filter as commands
+from mip_protocol import mip_3dm
 from mip_tools.simulator import VirtualDevice, facts
 from mip_tools.simulator.filter_effects import FILTER_EFFECTS
 from mip_tools.simulator.knowledge import without_effect
 from mipgen import model as m
-from settings_act import AR, BEGIN, COMMANDS, ELSEWHERE, PAGE, block, changed, row
+from settings_act import AR, BEGIN, COMMANDS, CV7, ELSEWHERE, PAGE, SHOWN, block, changed, row
 from simulator_host import Host
 from support import model
 
 
-def stated(command: str) -> set[str]:
-    """The data that a command changes or may change, by the specification."""
+def stated(command: str, *certain: bool) -> set[str]:
+    """The data that a command changes (`True`), or may change (`False`), by the specification."""
     of = model("real")
     f = of.field(command)
     assert f is not None
     found = set()
-    for certain in (True, False):
-        for x in of.affected(f, certain):
-            fields = of.fields_in(x) if isinstance(x, m.Set) else (x,)
-            found |= {g.name_in(number) for g in fields for number in g.sets}
+    for x in (x for c in certain for x in of.affected(f, c)):
+        fields = of.fields_in(x) if isinstance(x, m.Set) else (x,)
+        found |= {g.name_in(number) for g in fields for number in g.sets}
     return found
 
 
@@ -32,10 +32,31 @@ def stated(command: str) -> set[str]:
 def test_it_acts(device: str, command: Any, noise: float) -> None:
     """On something that the specification names, and on no other set, except for those of filters and receivers, which
     depend on everything."""
-    found, known = set(changed(device, command, noise)), stated(command.NAME)
+    fields = changed(device, command, noise)
+    found, known = set(fields), stated(command.NAME, True, False)
     assert found & known if known else found
     assert {x.partition(".")[0] for x in found} <= {x.partition(".")[0] for x in known} | {"filter_data"}
-    assert row(device, command, noise) in table(), "the table: python tests/tools/simulator/settings_act.py"
+    assert row(device, command, fields) in table(), "the table: python tests/tools/simulator/settings_act.py"
+
+
+ANGLES = (0.1, 0.2, 0.3)
+
+
+@pytest.mark.parametrize(
+    ("device", "command"),
+    [
+        (CV7, mip_3dm.AccelBias.write(ANGLES)), (CV7, mip_3dm.GyroBias.write(ANGLES)),
+        (CV7, mip_3dm.SensorToVehicleTransformEuler.write(*ANGLES)),
+        (AR, commands.SensorToVehicleRotationEuler.write(*ANGLES)),
+    ],
+)  # fmt: skip
+def test_biases_and_mountings_change_all_that_is_stated(device: str, command: Any) -> None:
+    """And nothing else; but the simulated device rotates the complementary filter on every device."""
+    found = {x for x in changed(device, command, 0) if x.startswith(("sensor.", "filter_data."))}
+    if device == AR:
+        found -= {x for x in found if x.startswith("sensor.comp_")}
+    certain = {x for x in stated(command.NAME, True) if x.startswith(("sensor.", "filter_data."))}
+    assert certain & set(SHOWN) <= found <= stated(command.NAME, True, False)
 
 
 def table() -> list[str]:

@@ -100,11 +100,6 @@ def test_attitude(shown: Shown) -> None:
         assert close(product(shown.world.sensor_to_vehicle, body), dcm, 2), "v_vehicle = turn * v_sensor"
 
 
-def test_standing_shows_the_angles_that_it_was_given() -> None:
-    e = Shown(MOTIONS["standing"]).at(1)("filter_data.euler_angles")
-    assert close((e.roll, e.pitch, e.yaw), (radians(-7), radians(12), radians(200 - 360)), 3)
-
-
 # --------------------------------------------------------------------------- inertial
 
 
@@ -165,32 +160,6 @@ def test_the_update_matrix_is_the_change_of_the_attitude(shown: Shown) -> None:
     assert close(product(update, before), shown("filter_data.attitude_dcm").dcm, 6)
 
 
-def test_biases_are_in_the_sensors_until_their_setting_removes_them() -> None:
-    shown = Shown(Standing(pitch=20), exact=False).at(1)
-    shown.world.noise = 0
-    bias = shown("filter_data.gyro_bias").bias
-    assert 0 < hypot(*bias) < 0.001 and dist(shown("sensor.scaled_gyro").scaled_gyro, bias) < 0.006
-    accel, gyro = shown("filter_data.accel_bias").bias, bias
-    shown.world.accel_bias, shown.world.gyro_bias = accel, gyro
-    assert hypot(*shown("filter_data.gyro_bias").bias) < 1e-9 > hypot(*shown("filter_data.accel_bias").bias)
-
-
-def test_noise_is_small_and_has_no_mean() -> None:
-    tilted = Standing(heading=30, pitch=20, roll=40)  # no axis measures zero
-    noisy, exact = Shown(tilted, exact=False, seed=5), Shown(tilted)
-    noisy.world.accel_bias, noisy.world.gyro_bias = noisy.world.accel_bias_left, noisy.world.gyro_bias_left
-    for name, attribute, sigma in (
-        ("sensor.scaled_accel", "scaled_accel", 0.0025 / G),
-        ("sensor.scaled_gyro", "scaled_gyro", 0.00087),
-        ("sensor.scaled_mag", "scaled_mag", 0.001),
-    ):
-        true = getattr(exact.at(1)(name), attribute)
-        errors = [x - t for i in range(400) for x, t in zip(getattr(noisy.at(1 + i / 100)(name), attribute), true)]
-        mean = sum(errors) / len(errors)
-        assert abs(mean) < 4 * sigma / sqrt(len(errors))
-        assert isclose(sqrt(sum(e * e for e in errors) / len(errors)), sigma, rel_tol=0.15)
-
-
 # --------------------------------------------------------------------------- position and velocity
 
 
@@ -229,30 +198,6 @@ def test_gnss_speed_and_course(shown: Shown) -> None:
         else:
             dcm = shown("filter_data.attitude_dcm").dcm
             assert isclose(v.heading, degrees(atan2(dcm[1], dcm[0])) % 360, rel_tol=1e-6), "at rest, the heading"
-
-
-def test_two_antennas_stand_along_the_heading() -> None:
-    """The first one is a metre from the second, in the direction that the dual antenna status shows."""
-    for motion in MOTIONS.values():
-        shown = Shown(motion).at(13.0)
-        p = shown("gnss_1.llh_position")
-        line = [b - a for a, b in zip(shown("gnss_1.ecef_position").position, shown("gnss_2.ecef_position").position)]
-        north, east, _down = earth.to_ned(radians(p.latitude), radians(p.longitude), tuple(line))  # type: ignore[arg-type]
-        status = shown("filter_data.gnss_dual_antenna_status")
-        assert isclose(hypot(*line), 1, abs_tol=1e-6)
-        assert (
-            hypot(sin(status.heading) - east / hypot(north, east), cos(status.heading) - north / hypot(north, east))
-            < 1e-5
-        )
-        assert status.heading == shown("filter_data.euler_angles").yaw
-
-
-def test_relative_position() -> None:
-    """From the place of the start, to a millimetre over the size of the circle."""
-    shown = Shown(Circle(30, 5))
-    assert dist(shown.at(0)("filter_data.ned_relative_position").relative_position, (0, 0, 0)) < 1e-6
-    n, e, d = shown.at(pi * 30 / 5)("filter_data.ned_relative_position").relative_position
-    assert dist((n, e, d), (-60, 0, 0)) < 1e-2
 
 
 # --------------------------------------------------------------------------- surroundings
@@ -307,22 +252,13 @@ def test_magnetic_field(shown: Shown) -> None:
 #: publishes with it, those of 2025 come from another program, pygeomag 1.1.0.
 KNOWN_FIELDS = [
     (2020.0, 0, 80, 0, 6570.4, -146.3, 54606.0),
-    (2020.0, 0, 0, 120, 39624.3, 109.9, -10932.5),
     (2020.0, 0, -80, 240, 5940.6, 15772.1, -52480.8),
-    (2020.0, 100, 80, 0, 6261.8, -185.5, 52429.1),
     (2020.0, 100, 0, 120, 37636.7, 104.9, -10474.8),
-    (2020.0, 100, -80, 240, 5744.9, 14799.5, -49969.4),
-    (2022.5, 0, 80, 0, 6529.9, 1.1, 54713.4),
     (2022.5, 0, 0, 120, 39684.7, -42.2, -10809.5),
-    (2022.5, 0, -80, 240, 6016.5, 15776.7, -52251.6),
-    (2022.5, 100, 80, 0, 6224.0, -44.5, 52527.0),
-    (2022.5, 100, 0, 120, 37694.0, -35.3, -10362.0),
     (2022.5, 100, -80, 240, 5815.0, 14803.0, -49755.3),
     (2025.0, 0, 80, 0, 6521.6, 145.9, 54791.5),
-    (2025.0, 0, 0, 120, 39677.8, -109.6, -10580.2),
     (2025.0, 0, -80, 240, 6117.5, 15751.9, -52022.5),
     (2027.5, 100, 80, 0, 6196.7, 233.8, 52670.5),
-    (2027.5, 100, 0, 120, 37711.5, -148.7, -9969.8),
     (2027.5, 100, -80, 240, 5984.0, 14760.1, -49317.7),
 ]
 
@@ -408,13 +344,6 @@ def test_counters_since_the_last_output() -> None:
         assert isclose(shown("shared.delta_time").seconds, t - before if t > 1.25 else 1.0)
 
 
-def test_two_deltas_of_external_time_share_one_counter() -> None:
-    shown = Shown(Standing())
-    shown.at(1).raw("shared.delta_time")
-    assert shown.at(3)("shared.external_time_delta").dt_nanos == 2_000_000_000
-    assert shown.at(4)("shared.delta_time").seconds == 1.0
-
-
 def test_a_restart_begins_the_reference_clock_anew() -> None:
     shown = Shown(Standing())
     shown.at(10).raw("shared.reference_time_delta")
@@ -433,19 +362,3 @@ def test_the_time_can_be_set() -> None:
 
 
 # --------------------------------------------------------------------------- determinism
-
-
-def test_the_same_seed_gives_the_same_bytes() -> None:
-    names = ("sensor.scaled_accel", "sensor.scaled_pressure", "gnss_1.raw", "filter_data.gyro_bias")
-
-    def run(seed: int, between: bool) -> list[list[bytes]]:
-        shown = Shown(Circle(), exact=False, seed=seed)
-        found = []
-        for i in range(20):
-            if between:
-                shown.at(i - 0.3).at(i - 0.1)
-                assert shown.world.state
-            found += [shown.at(i).raw(name) for name in names]
-        return found
-
-    assert run(1, False) == run(1, True) != run(2, False)

@@ -4,24 +4,29 @@ from __future__ import annotations
 
 import os
 import resource
+import shlex
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from io import TextIOWrapper
+from pathlib import Path
 from tempfile import TemporaryFile
 from typing import Any
+
+from pytest import MonkeyPatch
+from support import PATIENCE, PYTHONPATH, SPECS
+
+sys.path.insert(0, str(SPECS["real"][1] / "python"))
 
 from mip_protocol import base, mip_3dm, types
 from mip_tools import __main__
 from mip_tools.simulator import VirtualDevice
-from pytest import MonkeyPatch
-from support import PYTHONPATH
 
 DEVICE = "3dm-cv7-gnss-ins"
-PATIENCE = 30.0  # seconds until a test gives up; none waits so long
 ENVIRONMENT = {
     **{k: v for k, v in os.environ.items() if not k.startswith("PYTHON") or k == "PYTHONPYCACHEPREFIX"},
     "PYTHONPATH": PYTHONPATH,
@@ -97,6 +102,33 @@ def on_a_full_disk(size: int, *arguments: object) -> tuple[int, bytes]:
     return done.returncode, done.stderr
 
 
+def printed(line: str, folder: Path) -> str:
+    """What a line of a page prints in a folder: programs that succeed, each with the output of the one before."""
+    data, (pipe, _, file) = b"", line.partition(" > ")
+    for name, *words in (shlex.split(part, comments=True) for part in pipe.split(" | ")):
+        with MonkeyPatch.context() as patch:
+            patch.chdir(folder)
+            if name == "mip":
+                code, out, error = mip(*words, data=data)
+            else:
+                done = subprocess.run([name, *words], input=data, capture_output=True)
+                code, out, error = done.returncode, done.stdout.decode(), done.stderr.decode()
+        assert (code, error) == (0, ""), line
+        data = out.encode("utf-8", "surrogateescape")
+    if file:
+        (folder / file.strip()).write_bytes(data)
+    return data.decode()
+
+
+def until(condition: Callable[[], Any], process: subprocess.Popen[Any] | None = None) -> Any:
+    """Waits for something, not for a time; a process that is named must not end before."""
+    end = time.monotonic() + PATIENCE
+    while not (found := condition()):
+        assert time.monotonic() < end and (process is None or process.poll() is None), "it did not happen"
+        time.sleep(0.005)
+    return found
+
+
 @contextmanager
 def running(*arguments: object, **options: Any) -> Iterator[subprocess.Popen[bytes]]:
     process = subprocess.Popen(
@@ -110,9 +142,9 @@ def running(*arguments: object, **options: Any) -> Iterator[subprocess.Popen[byt
 
 
 @contextmanager
-def simulated(*options: object) -> Iterator[str]:
+def simulated(*options: object, device: str = DEVICE) -> Iterator[str]:
     """A virtual device at a TCP port, as `mip` names it."""
-    with running("simulate", DEVICE, "--tcp", "0", *options) as process:
+    with running("simulate", device, "--tcp", "0", *options) as process:
         assert process.stdout is not None
         yield process.stdout.readline().decode().strip()
 
