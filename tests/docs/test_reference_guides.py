@@ -1,36 +1,13 @@
-"""The pages of guides: every packet and answer is there, and the programs send just these packets."""
+"""The pages of guides: every packet and answer is there; their programs are run with those of fields."""
 
 from __future__ import annotations
 
-import json
-import os
 import re
-import subprocess
-import sys
-import textwrap
-from pathlib import Path
 
-import crates
-import pytest
-from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
 from mipgen.model.guides import Guide, Sequence
 from mipgen.targets.markdown.snippets import LANGUAGES
-from reference import Manual, cells, path_of, prose, small, tables, words
-from support import BUILD, SPECS, need
-from test_reference_programs import (
-    C_HEAD,
-    PY_HEAD,
-    needs_cpp,
-    reply,
-    run,
-    rust_bytes,
-    said_in_cpp,
-    said_in_javascript,
-    said_in_rust,
-    split,
-    with_node,
-)
+from reference import Manual, cells, path_of, prose, tables, words
 
 Play = tuple[str, Guide, Sequence]
 
@@ -57,11 +34,6 @@ def part_of(manual: Manual, guide: Guide, sequence: Sequence) -> str:
 
 def spaced(data: bytes) -> str:
     return data.hex(" ").upper()
-
-
-@pytest.fixture
-def generated(manual: Manual, request: pytest.FixtureRequest) -> Path:
-    return SPECS[request.node.callspec.params["manual"]][1]
 
 
 # --------------------------------------------------------------------------- pages
@@ -188,132 +160,3 @@ def test_fields_name_their_guides(manual: Manual) -> None:
         for f in [s.command for s in sequence.steps] + [x.field for t in sequence.streams for x in t.fields]:
             told = re.findall(r"^- Guides: (.*)$", manual.page(path_of(f)), re.M)
             assert f"guides/{guide.name}.md)" in told[0], f.full_name
-
-
-# --------------------------------------------------------------------------- programs
-
-
-def program(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
-    """The imports of a program, and its statements."""
-    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", part_of(manual, *play[1:]), re.M | re.S)
-    return split(block)
-
-
-def questions(manual: Manual) -> dict[str, str]:
-    """Commands that a client may send by itself, with replies: they read whether another command is acknowledged."""
-    found = {}
-    for _, _, sequence in plays(manual):
-        for f in (manual.model.field(c.command or "") for s in sequence.steps for c in s.command.silenced_by):
-            assert f is not None
-            call = next(c for c in f.calls if c.function and c.function.responds)
-            packet = SampleValues(manual.model).packet(f, call)
-            found[packet.hex()] = reply(manual, packet).hex()
-    return found
-
-
-def check(manual: Manual, output: str) -> None:
-    """Each line: the name of a program, and what it sent, or that it came to its end."""
-    found: dict[str, list[str]] = {}
-    own = {s.packet.hex() for _, _, sequence in plays(manual) for s in sequence.steps}
-    for line in output.splitlines():
-        name, what = line.split()
-        if what not in questions(manual).keys() - own:
-            found.setdefault(name, []).append(what)
-    for name, _, sequence in plays(manual):
-        assert found.get(name) == [*(s.packet.hex() for s in sequence.steps), "done"], name
-
-
-@small
-def test_guides_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
-    includes, functions, calls = set(), [], []
-    for play in plays(manual):
-        needs, body = program(manual, play, "c")
-        includes |= set(needs)
-        assert f"struct mip_result {play[0]}(struct mip_device *device)" in body
-        functions.append("static " + body)
-        answers = ", ".join(f'"{s.answer.hex()}"' for s in play[2].steps)
-        calls.append(
-            f'{{ static const char *const a[] = {{{answers}, ""}}; answers = a; name = "{play[0]}"; '
-            f'done = mip_succeeded({play[0]}(device)); if (done) printf("%s done\\n", name); }}'
-        )
-    source = tmp_path / "guides.c"
-    begin = "mip_device_init(device, &port, 0, NULL);"
-    source.write_text(
-        "\n".join([*sorted(includes), C_HEAD, *functions, "int main(void) {", begin, *calls, "return 0; }"]), "utf-8"
-    )
-    flags = ["-std=c99", "-O0", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
-    library = sorted((generated / "c/src/mip").glob("*.c"))
-    run(need("cc"), *flags, f"-I{generated}/c/src", source, *library, "-o", tmp_path / "guides")
-    check(manual, run(tmp_path / "guides"))
-
-
-@needs_cpp
-@small
-def test_guides_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> None:
-    includes, functions, calls = {'#include "mip/device.hpp"'}, [], []
-    for play in plays(manual):
-        needs, body = program(manual, play, "cpp")
-        includes |= set(needs)
-        functions.append("static " + body)
-        answers = ", ".join(f'"{s.answer.hex()}"' for s in play[2].steps)
-        calls.append(
-            f'{{ static const char *const a[] = {{{answers}, ""}}; answers = a; name = "{play[0]}"; '
-            f'if ({play[0]}(device_cpp)) printf("%s done\\n", name); }}'
-        )
-    check(manual, said_in_cpp(generated, tmp_path, includes, [*functions, "int main() {", *calls, "return 0; }"]))
-
-
-@small
-def test_guides_in_python(manual: Manual, generated: Path, tmp_path: Path) -> None:
-    functions, calls, answers = [], [], {}
-    for play in plays(manual):
-        needs, body = program(manual, play, "python")
-        lines = textwrap.indent("\n".join([*needs, body]), "    ")
-        functions.append(f"def {play[0]}(device: Device) -> None:\n{lines}\n")
-        for step in play[2].steps:
-            assert answers.setdefault(step.packet.hex(), step.answer.hex()) == step.answer.hex(), step.command.full_name
-        calls.append(f'    name = "{play[0]}"\n    {play[0]}(device)\n    print(name, "done", file=sys.stderr)\n')
-    main = (
-        "if __name__ == '__main__':\n    device = Device(Port())\n"
-        + "".join(calls)
-        + "    import os\n\n    os._exit(0)\n"
-    )
-    answers = {**questions(manual), **answers}
-    path = tmp_path / "guides.py"
-    path.write_text("\n\n".join([PY_HEAD, *functions, main]), "utf-8")
-    (tmp_path / "answers.json").write_text(json.dumps(answers))
-    done = subprocess.run(
-        [sys.executable, path, tmp_path / "answers.json"],
-        env={**os.environ, "PYTHONPATH": str(generated / "python")}, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr[-4000:]
-    check(manual, done.stderr)
-    run(
-        sys.executable, "-m", "mypy", "--strict", "--cache-dir", BUILD / f"docs/mypy-guides-{generated.name}", path,
-        MYPYPATH=str(generated / "python"),
-    )  # fmt: skip
-
-
-@crates.group
-@small
-def test_guides_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
-    functions, calls = [], []
-    for play in plays(manual):
-        needs, body = program(manual, play, "rust")
-        lines = "\n".join([*needs, body])
-        functions.append(f"fn {play[0]}(mut device: Device<Table>) -> Outcome {{\n{lines}\nOk(())\n}}")
-        answers = ", ".join(rust_bytes(s.answer) for s in play[2].steps)
-        calls.append(f'{play[0]}(table("{play[0]}", &[{answers}])).unwrap(); eprintln!("{play[0]} done");')
-    spec = request.node.callspec.params["manual"]
-    check(manual, said_in_rust(spec, "guides", functions, calls))
-
-
-@with_node
-@small
-def test_guides_in_javascript(manual: Manual, generated: Path, tmp_path: Path) -> None:
-    programs, answers = [], questions(manual)
-    for play in plays(manual):
-        needs, body = program(manual, play, "javascript")
-        answers |= {s.packet.hex(): s.answer.hex() for s in play[2].steps}
-        programs.append((play[0], "\n".join([*needs, "", body]), ["device"]))
-    check(manual, said_in_javascript(generated, tmp_path, programs, answers))

@@ -1,4 +1,4 @@
-"""The programs on the pages of fields: all of a language run as one program, which sends the packets of the pages."""
+"""The programs on the pages of fields and guides: all of a language run as one program, which sends their packets."""
 
 from __future__ import annotations
 
@@ -13,9 +13,11 @@ from pathlib import Path
 import crates
 import pytest
 from mipgen import model as m
+from mipgen.facts.sample_values import SampleValues
 from mipgen.lower import codec
 from reference import Manual, path_of, small, table_with, words
 from support import SPECS, mypy, need, uses
+from test_reference_guides import Play, part_of, plays
 
 ACKNOWLEDGE = 0xF1
 
@@ -29,6 +31,11 @@ def asked(manual: Manual) -> list[m.Field]:
 def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
     """The imports of a program on a page, and its statements."""
     (block,) = re.findall(rf"^```{language}\n(.*?)^```$", manual.page(path_of(f)), re.M | re.S)
+    return split(block)
+
+
+def program_of_guide(manual: Manual, play: Play, language: str) -> tuple[list[str], str]:
+    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", part_of(manual, *play[1:]), re.M | re.S)
     return split(block)
 
 
@@ -87,7 +94,8 @@ def run(*command: str | Path, **environment: str) -> str:
 
 
 def check(manual: Manual, output: str) -> None:
-    """Each line: the name of a field, and what its program sent, or that it decoded data, or rejected broken data."""
+    """Each line: the name of a field, and what its program sent, or that it decoded data, or rejected broken data; or
+    the name of a guide, and what its program sent, or that it came to its end."""
     found: dict[str, list[str]] = {}
     for line in output.splitlines():
         name, what = line.split()
@@ -98,6 +106,29 @@ def check(manual: Manual, output: str) -> None:
         else:
             wanted = ["done", *["refused"] * len(broken(manual, f))]
         assert found.get(f.full_name) == wanted, f.full_name
+    others = asked_by_clients(manual)
+    for name, _, sequence in plays(manual):
+        sent = [what for what in found.get(name, ()) if what not in others]
+        assert sent == [*(s.packet.hex() for s in sequence.steps), "done"], name
+
+
+def answers_of_guides(manual: Manual) -> dict[str, str]:
+    """The packets of all guides and the replies, which are the same in each guide."""
+    answers: dict[str, str] = {}
+    for step in (step for _, _, sequence in plays(manual) for step in sequence.steps):
+        assert answers.setdefault(step.packet.hex(), step.answer.hex()) == step.answer.hex(), step.command.full_name
+    return answers
+
+
+def asked_by_clients(manual: Manual) -> set[str]:
+    """Packets that a client may send by itself: they read whether another command is acknowledged."""
+    found = set()
+    for _, _, sequence in plays(manual):
+        for f in (manual.model.field(c.command or "") for s in sequence.steps for c in s.command.silenced_by):
+            assert f is not None
+            call = next(c for c in f.calls if c.function and c.function.responds)
+            found.add(SampleValues(manual.model).packet(f, call).hex())
+    return found - answers_of_guides(manual).keys()
 
 
 @pytest.fixture
@@ -182,6 +213,16 @@ def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
         functions.append(f"static void {name}({takes}) {{ {begin}\n{body}\n{end} }}\n")
         run_ = " ".join(f'done = false; {name}({x}); if (done) printf("%s done\\n", name);' for x in given)
         calls[-1] = f'{{ name = "{f.full_name}"; {calls[-1]} {run_} }}'
+    for play in plays(manual):
+        needs, body = program_of_guide(manual, play, "c")
+        includes |= set(needs)
+        assert f"struct mip_result {play[0]}(struct mip_device *device)" in body
+        functions.append("static " + body)
+        answers = ", ".join(f'"{s.answer.hex()}"' for s in play[2].steps)
+        calls.append(
+            f'{{ static const char *const a[] = {{{answers}, ""}}; answers = a; name = "{play[0]}"; '
+            f'done = mip_succeeded({play[0]}(device)); if (done) printf("%s done\\n", name); }}'
+        )
     source = tmp_path / "programs.c"
     begin_ = "mip_device_init(device, &port, 0, NULL);"
     source.write_text(
@@ -237,20 +278,24 @@ def test_programs_in_cpp(manual: Manual, generated: Path, tmp_path: Path) -> Non
             ]
         end = 'if (done) printf("%s done\\n", name);'
         calls += [f"{{ name = {what}; done = false; {x} {end} }}" for x in given]
+    for play in plays(manual):
+        needs, body = program_of_guide(manual, play, "cpp")
+        includes |= set(needs)
+        functions.append("static " + body)
+        answers = ", ".join(f'"{s.answer.hex()}"' for s in play[2].steps)
+        calls.append(
+            f'{{ static const char *const a[] = {{{answers}, ""}}; answers = a; name = "{play[0]}"; '
+            f'if ({play[0]}(device_cpp)) printf("%s done\\n", name); }}'
+        )
     main = ["int main() {", "uint8_t buffer[MIP_MAX_PACKET];", *calls, "return 0; }"]
-    check(manual, said_in_cpp(generated, tmp_path, includes, [*functions, *main]))
-
-
-def said_in_cpp(generated: Path, where: Path, includes: set[str], lines: list[str]) -> str:
-    """The output of a program with the port and the device of CPP_HEAD."""
     for x in sorted((generated / "c/src/mip").glob("*.c")):
-        run(need("cc"), "-std=c99", "-O0", f"-I{generated}/c/src", "-c", x, "-o", where / f"{x.stem}.o")
+        run(need("cc"), "-std=c99", "-O0", f"-I{generated}/c/src", "-c", x, "-o", tmp_path / f"{x.stem}.o")
     head = re.sub(r"static bool take.*", "", C_HEAD, flags=re.S)
-    source = where / "programs.cpp"
-    source.write_text("\n".join([*sorted(includes), head, CPP_HEAD, *lines]), "utf-8")
+    source = tmp_path / "programs.cpp"
+    source.write_text("\n".join([*sorted(includes), head, CPP_HEAD, *functions, *main]), "utf-8")
     flags = ["-std=c++20", "-O0", "-Wall", "-Wpedantic", "-Werror", "-Wno-unused", f"-I{generated}/c/src"]
-    run(need("g++"), *flags, source, *sorted(where.glob("*.o")), "-o", where / "programs")
-    return run(where / "programs")
+    run(need("g++"), *flags, source, *sorted(tmp_path.glob("*.o")), "-o", tmp_path / "programs")
+    check(manual, run(tmp_path / "programs"))
 
 
 # --------------------------------------------------------------------------- Python
@@ -312,6 +357,11 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
             given = [f'source("{p.hex()}")' for p in (sample(manual, f), *broken(manual, f))]
         calls.append(f'    name = "{f.full_name}"\n')
         calls += [f"    attempt({name}, {device})\n" for device in given]
+    for play in plays(manual):
+        needs, body = program_of_guide(manual, play, "python")
+        lines = textwrap.indent("\n".join([*needs, body]), "    ")
+        functions.append(f"def {play[0]}(device: Device) -> None:\n{lines}\n")
+        calls.append(f'    name = "{play[0]}"\n    attempt({play[0]}, device)\n')
     main = (
         "def source(packet: str) -> Any:\n    return Source(packet)\n\n\n"
         "def attempt(program: Any, device: Any) -> None:\n"
@@ -323,7 +373,7 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
     )
     path = tmp_path / "programs.py"
     path.write_text("\n\n".join([PY_HEAD, *functions, main]), "utf-8")
-    answers = {**questions(manual), **answers}
+    answers = {**questions(manual), **answers, **answers_of_guides(manual)}
     (tmp_path / "answers.json").write_text(json.dumps(answers))
     done = subprocess.run(
         [sys.executable, path, tmp_path / "answers.json"],
@@ -376,16 +426,6 @@ def rust_bytes(data: bytes) -> str:
     return f"&[{', '.join(map(str, data))}]"
 
 
-def said_in_rust(spec: str, name: str, functions: list[str], calls: list[str]) -> str:
-    """The standard error output of a program that calls these functions in this order."""
-    source = "\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"])
-    target = f'[[bin]]\nname = "{name}"\npath = "{name}.rs"\ntest = false\n'
-    folder = crates.project(spec, name, target, files={f"{name}.rs": source.encode()})
-    done = crates.cargo(folder, "run", "--offline", "--quiet")
-    assert done.returncode == 0, done.stderr[-6000:]
-    return done.stderr
-
-
 @crates.group
 @small
 def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
@@ -405,8 +445,19 @@ def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> Non
             calls.append(f"{name}(Packet::new({rust_bytes(sample(manual, f))}).unwrap()).unwrap();")
             refused = f'.unwrap()).is_err() {{ eprintln!("{f.full_name} refused"); }}'
             calls += [f"if {name}(Packet::new({rust_bytes(p)}){refused}" for p in broken(manual, f)]
+    for play in plays(manual):
+        needs, body = program_of_guide(manual, play, "rust")
+        lines = "\n".join([*needs, body])
+        functions.append(f"fn {play[0]}(mut device: Device<Table>) -> Outcome {{\n{lines}\nOk(())\n}}")
+        answers = ", ".join(rust_bytes(s.answer) for s in play[2].steps)
+        calls.append(f'{play[0]}(table("{play[0]}", &[{answers}])).unwrap(); eprintln!("{play[0]} done");')
+    source = "\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"])
+    target = '[[bin]]\nname = "reference"\npath = "reference.rs"\ntest = false\n'
     spec = request.node.callspec.params["manual"]
-    check(manual, said_in_rust(spec, "reference", functions, calls))
+    folder = crates.project(spec, "reference", target, files={"reference.rs": source.encode()})
+    done = crates.cargo(folder, "run", "--offline", "--quiet")
+    assert done.returncode == 0, done.stderr[-6000:]
+    check(manual, done.stderr)
 
 
 # --------------------------------------------------------------------------- JavaScript
@@ -460,27 +511,6 @@ const device = await opened();
 """
 
 
-def said_in_javascript(
-    generated: Path, where: Path, programs: list[tuple[str, str, list[str]]], answers: dict[str, str]
-) -> str:
-    """The output of programs, each with its name, its text, and its devices."""
-    (where / "answers.json").write_text(json.dumps(answers))
-    (where / "node_modules").mkdir(exist_ok=True)
-    (where / "node_modules/mip-protocol").symlink_to(generated / "javascript")
-    main = [JS_HEAD]
-    for i, (name, text, devices) in enumerate(programs):
-        needs, _, body = text.partition("\n\n")
-        inner = textwrap.indent(body, "    ")
-        (where / f"program_{i}.mjs").write_text(f"{needs}\nexport async function program(device) {{\n{inner}\n}}\n")
-        main.append(f'name = "{name}";')
-        main += [f'await attempt((await import("./program_{i}.mjs")).program, {device});' for device in devices]
-    main.append("await device.close();")
-    (where / "main.mjs").write_text("\n".join(main), "utf-8")
-    done = subprocess.run([need("node"), "main.mjs"], cwd=where, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr[-4000:]
-    return done.stderr
-
-
 @with_node
 @small
 def test_programs_in_javascript(manual: Manual, generated: Path, tmp_path: Path) -> None:
@@ -493,4 +523,22 @@ def test_programs_in_javascript(manual: Manual, generated: Path, tmp_path: Path)
         else:
             given = [f'source("{p.hex()}")' for p in (sample(manual, f), *broken(manual, f))]
         programs.append((f.full_name, "\n".join([*needs, "", body]), given))
-    check(manual, said_in_javascript(generated, tmp_path, programs, {**questions(manual), **answers}))
+    for play in plays(manual):
+        needs, body = program_of_guide(manual, play, "javascript")
+        programs.append((play[0], "\n".join([*needs, "", body]), ["device"]))
+    answers = {**questions(manual), **answers, **answers_of_guides(manual)}
+    (tmp_path / "answers.json").write_text(json.dumps(answers))
+    (tmp_path / "node_modules").mkdir()
+    (tmp_path / "node_modules/mip-protocol").symlink_to(generated / "javascript")
+    main = [JS_HEAD]
+    for i, (name, text, devices) in enumerate(programs):
+        first, _, body = text.partition("\n\n")
+        inner = textwrap.indent(body, "    ")
+        (tmp_path / f"program_{i}.mjs").write_text(f"{first}\nexport async function program(device) {{\n{inner}\n}}\n")
+        main.append(f'name = "{name}";')
+        main += [f'await attempt((await import("./program_{i}.mjs")).program, {device});' for device in devices]
+    main.append("await device.close();")
+    (tmp_path / "main.mjs").write_text("\n".join(main), "utf-8")
+    done = subprocess.run([need("node"), "main.mjs"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-4000:]
+    check(manual, done.stderr)
