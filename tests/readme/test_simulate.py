@@ -136,7 +136,7 @@ def test_a_parser_against_faults(tmp_path: Path, shell: dict[str, str]) -> None:
     bad = "class Parser(Parser):\n    def feed(self, data):\n        return super().feed(data)[1:]\n"
     program = (ROOT / "docs/simulate/check_parser.py").read_text("utf-8")
     (tmp_path / "bad.py").write_text(program.replace("\nconnection = ", f"\n{bad}\nconnection = "))
-    with device(start, tmp_path, shell, ends=True):
+    with device(start.replace("--duration 60", "--duration 5"), tmp_path, shell, ends=True):
         done = run(check.replace("docs/simulate/check_parser.py", "bad.py"), tmp_path, shell)
     assert done.returncode == 1 and ", 0 packets found that were never sent" in done.stdout
 
