@@ -178,7 +178,7 @@ DECLARED_IN_C = re.compile(
 )
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
+@small("symbols of the real bindings")
 def test_symbols_of_c(spec: str) -> None:
     """The index has the symbols of the headers, without those of sets."""
     manual, source = manual_of(spec), SPECS[spec][1] / "c/src/mip"
@@ -231,7 +231,7 @@ print(json.dumps([there, absent]))
 """
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
+@small("symbols of the real bindings")
 def test_symbols_of_python(spec: str) -> None:
     """All classes of the package that are fields or types; the symbols listed with them exist."""
     found = {name: others for name, (_, others) in symbols(manual_of(spec), "python").items()}
@@ -244,7 +244,7 @@ def test_symbols_of_python(spec: str) -> None:
     assert sorted(there) == sorted(found) and not absent
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
+@small("symbols of the real bindings")
 def test_symbols_of_rust(spec: str) -> None:
     """All types of the modules; the symbols listed with them are in the same module."""
     manual, source = manual_of(spec), SPECS[spec][1] / "rust/src"
@@ -287,7 +287,7 @@ console.log(listed.size, unlisted.length, absent.length);
 """
 
 
-@pytest.mark.parametrize("spec", sorted(SPECS))
+@small("symbols of the real bindings")
 @with_node
 def test_symbols_of_javascript(spec: str, tmp_path: Path) -> None:
     """Every export that is a field or has names for numbers; the symbols listed with it exist."""

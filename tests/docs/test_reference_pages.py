@@ -12,6 +12,7 @@ import posixpath
 import re
 import statistics
 
+import pytest
 from mipgen import model as m
 from mipgen.emit import naming, render
 from mipgen.read.problems import Problems
@@ -32,6 +33,12 @@ from reference import (
     words,
 )
 from support import ROOT, SPECS, model
+
+
+@pytest.fixture(params=sorted(SPECS))
+def manual(request: pytest.FixtureRequest) -> Manual:
+    """The real pages, too: whether one is broken depends on the words of the specification."""
+    return manual_of(request.param)
 
 
 def test_a_link_to_a_device_has_its_name(manual: Manual) -> None:
