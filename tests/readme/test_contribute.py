@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from support import PATIENCE, PYTHONPATH, ROOT
+from support import PATIENCE, PYTHONPATH, ROOT, simulated
 
 PAGE = (ROOT / "docs/contribute-a-device.md").read_text("utf-8")
 
@@ -28,13 +28,8 @@ def commands(section: str) -> list[str]:
 
 @pytest.fixture
 def device() -> Iterator[str]:
-    words = [sys.executable, "-m", "mip_tools", "simulate", "3dm-gx4-25", "--tcp", "0"]
-    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
-    process = subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    assert process.stdout is not None
-    yield process.stdout.readline().strip()
-    process.terminate()
-    process.communicate(timeout=PATIENCE)
+    with simulated("--tcp", "0", device="3dm-gx4-25") as place:
+        yield place
 
 
 @pytest.fixture

@@ -11,10 +11,9 @@ from pathlib import Path
 
 import crates
 import pytest
-from support import BUILD, ROOT, SPECS, driver, heavy, need, uses
+from support import BUILD, PYTHONPATH, ROOT, SPECS, driver, heavy, need, simulated, uses
 
 README = (ROOT / "README.md").read_text("utf-8")
-TOOLS = {**os.environ, "PYTHONPATH": os.pathsep.join((f"{ROOT}/tools", f"{ROOT}/generated/python"))}
 CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
 SPECIFICATIONS = (ROOT / "docs/specifications.md").read_text("utf-8")
 
@@ -75,21 +74,13 @@ def test_quickstart_in_rust() -> None:
 
 def test_first_program_in_python() -> None:
     """On a virtual device, until it has printed a few lines."""
-    device = subprocess.Popen(
-        [sys.executable, "-m", "mip_tools", "simulate", "3dm-cv7-gnss-ins", "--tcp", "0"],
-        stdout=subprocess.PIPE, text=True, env=TOOLS,
-    )  # fmt: skip
-    try:
-        assert device.stdout is not None
-        program = block("python").replace("/dev/ttyACM0", device.stdout.readline().strip())
-        first = subprocess.Popen([sys.executable, "-u", "-c", program], stdout=subprocess.PIPE, text=True, env=TOOLS)
-        assert first.stdout is not None
-        lines = [first.stdout.readline() for _ in range(3)]
-        first.kill()
-        first.wait()
-    finally:
-        device.kill()
-        device.wait()
+    environment = {**os.environ, "PYTHONPATH": PYTHONPATH}
+    with simulated("--tcp", "0") as place:
+        command = [sys.executable, "-u", "-c", block("python").replace("/dev/ttyACM0", place)]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as first:
+            assert first.stdout is not None
+            lines = [first.stdout.readline() for _ in range(3)]
+            first.kill()
     assert all(re.fullmatch(r"\S.* -?[\d.e-]+ g\n", line) for line in lines), lines
 
 
