@@ -1,7 +1,7 @@
-"""C: speed compared with hand-written code, instructions per byte, and size.
+"""C: speed, instructions per byte, and size. bench_c_peer.py compares it with the vendor's SDK.
 
-The hand-written code is in plain.c. Times are processor times, the best of many rounds; instructions are
-counted by valgrind. `make bench README=1` writes the result into the README.
+Times are processor times, the best of many rounds; instructions are counted by valgrind. `make bench README=1` writes
+the result into the README.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ import platform
 import re
 import shutil
 import subprocess
-from collections.abc import Iterable
 from pathlib import Path
 
 import streams
@@ -24,18 +23,18 @@ README = ROOT / "docs/parts/bench_c.md"
 SIZE = 1_000_000
 ROUNDS, TURNS = 20, 4
 
-#: What is measured: title, stream, our function, that of plain.c.
+#: What is measured: title, stream, function of speed.c.
 ROWS = (
-    ("parse, in pieces of 4 KiB", "log", "ours_parse", "plain_parse"),
-    ("parse, decode every known field: direct", "log", "ours_direct", "plain_both"),
-    ("parse, decode every known field: by table", "log", "ours_table", "plain_both"),
-    ("parse, find every field in the registry, decode", "log", "ours_registry", "plain_both"),
-    ("build packets of three fields: direct", "log", "ours_build_direct", "plain_build"),
-    ("build packets of three fields: by table", "log", "ours_build_table", "plain_build"),
-    ("parse, byte by byte", "log", "ours_bytewise", "plain_bytewise"),
-    ("skip random bytes", "noise", "ours_parse", "plain_parse"),
-    ("skip NMEA sentences", "text", "ours_parse", "plain_parse"),
-    ("parse packets among NMEA sentences", "mixed", "ours_parse", "plain_parse"),
+    ("parse, in pieces of 4 KiB", "log", "ours_parse"),
+    ("parse, decode every known field: direct", "log", "ours_direct"),
+    ("parse, decode every known field: by table", "log", "ours_table"),
+    ("parse, find every field in the registry, decode", "log", "ours_registry"),
+    ("build packets of three fields: direct", "log", "ours_build_direct"),
+    ("build packets of three fields: by table", "log", "ours_build_table"),
+    ("parse, byte by byte", "log", "ours_bytewise"),
+    ("skip random bytes", "noise", "ours_parse"),
+    ("skip NMEA sentences", "text", "ours_parse"),
+    ("parse packets among NMEA sentences", "mixed", "ours_parse"),
 )
 #: Rows that are measured with the portable checksum too.
 CHECKSUM = {"ours_parse", "ours_direct", "ours_build_direct"}
@@ -45,17 +44,12 @@ ARM = ["-mcpu=cortex-m4", "-mthumb", "-std=c99", "-Os", "-ffreestanding", "-ffun
 OUTSIDE = ("memcpy", "memmove", "memset", "memchr", "strcmp", "__aeabi_uldivmod")
 LINK = ["-nostdlib", "-Wl,--gc-sections", *(f"-Wl,--defsym={f}=0" for f in OUTSIDE)]
 
-#: Parser, walk and builder of both.
+#: Parser, walk and builder.
 CORE = ("parser_init", "parser_next", "walk_packet", "walk_next", "builder_start", "builder_add", "builder_finish")
-PLAIN = ("init", "next", "field", "start", "begin", "float", "u64", "finish")
 #: Optional parts: a header, and a function that links its tables.
 OPTIONAL = (("device", "mip_device_call"), ("registry", "mip_registry_find"), ("profiles", "mip_profile_find"),
             ("reflect", "mip_reflect"), ("print", "mip_print_packet"))  # fmt: skip
-STATES = """#include "mip/core.h"
-#include "plain.h"
-struct mip_parser mip_parser;
-struct plain_parser plain_parser;
-"""
+STATES = '#include "mip/core.h"\nstruct mip_parser mip_parser;\n'
 
 Row = list[str]
 
@@ -116,21 +110,16 @@ def speed() -> list[Row]:
     programs = {"": BUILD / "speed", ", portable checksum": BUILD / "speed-portable"}
     for suffix, program in programs.items():
         choice = ["-DMIP_CHECKSUM=MIP_CHECKSUM_WORDS"] if suffix else []
-        run("cc", *flags, *choice, HERE / "speed.c", HERE / "plain.c", *library(), "-o", program)
+        run("cc", *flags, *choice, HERE / "speed.c", *library(), "-o", program)
     rows = []
-    for title, stream, ours, plain in ROWS:
+    for title, stream, function in ROWS:
         path = BUILD / f"{stream}.bin"
         for suffix, program in programs.items():
-            if suffix and (ours not in CHECKSUM or stream != "log"):
+            if suffix and (function not in CHECKSUM or stream != "log"):
                 continue
-            times = measure(path, {ours: program, plain: program})
-            counts = [instructions(program, path, f) for f in (ours, plain)]
-            rates = [path.stat().st_size / times[f] * 1000 for f in (ours, plain)]
-            rows.append([
-                title + suffix, f"{times[plain] / times[ours]:.1f}",
-                *(f"{c:.2f}" if c is not None else "?" for c in counts),
-                *(f"{r:.0f}" for r in rates),
-            ])  # fmt: skip
+            time, count = measure(path, {function: program})[function], instructions(program, path, function)
+            rate = path.stat().st_size / time * 1000
+            rows.append([title + suffix, f"{count:.2f}" if count is not None else "?", f"{rate:.0f}"])
     return rows
 
 
@@ -142,7 +131,7 @@ def linked(name: str, symbols: list[str], text: str = "") -> int:
     source, program, options = (BUILD / f"{name}.{suffix}" for suffix in ("c", "elf", "options"))
     source.write_text(text + "int main(void) { return 0; }\n")
     options.write_text("".join(f"-Wl,--undefined={s}\n" for s in symbols))
-    run("arm-none-eabi-gcc", *ARM, *LINK, "-Wl,-e,main", f"-I{SOURCES}", f"-I{HERE}", source, HERE / "plain.c",
+    run("arm-none-eabi-gcc", *ARM, *LINK, "-Wl,-e,main", f"-I{SOURCES}", f"-I{HERE}", source,
         *library(), f"@{options}", "-o", program)  # fmt: skip
     code, data = run("arm-none-eabi-size", program).splitlines()[1].split()[:2]
     return int(code) + int(data) - (linked("empty", []) if symbols else 0)
@@ -155,45 +144,23 @@ def state(symbol: str) -> int:
     return int(found[1], 16)
 
 
-def straight(includes: str, fields: list[str]) -> str:
-    """A function for each field that decodes it, and one that encodes it, without tables."""
-    out = includes
-    for name in fields:
-        for result, head in (
-            (f"{name}_decode_inline(v, f)", f"mip_error d_{name}(struct {name} *v, const struct mip_field *f)"),
-            (f"{name}_encode_inline(v, b)", f"mip_error e_{name}(const struct {name} *v, struct mip_builder *b)"),
-        ):
-            out += f"{head};\n{head} {{\n    return {result};\n}}\n"
-    return out
-
-
 def sizes() -> list[Row]:
     if shutil.which("arm-none-eabi-gcc") is None:
         return []
     paths = sorted((SOURCES / "mip").glob("*.h"))
     headers = "".join(p.read_text("utf-8") for p in paths)
     codecs = sorted(set(re.findall(r"extern (?:MIP_API )?const struct mip_codec (\w+);", headers)))
-    fixed = sorted(set(re.findall(r"(\w+)_decode_inline\(\s*struct", headers)))
-    functions = [f"{side}_{name}" for name in fixed for side in "de"]
-    includes = "".join(f'#include "mip/{p.name}"\n' for p in paths)
     core = linked("core", [f"mip_{name}" for name in CORE])
-    plain = linked("plain", [f"plain_{name}" for name in PLAIN])
-    linked("states", ["mip_parser", "plain_parser"], STATES)
-    reader = linked("reader", ["mip_decode", "mip_encode"])
+    linked("states", ["mip_parser"], STATES)
     table = linked("tables", [*codecs, "mip_decode", "mip_encode"]) / len(codecs)
-    code = linked("straight", functions, straight(includes, fixed)) / len(fixed)
-    names = linked("names", ["mip_ack_code_name"])
-    optional = [(f"`{name}.h`", linked(name, [symbol])) for name, symbol in OPTIONAL]
-    ours, theirs = state("mip_parser"), state("plain_parser")
     return [
-        ["parser, walk and builder", f"{core / plain:.2f}", f"{core} B", f"{plain} B"],
-        ["state of the parser, in RAM", f"{ours / theirs:.2f}", f"{ours} B", f"{theirs} B"],
-        ["decode and encode all layouts, for each", f"{table / code:.2f}", f"{table:.1f} B",
-         f"{code:.1f} B"],
-        ["of that, shared by all: the table reader", "", f"{reader} B", ""],
-        ["names of one enumeration, the acknowledge codes", "", f"{names} B", ""],
-        *([f"optional, all of {name}", "", f"{size / 1000:.0f} kB", ""] for name, size in optional),
-    ]  # fmt: skip
+        ["parser, walk and builder", f"{core} B"],
+        ["state of the parser, in RAM", f"{state('mip_parser')} B"],
+        ["decode and encode all layouts, for each", f"{table:.1f} B"],
+        ["of that, shared by all: the table reader", f"{linked('reader', ['mip_decode', 'mip_encode'])} B"],
+        ["names of one enumeration, the acknowledge codes", f"{linked('names', ['mip_ack_code_name'])} B"],
+        *([f"optional, all of `{name}.h`", f"{linked(name, [s]) / 1000:.0f} kB"] for name, s in OPTIONAL),
+    ]
 
 
 # --------------------------------------------------------------------------- by source
@@ -245,28 +212,20 @@ def table(heads: list[str], rows: list[Row]) -> str:
 
 
 def report(readme: bool = False) -> str:
-    """As Markdown. The README omits the hand-written code, which nobody uses as a library (bench_c_peer.py compares
-    with one), and times, which depend on the machine."""
+    """As Markdown. The README omits times, which depend on the machine."""
     BUILD.mkdir(parents=True, exist_ok=True)
-    heads = ["Speed", "Ratio", "Instructions for each byte", "By hand", "MB/s", "By hand"]
+    columns = 2 if readme else 3
     machine = platform.machine().replace("_", "-")
-    out = f"{version('cc')}, `-O2`, on {machine}; a log with packets of 44 bytes on average (`make bench`).\n"
-    out += "" if readme else "By hand is plain C, byte by byte; the ratio is how many times as fast this library is.\n"
-    out += "\n" + table(*chosen(heads, speed(), (0, 2) if readme else range(6)))
+    out = f"{version('cc')}, `-O2`, on {machine}; a log with packets of 44 bytes on average (`make bench`).\n\n"
+    heads = ["Speed", "Instructions for each byte", "MB/s"]
+    out += table(heads[:columns], [row[:columns] for row in speed()])
     if shutil.which("valgrind") is None:
         out += "\nInstructions are counted by valgrind, which is missing (Debian: apt-get install valgrind).\n"
     small = sizes()
     if not small:
         return out + "\nSizes need arm-none-eabi-gcc, which is missing (Debian: apt-get install gcc-arm-none-eabi).\n"
     out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library.\n\n"
-    heads = ["Size", "Ratio", "Code and constants", "By hand"]
-    return out + table(*chosen(heads, small, (0, 2) if readme else range(4)))
-
-
-def chosen(heads: list[str], rows: list[Row], columns: Iterable[int]) -> tuple[list[str], list[Row]]:
-    """Some columns of a table."""
-    kept = list(columns)
-    return [heads[i] for i in kept], [[row[i] for i in kept] for row in rows]
+    return out + table(["Size", "Code and constants"], small)
 
 
 def write_readme() -> None:

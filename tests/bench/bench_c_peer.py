@@ -59,7 +59,7 @@ def speed(sdk: Path) -> list[Row]:
     ours, portable, theirs = BUILD / "speed", BUILD / "speed-portable", BUILD / "speed-peer"
     flags = ["-std=gnu11", "-O2", "-w", "-DNDEBUG", f"-I{HERE}"]
     for program, choice in ((ours, []), (portable, ["-DMIP_CHECKSUM=MIP_CHECKSUM_WORDS"])):
-        run("cc", *flags, *choice, f"-I{SOURCES}", HERE / "speed.c", HERE / "plain.c", *library(), "-o", program)
+        run("cc", *flags, *choice, f"-I{SOURCES}", HERE / "speed.c", *library(), "-o", program)
     run("cc", *flags, f"-I{sdk}/src/c", HERE / "peer/speed.c", *_sources(sdk, "mip", "mip/definitions", "microstrain"),
         "-o", theirs)  # fmt: skip
     rows = []

@@ -159,7 +159,7 @@ def cargo(folder: Path, *arguments: str) -> None:
 def programs() -> tuple[Path, Path, str]:
     """The program in Rust, the one in C, and why the other crate is not in the first one."""
     flags = ["-std=gnu99", "-O2", f"-I{SOURCES}", f"-I{HERE}"]
-    run("cc", *flags, HERE / "speed.c", HERE / "plain.c", *library(), "-o", BUILD / "speed")
+    run("cc", *flags, HERE / "speed.c", *library(), "-o", BUILD / "speed")
     ours = f'mip-protocol = {{ path = "{CRATE}", features = ["std"] }}\n'
     peer = f'{PEER} = {{ version = "={PEER_VERSION}", default-features = false, features = ["std"] }}\n'
     files = {name: (HERE / name).read_text() for name in ("speed.rs", "peer.rs")}

@@ -5,7 +5,6 @@
 #include "mip/registry.h"
 #include "mip/sensor_inline.h"
 #include "mip/shared_inline.h"
-#include "plain.h"
 #include "rounds.h"
 
 enum { CHUNK = 4096,
@@ -53,24 +52,7 @@ static bool table(const struct mip_field *field) {
     }
 }
 
-/** Like a program that tries one type after the other. */
-#define TRY(key, name)                                       \
-    {                                                        \
-        struct mip_##name value;                             \
-        const mip_error e = mip_##name##_decode(&value, field); \
-        use(&value);                                         \
-        if (e == MIP_OK) {                                   \
-            return true;                                     \
-        }                                                    \
-    }
-static bool each(const struct mip_field *field) {
-    TRY(SENSOR_SCALED_ACCEL, sensor_scaled_accel)
-    TRY(SENSOR_SCALED_GYRO, sensor_scaled_gyro)
-    TRY(FILTER_DATA_ATTITUDE_QUATERNION, filter_data_attitude_quaternion)
-    return false;
-}
-
-/** The same with a switch. */
+/** A few wanted fields. */
 static bool three(const struct mip_field *field) {
     switch (mip_field_key(field)) {
         TABLE(SENSOR_SCALED_ACCEL, sensor_scaled_accel)
@@ -113,32 +95,6 @@ static inline __attribute__((always_inline)) size_t parse(const uint8_t *data, s
             struct mip_field field;
             while (mip_walk_next(&walk, &field)) {
                 count += decode(&field);
-            }
-        }
-    }
-    return count;
-}
-
-static inline size_t by_hand(const uint8_t *data, size_t size, size_t chunk, bool decode) {
-    struct plain_parser parser;
-    size_t count = 0;
-    plain_init(&parser);
-    while (size > 0) {
-        size_t part = size < chunk ? size : chunk;
-        size -= part;
-        while (plain_next(&parser, &data, &part)) {
-            size_t at = 4;
-            uint8_t descriptor;
-            const uint8_t *bytes;
-            size_t length;
-            if (!decode) {
-                use(&parser);
-                count++;
-            }
-            while (decode && plain_field(&parser, &at, &descriptor, &bytes, &length)) {
-                union plain_value value;
-                count += plain_decode(parser.buffer[2], descriptor, bytes, length, &value);
-                use(&value);
             }
         }
     }
@@ -206,9 +162,6 @@ FUNCTION(ours_direct) {
 FUNCTION(ours_table) {
     return parse(data, size, CHUNK, table);
 }
-FUNCTION(ours_each) {
-    return parse(data, size, CHUNK, each);
-}
 FUNCTION(ours_three) {
     return parse(data, size, CHUNK, three);
 }
@@ -221,42 +174,9 @@ FUNCTION(ours_build_direct) {
 FUNCTION(ours_build_table) {
     BUILD(_encode);
 }
-FUNCTION(plain_parse) {
-    return by_hand(data, size, CHUNK, false);
-}
-FUNCTION(plain_bytewise) {
-    return by_hand(data, size, 1, false);
-}
-FUNCTION(plain_both) {
-    return by_hand(data, size, CHUNK, true);
-}
-FUNCTION(plain_build) {
-    size_t built = 0;
-    for (size_t at = 0; at + BUILT <= size; at += BUILT) {
-        float values[6];
-        uint64_t stamp;
-        uint8_t packet[MIP_MAX_PACKET];
-        struct plain_builder builder;
-        memcpy(values, data + at, 24);
-        memcpy(&stamp, data + at + 24, 8);
-        plain_start(&builder, packet, sizeof(packet), 0x80);
-        for (uint8_t field = 0; field < 2; field++) {
-            plain_begin(&builder, 4 + field, 12);
-            for (int i = 0; i < 3; i++) {
-                plain_float(&builder, values[3 * field + i]);
-            }
-        }
-        plain_begin(&builder, 0xD5, 8);
-        plain_u64(&builder, stamp);
-        built += plain_finish(&builder);
-        use(packet);
-    }
-    return built;
-}
-
-static const struct row ROWS[] = {ROW(ours_parse), ROW(ours_whole), ROW(ours_small), ROW(ours_bytewise),
-            ROW(ours_read), ROW(ours_direct), ROW(ours_table), ROW(ours_each), ROW(ours_three), ROW(ours_registry), ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
-            ROW(plain_bytewise), ROW(plain_both), ROW(plain_build)};
+static const struct row ROWS[] = {ROW(ours_parse), ROW(ours_whole), ROW(ours_small), ROW(ours_bytewise), ROW(ours_read),
+                                  ROW(ours_direct), ROW(ours_table), ROW(ours_three), ROW(ours_registry),
+                                  ROW(ours_build_direct), ROW(ours_build_table)};
 
 int main(int arguments, char **given) {
     return run_rounds(ROWS, sizeof(ROWS) / sizeof(ROWS[0]), arguments, given);
