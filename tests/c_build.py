@@ -17,10 +17,12 @@ PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat
             "-Wmissing-prototypes", "-Wnull-dereference", "-Wredundant-decls", "-Wsign-conversion",
             "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
 #: Programs of unit/ that run with the library of the invented specification.
-UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "garbage", "stream")
+UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "stream")
+#: How firmware is compiled, so that the linker can leave out each function; and with most of the warnings.
+FIRMWARE = ("-std=c99", "-O2", "-ffunction-sections", "-fdata-sections")
 SANITIZE = ["-g1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
-#: The flags of the unit programs' library, with which other programs under the sanitizers are linked, too.
-SANITIZED = ["-std=c99", "-O1", *SANITIZE]
+#: The flags of the one library for all programs under the sanitizers: compiling it takes most of their time.
+SANITIZED = ["-std=c99", "-O0", *SANITIZE]
 
 
 def folder(spec: str) -> Path:
@@ -81,4 +83,20 @@ def compiled(
     """Builds a program with the library; `library`: one that was compiled in another way."""
     library = library or archive(spec, compiler, *flags)
     run(need(compiler), *WARNINGS, *flags, include(spec), f"-I{HERE}/unit", source, *also, library, "-o", out)
+    return out
+
+
+def units(out: Path, compiler: str, *flags: str, library: Path | None = None, link: Sequence[str | Path] = ()) -> Path:
+    """Builds one program that runs all unit programs. `link`: what else it is linked with."""
+    library = library or archive("invented", compiler, *flags)
+    prototypes = "".join(f"int unit_{name}(void);\n" for name in UNITS)
+    calls = " || ".join(f"unit_{name}() != 0" for name in UNITS)
+    main = out.with_suffix(".c")
+    main.write_text(f"{prototypes}int main(void) {{\n    return {calls};\n}}\n")
+    objects = []
+    for name in UNITS:
+        source, made = HERE / f"unit/{name}.c", out.with_suffix(f".{name}.o")
+        run(need(compiler), *WARNINGS, *flags, include("invented"), f"-Dmain=unit_{name}", "-c", source, "-o", made)
+        objects.append(made)
+    run(need(compiler), *flags, main, *objects, *link, library, "-o", out)
     return out

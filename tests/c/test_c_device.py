@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from c_build import HERE, SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
-from mipgen import cli
+from c_build import HERE, SANITIZED, WARNINGS, compiled, folder, include, run
 from mipgen import model as m
 from mipgen.lower import codec
 from mipgen.targets.c import calls, members, names
-from spec_defaults import filled as filled_in
-from support import PATIENCE, SPECS, heavy, model, need, small
+from support import PATIENCE, heavy, model, need, small
 from test_c import build, constructed, given, record, written
 
 EXAMPLES = folder("real") / "examples"
@@ -159,149 +156,71 @@ def test_every_call(spec: str, tmp_path: Path) -> None:
     headers = "".join(f'#include "mip/{names.module(x.name)}_commands.h"\n' for x in of.families if calls.commands(x))
     checks = ["mip_device_init(&device, &port, 0, NULL);", *(c for _, c in found)]
     program = written(tmp_path / "calls.c", of, checks, f"{headers}{PORT}")
-    run(build(tmp_path, "cc", spec, program, *SANITIZE))
+    run(build(tmp_path, "cc", spec, program))
 
 
-def test_the_compiler_sees_a_wrong_response(tmp_path: Path) -> None:
-    program = tmp_path / "wrong.c"
-    for response, good in (("bias_vector", True), ("settings_response", False)):
-        program.write_text(
-            f'#include "mip/tools_commands.h"\nvoid f(struct mip_device *d, struct mip_tools_{response} *r);\n'
-            f"void f(struct mip_device *d, struct mip_tools_{response} *r) {{ mip_call_tools_bias_read(d, r); }}\n"
-        )
-        command = [need("cc"), *WARNINGS, include("invented"), "-fsyntax-only", str(program)]
-        assert (subprocess.run(command, capture_output=True).returncode == 0) == good
+# --------------------------------------------------------------------------- mistakes
+
+#: What a compiler reports: the specification, what stands before the statements, their variables, those that compile,
+#: and those that do not.
+MISTAKES = {
+    "an addition that is not looked at": (
+        "invented", '#include "mip/tools.h"', "struct mip_builder *b",
+        ["if (mip_tools_ping_encode(NULL, b) != MIP_OK) { b->error = MIP_OK; }"],
+        ["mip_tools_ping_encode(NULL, b);", "mip_encode(&mip_tools_ping_codec, NULL, b);",
+         "mip_builder_add(b, 1, NULL, 0);"],
+    ),
+    "a wrong response": (
+        "invented", '#include "mip/tools_commands.h"',
+        "struct mip_device *d, struct mip_tools_bias_vector *r, struct mip_tools_settings_response *s",
+        ["mip_call_tools_bias_read(d, r);"], ["mip_call_tools_bias_read(d, s);"],
+    ),
+    "a set in place of true": (
+        "real", '#include "mip/3dm_commands.h"\n#include "mip/sensor.h"',
+        "struct mip_device *d, struct mip_3dm_data_stream_control *c, uint8_t x",
+        ["mip_3dm_data_stream_control_write(c, MIP_SENSOR_SET, true);",
+         "mip_call_3dm_data_stream_control_write(d, MIP_SENSOR_SET, x);"],
+        ["mip_3dm_data_stream_control_write(c, true, MIP_SENSOR_SET);",
+         "mip_call_3dm_data_stream_control_write(d, true, MIP_SENSOR_SET);"],
+    ),
+    "a count above the array": (
+        "real", '#include "mip/3dm_commands.h"\nstatic const struct mip_descriptor_rate a[3] = {{4, 1}, {5, 1}};',
+        "struct mip_device *d, struct mip_3dm_message_format *c, const struct mip_descriptor_rate *p, uint8_t x",
+        ["mip_3dm_message_format_write(c, 0x80, 3, a);", "mip_3dm_message_format_write(c, 0x80, x, a);",
+         "mip_call_3dm_message_format_write(d, 0x80, 4, p);",
+         "mip_call_3dm_message_format_write(d, 0x80, MIP_ARRAY(a));"],
+        ["mip_3dm_message_format_write(c, 0x80, 4, a);", "mip_3dm_message_format_write(c, 0x80, MIP_ARRAY(p));",
+         "mip_call_3dm_message_format_write(d, 0x80, 4, a);",
+         "mip_call_3dm_message_format_write(d, 0x80, MIP_ARRAY(p));"],
+    ),
+    "a number in place of a type": (
+        "invented", '#include "mip/device.h"\n#include "mip/measurements.h"',
+        "void (*on)(void *user, const struct mip_field *field, uint32_t arrived)",
+        ["struct mip_handler h = {&mip_measurements_accel_codec, MIP_ANY_SET, on, NULL};",
+         "struct mip_handler h = {MIP_ANY_FIELD, MIP_MEASUREMENTS_SET, on, NULL};"],
+        ["struct mip_handler h = {MIP_MEASUREMENTS_ACCEL_DESCRIPTOR, MIP_ANY_SET, on, NULL};",
+         "struct mip_handler h = {MIP_MEASUREMENTS_ACCEL(MIP_MEASUREMENTS_SET), MIP_ANY_SET, on, NULL};",
+         "struct mip_handler h = {MIP_MEASUREMENTS_SET, &mip_measurements_accel_codec, on, NULL};",
+         "struct mip_handler h = {1, MIP_MEASUREMENTS_SET, on, NULL};"],
+    ),
+}  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "call", ["mip_3dm_data_stream_control_write(c, {})", "mip_call_3dm_data_stream_control_write(d, {})"]
-)
-@pytest.mark.parametrize(
-    "arguments,good", [("MIP_SENSOR_SET, true", True), ("MIP_SENSOR_SET, x", True), ("true, MIP_SENSOR_SET", False)]
-)
-def test_the_compiler_sees_a_set_in_place_of_true(call: str, arguments: str, good: bool, tmp_path: Path) -> None:
-    """Arguments in the wrong order: a constant above 1 for a Boolean is reported if the compiler optimizes."""
-    program = tmp_path / "truth.c"
-    types = "struct mip_device *d, struct mip_3dm_data_stream_control *c, uint8_t x"
-    program.write_text(
-        '#include "mip/3dm_commands.h"\n#include "mip/sensor.h"\n'
-        f"void f({types});\nvoid f({types}) {{ (void)d, (void)c, (void)x; (void){call.format(arguments)}; }}\n"
-    )
-    command = [need("cc"), *WARNINGS, "-O1", include("real"), "-c", str(program), "-o", str(tmp_path / "o")]
-    assert (subprocess.run(command, capture_output=True).returncode == 0) == good
-
-
-@pytest.mark.parametrize("cc", ["cc", pytest.param("clang", marks=heavy("clang"))])
-@pytest.mark.parametrize("call", ["mip_3dm_message_format_write(c, {})", "mip_call_3dm_message_format_write(d, {})"])
-def test_the_compiler_sees_a_count_above_the_array(call: str, cc: str, tmp_path: Path) -> None:
-    """A constant count is reported if the compiler optimizes; MIP_ARRAY counts itself, and accepts no pointer."""
-    program = tmp_path / "count.c"
-    types = "struct mip_device *d, struct mip_3dm_message_format *c, const struct mip_descriptor_rate *p, uint8_t x"
-    array = "const struct mip_descriptor_rate a[] = {{4, 1}, {5, 1}, {6, 1}};"
-    good = {"3, a": True, "x, a": True, "4, p": True, "MIP_ARRAY(a)": True, "4, a": False, "MIP_ARRAY(p)": False}
-    for arguments, compiles in good.items():
-        program.write_text(
-            f'#include "mip/3dm_commands.h"\nvoid f({types});\nvoid f({types}) {{ {array}\n'
-            f"(void)d, (void)c, (void)x, (void)p, (void)a; (void){call.format(f'0x80, {arguments}')}; }}\n"
-        )
-        command = [need(cc), *WARNINGS, "-O1", include("real"), "-c", str(program), "-o", str(tmp_path / "o")]
-        assert (subprocess.run(command, capture_output=True).returncode == 0) == compiles, arguments
-
-
-#: Entries of a table of handlers, and whether they compile.
-ENTRIES = {
-    "&mip_measurements_accel_codec, MIP_ANY_SET, on, NULL": True,
-    "MIP_ANY_FIELD, MIP_MEASUREMENTS_SET, on, NULL": True,
-    "MIP_MEASUREMENTS_ACCEL_DESCRIPTOR, MIP_ANY_SET, on, NULL": False,
-    "MIP_MEASUREMENTS_ACCEL(MIP_MEASUREMENTS_SET), MIP_ANY_SET, on, NULL": False,
-    "MIP_MEASUREMENTS_SET, &mip_measurements_accel_codec, on, NULL": False,
-    "1, MIP_MEASUREMENTS_SET, on, NULL": False,
-}
-
-
-@pytest.mark.parametrize("entry", ENTRIES)
-def test_the_compiler_sees_a_number_in_place_of_a_type(entry: str, tmp_path: Path) -> None:
-    """A handler names a type by its codec: a descriptor, a key, or set and type swapped, do not compile."""
-    program = tmp_path / "entry.c"
-    program.write_text(
-        '#include "mip/device.h"\n#include "mip/measurements.h"\n'
-        "extern void on(void *user, const struct mip_field *field, uint32_t arrived);\n"
-        "extern const struct mip_handler handlers[];\n"
-        f"const struct mip_handler handlers[] = {{{{{entry}}}}};\n"
-    )
-    command = [need("cc"), "-Wall", "-Werror", include("invented"), "-fsyntax-only", str(program)]
-    assert (subprocess.run(command, capture_output=True).returncode == 0) == ENTRIES[entry]
-
-
-#: A command whose parameters have the names of arguments of generated functions.
-CLASHING = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
-set: 0x62
-name: clashing
-title: Clashing
-description: D.
-fields:
-  - command: 0x01
-    name: names
-    title: Names
-    description: D.
-    sources: [{manual: leaflet, section: S}]
-    functions: WR
-    parameters:
-      - {name: command, type: u8, for: WR}
-      - {name: device, type: u8, for: W}
-      - {name: response, type: u16, count: device, for: W}
-      - {name: value, type: char, count: 4, for: W}
-    responses: [{response: 0x81, name: response, parameters: as_command}]
-"""
-
-
-def test_parameters_may_have_the_names_of_arguments(tmp_path: Path) -> None:
-    shutil.copytree(SPECS["invented"][0], tmp_path / "spec")
-    (tmp_path / "spec/sets/clashing.yaml").write_text(filled_in(CLASHING), "utf-8")
-    arguments = ("--spec", str(tmp_path / "spec"), "--out", str(tmp_path / "out"), "--target", "c")
-    assert cli.main(["generate", *arguments]) == 0
-    program = tmp_path / "clashing.c"
-    program.write_text(
-        """#include "check.h"
-#include "mip/clashing_commands.h"
-int main(void) {
-    struct mip_clashing_names made;
-    const uint16_t numbers[] = {7, 8};
-    mip_clashing_names_write(&made, 5, 2, numbers, "text");
-    CHECK(made.command == 5 && made.device == 2 && made.response[1] == 8 && strcmp(made.value, "text") == 0);
-    return sizeof(&mip_call_clashing_names_write) == 0 || sizeof(&mip_call_clashing_names_read) == 0;
-}
-"""
-    )
-    where = tmp_path / "out/c/src"
-    library = sorted((where / "mip").glob("*.c"))
-    run(
-        need("cc"),
-        "-std=c99",
-        *WARNINGS,
-        f"-I{where}",
-        f"-I{HERE}/unit",
-        program,
-        *library,
-        "-o",
-        tmp_path / "clashing",
-    )
-    run(tmp_path / "clashing")
+@pytest.mark.parametrize("compiler", ["cc", pytest.param("clang", marks=heavy("clang"))])
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_the_compiler_sees(mistake: str, compiler: str, tmp_path: Path) -> None:
+    """Some of these only if it optimizes."""
+    spec, before, variables, good, bad = MISTAKES[mistake]
+    program = tmp_path / "program.c"
+    unused = ["-Wno-unused-parameter", "-Wno-unused-variable", "-Wno-unused-const-variable"]
+    for statement in (" ".join(f"{{ {s} }}" for s in good), *bad):
+        program.write_text(f"{before}\nvoid f({variables});\nvoid f({variables}) {{ {statement} }}\n")
+        command = [need(compiler), *WARNINGS, *unused, "-O1", include(spec), "-c", program, "-o", tmp_path / "o"]
+        done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
+        assert (done.returncode != 0) == (statement in bad), f"{statement}\n{done.stderr}"
 
 
 # --------------------------------------------------------------------------- examples
-
-
-def example(tmp_path: Path, name: str, *also: Path) -> Path:
-    """An example, built with the library as its user would; `also`: further sources."""
-    out = tmp_path / name.partition(".")[0]
-    library = archive("real", "cc", *SANITIZED)  # that of the unit programs
-    return compiled(out, "real", "cc", EXAMPLES / name, "-std=c99", *SANITIZE, also=also, library=library)
-
-
-def ran(program: Path, *arguments: str) -> tuple[int, str, str]:
-    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=PATIENCE)
-    return done.returncode, done.stdout, done.stderr
 
 
 def test_the_examples_are_these() -> None:
@@ -314,5 +233,7 @@ def test_the_examples_are_these() -> None:
 
 
 def test_bare_metal(tmp_path: Path) -> None:
-    ran_well = ran(example(tmp_path, "bare_metal.c", HERE / "unit/board.c"))
-    assert ran_well == (0, "", "")
+    source, board = EXAMPLES / "bare_metal.c", HERE / "unit/board.c"
+    program = compiled(tmp_path / "bare_metal", "real", "cc", source, *SANITIZED, also=[board])
+    done = subprocess.run([program], capture_output=True, text=True, timeout=PATIENCE)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

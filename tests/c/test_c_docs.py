@@ -16,7 +16,7 @@ from mipgen import model as m
 from mipgen.facts import describe
 from mipgen.targets.c import calls, cpp, members, names
 from mipgen.targets.c.comments import ELSEWHERE, Comments, comment, reference
-from support import ROOT, SPECS, heavy, model, need
+from support import ROOT, SPECS, heavy, model, need, small
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 
@@ -164,7 +164,7 @@ def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, li
                 yield f"{names.union_name(p, record)}.{names.member(c.parameter.name)}", told
 
 
-@both
+@small("comments of the real C library")
 def test_every_fact_is_told(spec: str) -> None:
     of, found = model(spec), comments(spec)
     things = list(wanted(of))
@@ -206,7 +206,7 @@ def test_headers_leave_what_is_not_certain_to_the_profiles(spec: str) -> None:
         assert (ELSEWHERE in plain(text.partition("*/")[0])) == unsure
 
 
-@both
+@small("comments of the real C library")
 def test_everything_has_a_comment(spec: str) -> None:
     """Every function, structure, member, macro and value of every header; guards apart."""
     headers = sorted((SPECS[spec][1] / "c/src").rglob("*.h"))

@@ -13,7 +13,7 @@ import threading
 from pathlib import Path
 
 import pytest
-from c_build import HERE, SANITIZE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
+from c_build import HERE, SANITIZED, WARNINGS, archive, compiled, folder, include, run
 from mipgen.targets.c import calls
 from support import PATIENCE, PYTHONPATH, heavy, model, need, simulated
 
@@ -25,9 +25,9 @@ LINE = re.compile(r" *\d+\.\d{3} s: +-?0\.0\d{3} +-?0\.0\d{3} +-(?:0\.9|1\.0)\d{
 
 
 def built(tmp_path: Path, source: Path) -> Path:
-    flags = ["-std=c99", *SANITIZE, f"-I{PORTS}"]
-    out = tmp_path / source.stem
-    return compiled(out, "real", "cc", source, *flags, also=SOURCES, library=archive("real", "cc", *SANITIZED))
+    library = archive("real", "cc", *SANITIZED)
+    flags = (*SANITIZED, f"-I{PORTS}")
+    return compiled(tmp_path / source.stem, "real", "cc", source, *flags, also=SOURCES, library=library)
 
 
 @pytest.fixture(scope="module")
@@ -44,8 +44,7 @@ def ran(program: Path, *arguments: str) -> tuple[int, list[str], str]:
 
 
 def test_connect_and_stream_at_a_scripted_port(tmp_path: Path) -> None:
-    library = archive("real", "cc", *SANITIZED)
-    run(compiled(tmp_path / "connect", "real", "cc", HERE / "unit/connect.c", "-std=c99", *SANITIZE, library=library))
+    run(compiled(tmp_path / "connect", "real", "cc", HERE / "unit/connect.c", *SANITIZED))
 
 
 def test_the_rates_are_those_of_all_devices() -> None:
@@ -122,16 +121,13 @@ def test_a_device_with_the_older_commands(stream: Path) -> None:
 
 
 def test_faults(stream: Path, tmp_path: Path) -> None:
-    """Commands with lost replies are repeated, NACKs are reported, and damage costs only the damaged packets."""
+    """Commands with lost replies are repeated, NACKs are reported, and noise costs nothing; see also unit/connect.c."""
     path = f"{tmp_path}/terminal"
-    for fault in ("lose_answer@1", "lose_answer@2", "lose_answer@5", "nmea=0.2,noise=0.05"):
-        with simulated("--pty", path, "--duration", "2", "--fault", fault):
-            good(ran(stream, path))
+    with simulated("--pty", path, "--duration", "2", "--fault", "lose_answer@2,nmea=0.2,noise=0.05"):
+        good(ran(stream, path))
     with simulated("--pty", path, "--fault", "refuse@4"):
         code, _, error = ran(stream, path)
         assert code == 1 and error.startswith("stream: refused ")
-    with simulated("--pty", path, "--fault", "lose_answer=1"):
-        assert ran(stream, path)[::2] == (1, "connect: timed out \n")
 
 
 def test_the_baud_rate_is_found(stream: Path, tmp_path: Path) -> None:

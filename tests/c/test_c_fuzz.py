@@ -10,14 +10,15 @@ from pathlib import Path
 
 import c_build
 import pytest
-from c_build import SANITIZE
-from support import SEED, heavy, need
+from c_build import SANITIZED
+from support import SEED, heavy, need, rounds
 
 HERE = Path(__file__).parent
 sys.path.append(str(HERE.parent / "fuzz"))
 import fuzz  # noqa: E402
 
-FLAGS = ["-std=c99", "-O1", *SANITIZE]
+#: How many inputs are made of the known ones.
+MADE = rounds(5_000, 50_000)
 
 
 def replay(program: Path, inputs: list[bytes], count: int) -> subprocess.CompletedProcess[str]:
@@ -31,10 +32,10 @@ def replay(program: Path, inputs: list[bytes], count: int) -> subprocess.Complet
 def test_replay(name: str, tmp_path: Path) -> None:
     program, inputs = tmp_path / "replay", [*fuzz.begin(name), *fuzz.known(name)]
     _, source, spec = fuzz.TARGETS[name]
-    c_build.compiled(program, spec, "cc", HERE / f"fuzz/{source}.c", *FLAGS, also=[HERE / "fuzz/replay.c"])
-    done = replay(program, inputs, 50_000)
+    c_build.compiled(program, spec, "cc", HERE / f"fuzz/{source}.c", *SANITIZED, also=[HERE / "fuzz/replay.c"])
+    done = replay(program, inputs, MADE)
     assert done.returncode == 0, done.stderr[-6000:]
-    assert done.stdout == f"{len(inputs)} inputs and 50000 that were made from them\n"
+    assert done.stdout == f"{len(inputs)} inputs and {MADE} that were made from them\n"
 
 
 FAILURES = {
@@ -51,7 +52,7 @@ def test_replay_shows_what_fails(failure: str, tmp_path: Path) -> None:
         f'#include "fuzz.h"\nint LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {{ {FAILURES[failure]} '
         "return 0; }\n"
     )
-    flags = [*FLAGS, "-DREPLAY_PATIENCE=1", f"-I{HERE}/fuzz"]
+    flags = [*SANITIZED, "-DREPLAY_PATIENCE=1", f"-I{HERE}/fuzz"]
     c_build.run(need("cc"), *flags, HERE / "fuzz/replay.c", target, "-o", program)
     done = replay(program, [b"\x01\x02", b"\x01\x02\x42"], 0)
     assert done.returncode == 3 and done.stderr.endswith(":\n010242\n"), done.stderr

@@ -5,14 +5,30 @@
 
 from __future__ import annotations
 
-import platform
 import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from c_build import HERE, PEDANTIC, SANITIZE, UNITS, WARNINGS, archive, compiled, folder, include, run, sources
+from c_build import (
+    FIRMWARE,
+    HERE,
+    PEDANTIC,
+    SANITIZED,
+    WARNINGS,
+    archive,
+    compiled,
+    folder,
+    include,
+    run,
+    sources,
+    units,
+)
 from support import SEED, SPECS, heavy, need, nightly, small
+
+sys.path.append(str(HERE.parent / "fuzz"))
+import fuzz
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 compilers = pytest.mark.parametrize("compiler", ["cc", pytest.param("clang", marks=heavy("clang"))])
@@ -36,24 +52,13 @@ def standard(compiler: str, name: str) -> str:
     raise AssertionError(f"{compiler} does not know {name}: {known.stderr}")
 
 
-def units(tmp: Path, spec: str, compiler: str, *flags: str, library: Path | None = None) -> None:
-    for name in UNITS if spec == "invented" else ("garbage", "checksum"):
-        run(compiled(tmp / name, spec, compiler, HERE / f"unit/{name}.c", *flags, library=library))
-
-
 # --------------------------------------------------------------------------- languages and levels
 
 
 @compilers
-@pytest.mark.parametrize("unit", UNITS)
-def test_unit(unit: str, compiler: str, tmp_path: Path) -> None:
+def test_units(compiler: str, tmp_path: Path) -> None:
     """Under the sanitizers, including the check of alignment."""
-    run(compiled(tmp_path / unit, "invented", compiler, HERE / f"unit/{unit}.c", "-std=c99", "-O1", *SANITIZE))
-
-
-@compilers
-def test_garbage_in_all_real_fields(compiler: str, tmp_path: Path) -> None:
-    run(compiled(tmp_path / "garbage", "real", compiler, HERE / "unit/garbage.c", "-std=c99", "-O1", *SANITIZE))
+    run(units(tmp_path / "units", compiler, *SANITIZED))
 
 
 ALL = nightly("all builds of C")
@@ -84,7 +89,7 @@ def cpp_rows() -> Iterator[object]:
 
 @pytest.mark.parametrize("compiler,language,level,flags", list(rows()))
 def test_c(compiler: str, language: str, level: str, flags: list[str], tmp_path: Path) -> None:
-    units(tmp_path, "invented", compiler, standard(compiler, language), level, *flags)
+    run(units(tmp_path / "units", compiler, standard(compiler, language), level, *flags))
 
 
 @pytest.mark.parametrize(
@@ -97,7 +102,14 @@ def test_c(compiler: str, language: str, level: str, flags: list[str], tmp_path:
 )
 def test_the_real_library(compiler: str, level: str, tmp_path: Path) -> None:
     chars = CHARS[LEVELS.index(level) % 2]
-    units(tmp_path, "real", compiler, standard(compiler, "newest C"), level, chars, "-fshort-enums")
+    any_field(tmp_path, compiler, standard(compiler, "newest C"), level, chars, "-fshort-enums")
+
+
+def any_field(tmp: Path, compiler: str, *flags: str, library: Path | None = None) -> None:
+    """All fields of the real specification, as they are fuzzed, with a few inputs."""
+    parts, inputs = [HERE / "fuzz/replay.c"], fuzz.hexadecimal(tmp / "inputs", fuzz.begin("fields"))
+    program = compiled(tmp / "fields", "real", compiler, HERE / "fuzz/fields.c", *flags, also=parts, library=library)
+    run(program, inputs, "3000")
 
 
 @pytest.mark.parametrize("spec", ["invented", pytest.param("real", marks=ALL)])
@@ -107,7 +119,10 @@ def test_the_sources_are_cpp_too(pair: str, language: str, spec: str, tmp_path: 
     c, cpp = pair.split()
     flags = [LEVELS[CPP.index(language) % 3], CHARS[CPP.index(language) % 2]]
     library = archive(spec, cpp, "-x", "c++", standard(cpp, language), *flags)
-    units(tmp_path, spec, c, "-std=c99", *flags, library=library)
+    if spec == "invented":
+        run(units(tmp_path / "units", c, "-std=c99", *flags, library=library))
+    else:
+        any_field(tmp_path, c, "-std=c99", *flags, library=library)
 
 
 # --------------------------------------------------------------------------- warnings
@@ -117,7 +132,7 @@ def test_the_sources_are_cpp_too(pair: str, language: str, spec: str, tmp_path: 
 @compilers
 @pytest.mark.parametrize("level", [pytest.param("-O0", marks=ALL), "-O2"])  # -O2 finds more
 def test_c99_without_a_warning(level: str, compiler: str, spec: str) -> None:
-    archive(spec, compiler, "-std=c99", level)
+    archive(spec, compiler, *FIRMWARE, level)
 
 
 @heavy("many builds of C")
@@ -143,15 +158,16 @@ def test_every_warning_of_clang(spec: str) -> None:
 
 # --------------------------------------------------------------------------- checksum
 
-FORMS = ["PLAIN", "WORDS", *{"x86_64": ["SSE2"], "aarch64": ["NEON"]}.get(platform.machine(), [])]
+#: The unit programs have that of the machine: vectors, if it has any.
+FORMS = ["PLAIN", "WORDS"]
 
 
 @pytest.mark.parametrize("form", FORMS)
 @compilers
 def test_every_form_of_the_checksum(compiler: str, form: str, tmp_path: Path) -> None:
-    flags = ["-std=c99", "-O2", f"-DMIP_CHECKSUM=MIP_CHECKSUM_{form}", *SANITIZE]
+    flags = ["-std=c99", "-O2", f"-DMIP_CHECKSUM=MIP_CHECKSUM_{form}"]
     source = folder("invented") / "src/mip/core.c"
-    run(need(compiler), *WARNINGS, *flags, include("invented"), f"-I{HERE}/unit", HERE / "unit/checksum.c", source,
+    run(need(compiler), *WARNINGS, *flags, include("invented"), HERE / "unit/checksum.c", source,
         "-o", tmp_path / "checksum")  # fmt: skip
     run(tmp_path / "checksum")
 

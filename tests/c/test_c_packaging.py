@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 import yaml
-from support import ROOT, model, need, packaging
-from test_c import HERE, both, folder, run, sources
+from c_build import HERE, folder, run, sources
+from support import ROOT, SPECS, model, need, packaging
 
 pytestmark = packaging
 
@@ -100,7 +100,7 @@ def test_folder_alone_builds(project: Path) -> None:
     quickstart(project / "main")
 
 
-@both
+@pytest.mark.parametrize("spec", sorted(SPECS))
 def test_every_list_names_every_source(spec: str) -> None:
     lists = {"cmake/sources.cmake": r"^  \${MIP_FOLDER}/(src/\S+\.c)$", "meson.build": r"^  '(src/\S+\.c)',$"}
     wanted = sorted(f"src/mip/{Path(source).name}" for source in sources(spec))

@@ -74,12 +74,6 @@ TRAP = ("-fsanitize=undefined", "-fsanitize-undefined-trap-on-error")
 BUILDS = {"speed": ("-O3",), "size": ("-Os", "-fshort-enums"), "sanitized": ("-O1", *TRAP)}
 
 
-def compiled(name: str, spec: str, out: Path, source: Path, *flags: str, also: tuple[Path, ...] = ()) -> Path:
-    machine = MACHINES[name]
-    options = ("-std=c99", "-static", *machine.flags, *flags)
-    return c_build.compiled(out, spec, machine.compiler, source, *options, also=also)
-
-
 def emulated(name: str, *command: str | Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([need(MACHINES[name].emulator), *map(str, command)], capture_output=True, text=True)
 
@@ -106,19 +100,21 @@ def test_the_machine_is_what_it_should_be(name: str, tmp_path: Path) -> None:
 
 @machines
 @pytest.mark.parametrize("kind", BUILDS)
-def test_unit(kind: str, name: str, tmp_path: Path) -> None:
-    for unit in c_build.UNITS:
-        program = compiled(name, "invented", tmp_path / unit, C / f"unit/{unit}.c", *BUILDS[kind])
-        done = emulated(name, program)
-        assert done.returncode == 0, f"{unit}: {done.returncode} {done.stdout}{done.stderr}"
+def test_units(kind: str, name: str, tmp_path: Path) -> None:
+    machine = MACHINES[name]
+    flags = ("-std=c99", "-static", *machine.flags, *BUILDS[kind])
+    done = emulated(name, c_build.units(tmp_path / "units", machine.compiler, *flags))
+    assert done.returncode == 0, f"{done.returncode} {done.stdout}{done.stderr}"
 
 
 @machines
 @pytest.mark.parametrize("target", fuzz.C)
 def test_fuzz_targets(target: str, name: str, tmp_path: Path) -> None:
     _, source, spec = fuzz.TARGETS[target]
-    main = (C / "fuzz/replay.c",)
-    program = compiled(name, spec, tmp_path / "replay", C / f"fuzz/{source}.c", "-O2", also=main)
+    machine = MACHINES[name]
+    flags = ("-std=c99", "-static", *machine.flags, "-O2")
+    program = c_build.compiled(tmp_path / "replay", spec, machine.compiler, C / f"fuzz/{source}.c", *flags,
+                               also=[C / "fuzz/replay.c"])  # fmt: skip
     inputs = tmp_path / "inputs"
     inputs.write_text("".join(f"{data.hex()}\n" for data in [*fuzz.begin(target), *fuzz.known(target)] if data))
     done = emulated(name, program, inputs, "3000")
@@ -166,18 +162,13 @@ def test_the_conformance_driver(name: str, spec: str) -> None:
 
 @pytest.mark.parametrize("level", ["-Os", "-O2"])
 def test_cortex_m4(level: str, tmp_path: Path) -> None:
-    """Every unit program, on an emulated board."""
-    gcc = "arm-none-eabi-gcc"
-    flags = ["-std=c99", "-mthumb", "-mcpu=cortex-m4", level]
-    for unit in c_build.UNITS:
-        library = c_build.archive("invented", gcc, *flags)
-        program = tmp_path / unit
-        c_build.run(need(gcc), *flags, "--specs=rdimon.specs", c_build.include("invented"), f"-I{C}/unit",
-                    C / f"unit/{unit}.c", HERE / "cortex_m.c", library, "-Wl,--section-start=.vectors=0",
-                    "-o", program)  # fmt: skip
-        board = [need("qemu-system-arm"), "-M", "mps2-an386", "-nographic", "-monitor", "none", "-semihosting"]
-        done = subprocess.run([*board, "-kernel", str(program)], capture_output=True, text=True, timeout=300)
-        assert done.returncode == 0, f"{unit}: {done.returncode} {done.stdout}{done.stderr}"
+    """The unit programs, on an emulated board."""
+    flags = ["-std=c99", "-mthumb", "-mcpu=cortex-m4", level, "--specs=rdimon.specs"]
+    link = [HERE / "cortex_m.c", "-Wl,--section-start=.vectors=0"]
+    program = c_build.units(tmp_path / "units", "arm-none-eabi-gcc", *flags, link=link)
+    board = [need("qemu-system-arm"), "-M", "mps2-an386", "-nographic", "-monitor", "none", "-semihosting"]
+    done = subprocess.run([*board, "-kernel", str(program)], capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, f"{done.returncode} {done.stdout}{done.stderr}"
 
 
 @both
@@ -195,8 +186,7 @@ def test_avr_compiles(spec: str) -> None:
     c_build.archive(spec, "avr-gcc", "-std=c99", *AVR)
 
 
-# The tables do not fit. Doubles that are rounded to four bytes do not encode to the same bytes again, as garbage.c
-# expects, and doubles.c compares with those of eight bytes.
+# The tables do not fit, and doubles.c compares with doubles of eight bytes.
 AVR_PROGRAMS = [*(C / f"unit/{name}.c" for name in ("packets", "fields", "client", "checksum")), HERE / "narrow.c"]
 
 

@@ -1,5 +1,5 @@
 /* A program that reads one value, and should link nothing more. */
-#include "mip/sensor.h"
+#include "mip/measurements.h"
 
 static struct mip_parser parser;
 
@@ -8,12 +8,12 @@ float newest(const uint8_t *data, size_t size);
 float newest(const uint8_t *data, size_t size) {
     struct mip_packet packet;
     struct mip_field field;
-    struct mip_sensor_scaled_accel accel = {{0, 0, 0}};
+    struct mip_measurements_accel accel = {{0, 0, 0}, 0};
     while (mip_parser_next(&parser, &data, &size, &packet)) {
         struct mip_walk walk = mip_walk_packet(&packet);
         while (mip_walk_next(&walk, &field)) {
-            if (mip_field_key(&field) == MIP_SENSOR_SCALED_ACCEL) {
-                (void)mip_sensor_scaled_accel_decode(&accel, &field);
+            if (mip_field_key(&field) == MIP_MEASUREMENTS_ACCEL(MIP_MEASUREMENTS_SET)) {
+                (void)mip_measurements_accel_decode(&accel, &field);
             }
         }
     }
