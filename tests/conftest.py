@@ -1,4 +1,4 @@
-"""For all tests: the generator's cache, and the last line, which says what was run and what was left out."""
+"""For all tests: the generator's cache, the programs that they find, and the last line: what was run and left out."""
 
 from __future__ import annotations
 
@@ -57,12 +57,14 @@ def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None, None, None]:
     group(items)  # which xdist reads in this hook, too
     yield  # by the expression of `-m`, some are left out
-    for item in items.copy():
+    kept = []
+    for item in items:
         programs = {program for mark in item.iter_markers("uses") for program in mark.args}
         missing = {program for program in programs if shutil.which(program, path=EVERYTHING) is None}
-        if missing:
-            items.remove(item)
-            left_out.update(("", program) for program in missing)
+        left_out.update(("", program) for program in missing)
+        if not missing:
+            kept.append(item)
+    items[:] = kept
 
 
 def group(items: list[pytest.Item]) -> None:
